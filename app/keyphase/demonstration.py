@@ -1,0 +1,172 @@
+"""A demonstration: one recording of a tool's pose and contact force, and what is always true of it.
+
+Nothing here knows how a demonstration is stored; `keyphase.readers` turns files into one.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from keyphase.errors import DemonstrationError
+
+Array = NDArray[np.float64]
+
+UNIT_TOLERANCE = 1e-3
+"""How far a quaternion's norm may be from one before it is refused rather than normalised."""
+
+_CHANNELS: Mapping[str, int | None] = {
+    "position_m": 3,
+    "orientation_wxyz": 4,
+    "force_N": 3,
+    "torque_Nm": 3,
+    "joints_rad": None,
+}
+
+
+@dataclass(frozen=True)
+class Source:
+    """The file a demonstration was read from: its path and the SHA-256 of its bytes (hex)."""
+
+    path: Path
+    sha256: str
+
+
+@dataclass(frozen=True, eq=False)
+class Demonstration:
+    """One recording, checked on construction; its arrays are read-only.
+
+    time_s           (N,)   seconds, strictly increasing, N at least 2
+    position_m       (N, 3) tool point in the robot's base frame
+    orientation_wxyz (N, 4) unit quaternions, made continuous in sign, or None
+    force_N          (N, 3) what the environment exerts on the tool, base frame, or None
+    torque_Nm        (N, 3) the same about the tool point, or None
+    joints_rad       (N, J) joint angles, or None
+    metadata         what the recorder wrote beside the numbers (JSON values)
+    notices          what the reader did that a person should know (held, resampled, flipped)
+
+    Raises DemonstrationError with channel, row, what was expected and what came.
+    """
+
+    name: str
+    time_s: Array
+    position_m: Array
+    orientation_wxyz: Array | None = None
+    force_N: Array | None = None
+    torque_Nm: Array | None = None
+    joints_rad: Array | None = None
+    metadata: Mapping[str, Any] = field(default_factory=dict)
+    source: Source | None = None
+    notices: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        time = _checked_time(self.time_s, self.name)
+        object.__setattr__(self, "time_s", time)
+        for channel, width in _CHANNELS.items():
+            values = getattr(self, channel)
+            if values is not None:
+                checked = _checked_channel(values, channel, width, len(time), self.name)
+                object.__setattr__(self, channel, checked)
+        if self.orientation_wxyz is not None:
+            continuous = _unit_and_continuous(self.orientation_wxyz, self.name)
+            object.__setattr__(self, "orientation_wxyz", continuous)
+        object.__setattr__(self, "metadata", MappingProxyType(dict(self.metadata)))
+
+    def __len__(self) -> int:
+        return len(self.time_s)
+
+    @property
+    def start_s(self) -> float:
+        """Time of the first sample."""
+        return float(self.time_s[0])
+
+    @property
+    def end_s(self) -> float:
+        """Time of the last sample."""
+        return float(self.time_s[-1])
+
+    @property
+    def duration_s(self) -> float:
+        """From the first to the last sample."""
+        return self.end_s - self.start_s
+
+    @cached_property
+    def rate_hz(self) -> float:
+        """Samples per second, from the median step."""
+        return float(1.0 / np.median(np.diff(self.time_s)))
+
+    def index_at(self, time_s: float) -> int:
+        """Index of the sample nearest to `time_s`."""
+        after = int(np.searchsorted(self.time_s, time_s).clip(1, len(self) - 1))
+        before_is_nearer = time_s - self.time_s[after - 1] <= self.time_s[after] - time_s
+        return after - 1 if before_is_nearer else after
+
+
+def _frozen(values: ArrayLike) -> Array:
+    array = np.array(values, dtype=np.float64, order="C")
+    array.flags.writeable = False
+    return array
+
+
+def _checked_time(values: ArrayLike, name: str) -> Array:
+    time = _frozen(values)
+    if time.ndim != 1 or len(time) < 2:
+        raise DemonstrationError(
+            f"{name}: time_s must be one column of at least two samples, "
+            f"but has shape {time.shape}."
+        )
+    _refuse_not_finite(time, "time_s", name)
+    steps = np.diff(time)
+    if (steps <= 0).any():
+        row = int(np.argmax(steps <= 0)) + 1
+        raise DemonstrationError(
+            f"{name}: time_s must increase from row to row, but row {row} has {time[row]:.9g} s "
+            f"after {time[row - 1]:.9g} s; sort the rows or drop the repeated ones."
+        )
+    return time
+
+
+def _checked_channel(
+    values: ArrayLike, channel: str, width: int | None, rows: int, name: str
+) -> Array:
+    array = _frozen(values)
+    expected = f"({rows}, {width if width is not None else 'J'})"
+    if array.ndim != 2 or len(array) != rows or (width is not None and array.shape[1] != width):
+        raise DemonstrationError(
+            f"{name}: {channel} must have shape {expected}, one row per time sample, "
+            f"but has shape {array.shape}."
+        )
+    _refuse_not_finite(array, channel, name)
+    return array
+
+
+def _refuse_not_finite(array: Array, channel: str, name: str) -> None:
+    bad = ~np.isfinite(array)
+    if bad.any():
+        row, *column = (int(i) for i in np.argwhere(bad)[0])
+        where = f"row {row}" + (f", column {column[0]}" if column else "")
+        value = array[(row, *column)]
+        raise DemonstrationError(
+            f"{name}: {channel} must be finite, but {where} holds {value}; "
+            "cut the samples that were not measured or fill them before reading."
+        )
+
+
+def _unit_and_continuous(wxyz: Array, name: str) -> Array:
+    norms = np.linalg.norm(wxyz, axis=1)
+    off = np.abs(norms - 1.0) > UNIT_TOLERANCE
+    if off.any():
+        row = int(np.argmax(off))
+        raise DemonstrationError(
+            f"{name}: orientation_wxyz must hold unit quaternions in the order w x y z, "
+            f"but row {row} has norm {norms[row]:.6g}; check the columns and their order."
+        )
+    unit = wxyz / norms[:, None]
+    turns = np.sum(unit[1:] * unit[:-1], axis=1) < 0
+    signs = np.where(np.concatenate([[False], np.cumsum(turns) % 2 == 1]), -1.0, 1.0)
+    return _frozen(unit * signs[:, None])

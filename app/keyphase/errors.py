@@ -1,0 +1,65 @@
+"""Everything keyphase refuses, as one tree.
+
+KeyphaseError
+├── DemonstrationError      a recording that cannot be read or used
+│   └── RecipeError         a recipe that does not say how to read a table
+├── ParameterError          a parameter out of its range
+├── LabelingError           an edit that cannot be applied, a document that cannot be opened
+│   ├── JournalError        the journal beside a recording cannot be used
+│   └── SegmentFileError    a segment file that is malformed or of another recording
+├── RobotError              a robot description or pose that cannot be used
+├── SkillError              a segment that cannot be made executable
+├── SimulationError         a workcell, recording or replay that cannot run
+├── ScoreError              a reference that cannot be scored against
+└── RequestError            a message from a browser that is refused
+
+Each message says what was expected, what came, and how to mend it, in one sentence.
+"""
+
+
+class KeyphaseError(Exception):
+    """Root of all errors a user can act on; anything else that is raised is a defect."""
+
+
+class DemonstrationError(KeyphaseError):
+    """A recording that cannot be read or used."""
+
+
+class RecipeError(DemonstrationError):
+    """A recipe that does not say how to read a table."""
+
+
+class ParameterError(KeyphaseError):
+    """A parameter out of its range."""
+
+
+class LabelingError(KeyphaseError):
+    """An edit that cannot be applied or a document that cannot be opened."""
+
+
+class JournalError(LabelingError):
+    """The journal beside a recording cannot be used."""
+
+
+class SegmentFileError(LabelingError):
+    """A segment file that is malformed or belongs to another recording."""
+
+
+class RobotError(KeyphaseError):
+    """A robot description or a pose that cannot be used."""
+
+
+class SkillError(KeyphaseError):
+    """A segment that cannot be made executable."""
+
+
+class SimulationError(KeyphaseError):
+    """A workcell, a recording or a replay that cannot run."""
+
+
+class ScoreError(KeyphaseError):
+    """A reference that cannot be scored against."""
+
+
+class RequestError(KeyphaseError):
+    """A message from a browser that is refused."""

@@ -1,0 +1,16 @@
+"""Fixtures shared by all tests."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+
+@pytest.fixture(scope="session")
+def real_data() -> Path:
+    """Folder of real recordings; absent on most machines, so tests that need it say so and skip."""
+    beside = Path(__file__).parents[2] / "shared" / "real_demonstrations"
+    folder = Path(os.environ.get("KEYPHASE_REAL_DATA", beside))
+    if not folder.is_dir():
+        pytest.skip(f"real recordings not found at {folder}; point KEYPHASE_REAL_DATA at them")
+    return folder
