@@ -1,0 +1,93 @@
+"""Every choice that shapes a segmentation, with the defaults that measured best."""
+
+import math
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from keyphase.errors import ParameterError
+
+Variant = Literal["keyphase", "scikit-learn"]
+Estimator = Literal["equal-distance", "weight-crossing"]
+Engine = Literal["vectorised", "filterpy"]
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """The parameters of `segment`; the defaults need no tuning on most recordings.
+
+    Force (paper II-B)
+    force_threshold      normalized error a peak must exceed; None: the chi-square level of one
+                         false alarm in a hundred demonstrations
+    force_ratio          ... and how many times its running 2 s median it must exceed
+    min_distance_s       least time between two peaks [s]
+    persistence          how far the force must stay changed afterwards, in noise levels
+    process_noise_ratio  R1 = ratio * R2
+    measurement_noise    R2 of the force channels [N^2]; None: estimated from the recording
+    engine               "vectorised", or "filterpy" as the reference
+
+    Position (paper II-A)
+    gaussians            number of Gaussians; None: by the corrected BIC
+    variant              "keyphase", or "scikit-learn" as the paper literally describes it
+    estimator            where in its interval a boundary lies
+    seed                 of the scikit-learn variant's random starts
+
+    Combination (paper II-C)
+    merge_tolerance_s    how far apart a force and a position boundary may be one [s]
+
+    Raises ParameterError for a value out of its range.
+    """
+
+    force_threshold: float | None = None
+    force_ratio: float = 20.0
+    min_distance_s: float = 0.3
+    persistence: float = 4.0
+    process_noise_ratio: float = 1.0
+    measurement_noise: float | None = None
+    engine: Engine = "vectorised"
+    gaussians: int | None = None
+    variant: Variant = "keyphase"
+    estimator: Estimator = "equal-distance"
+    seed: int = 0
+    merge_tolerance_s: float = 0.3
+
+    def __post_init__(self) -> None:
+        for name, (low, high) in RANGES.items():
+            _check_number(name, getattr(self, name), low, high)
+        _check_choice("engine", self.engine, get_args(Engine))
+        _check_choice("variant", self.variant, get_args(Variant))
+        _check_choice("estimator", self.estimator, get_args(Estimator))
+
+
+RANGES: dict[str, tuple[float, float]] = {
+    "force_threshold": (1e-3, 1e9),
+    "force_ratio": (0.0, 1e6),
+    "min_distance_s": (0.0, 60.0),
+    "persistence": (0.0, 1e6),
+    "process_noise_ratio": (1e-6, 1e6),
+    "measurement_noise": (1e-12, 1e12),
+    "gaussians": (1, 200),
+    "seed": (0, 2**31 - 1),
+    "merge_tolerance_s": (0.0, 60.0),
+}
+"""Least and greatest value of every number among the parameters."""
+
+_AUTOMATIC = frozenset({"force_threshold", "measurement_noise", "gaussians"})
+_WHOLE = frozenset({"gaussians", "seed"})
+
+
+def _check_number(name: str, value: object, low: float, high: float) -> None:
+    if value is None and name in _AUTOMATIC:
+        return
+    kind = int if name in _WHOLE else int | float
+    is_number = isinstance(value, kind) and not isinstance(value, bool)
+    if not (is_number and math.isfinite(value) and low <= value <= high):  # pyright: ignore
+        what = "a whole number" if name in _WHOLE else "a number"
+        raise ParameterError(
+            f"{name} must be {what} from {low:g} to {high:g}"
+            f"{' or automatic' if name in _AUTOMATIC else ''}, but is {value!r}."
+        )
+
+
+def _check_choice(name: str, value: object, choices: tuple[str, ...]) -> None:
+    if value not in choices:
+        raise ParameterError(f"{name} must be one of {', '.join(choices)}, but is {value!r}.")

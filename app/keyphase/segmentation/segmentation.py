@@ -1,0 +1,119 @@
+"""What a segmentation is: boundaries and segments, and the evidence they rest on."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.segmentation.end_condition import EndCondition
+from keyphase.segmentation.parameters import Parameters
+
+Origin = Literal["position", "force", "both", "user"]
+Rejection = Literal["", "below threshold", "below ratio", "does not stay", "too close", "at an end"]
+
+
+@dataclass(frozen=True, eq=False)
+class Gaussian:
+    """One component of the mixture over time and pose, brought back to time and position.
+
+    mean_time_s, sigma_time_s   when, one standard deviation
+    mean_position_m     (3,)    where
+    covariance_m2       (3, 3)  of position, one standard deviation is what is drawn
+    """
+
+    weight: float
+    mean_time_s: float
+    sigma_time_s: float
+    mean_position_m: Array
+    covariance_m2: Array
+
+
+@dataclass(frozen=True, eq=False)
+class ErrorCurve:
+    """The normalized error of the force filter, one value per bin.
+
+    time_s          (M,)    middle of each bin
+    error           (M,)    normalized innovation squared
+    running_median  (M,)    over 2 s
+    channels                how many force and torque channels it is over
+    automatic_threshold     chi-square level of one false alarm in a hundred demonstrations
+    """
+
+    time_s: Array
+    error: Array
+    running_median: Array
+    channels: int
+    automatic_threshold: float
+
+
+@dataclass(frozen=True)
+class Peak:
+    """A local maximum of the normalized error and what became of it.
+
+    time_s         refined at full rate; `bin_time_s` is where the curve peaks
+    ratio          height over the running median
+    force_step_N   mean force after minus before, base frame (x, y, z); torque alike or None
+    persistence    norm of that step in noise levels, over sqrt(channels)
+    rejection      "" when the peak is used, else why not
+    """
+
+    time_s: float
+    bin_time_s: float
+    height: float
+    ratio: float
+    force_step_N: tuple[float, float, float]
+    torque_step_Nm: tuple[float, float, float] | None
+    persistence: float
+    rejection: Rejection
+
+
+@dataclass(frozen=True)
+class Boundary:
+    """A point in time between two segments, why it is there and how sure that is.
+
+    interval_s      (earliest, latest) it may lie, ascending
+    confidence      0 to 1
+    contact_change  the force shows that contact was made, lost or changed
+    peak            the force peak behind it, where origin is force or both
+    position_s      where position alone puts it, where origin is position or both
+    """
+
+    time_s: float
+    origin: Origin
+    interval_s: tuple[float, float]
+    confidence: float
+    contact_change: bool
+    peak: Peak | None = None
+    position_s: float | None = None
+
+
+@dataclass(frozen=True)
+class Segment:
+    """The stretch between two boundaries as the program proposes it.
+
+    label   proposed from the segment's own data; idle segments are proposed as dropped
+    """
+
+    start_s: float
+    end_s: float
+    label: str
+    idle: bool
+    end_condition: EndCondition
+
+
+@dataclass(frozen=True, eq=False)
+class Segmentation:
+    """All boundaries and segments of one demonstration, with what made them.
+
+    `curve` and `peaks` are None and empty where no force was recorded. `threshold` is the
+    normalized-error threshold in force (given or automatic), None without force.
+    Segments tile the demonstration: the first starts at its start, the last ends at its end.
+    """
+
+    demonstration: Demonstration
+    parameters: Parameters
+    boundaries: tuple[Boundary, ...]
+    segments: tuple[Segment, ...]
+    gaussians: tuple[Gaussian, ...]
+    curve: ErrorCurve | None
+    peaks: tuple[Peak, ...]
+    threshold: float | None
