@@ -1,0 +1,43 @@
+# Two commands do everything: `make demo` and `make test`.
+
+PYTHON ?= $(firstword $(foreach name,python3.11 python3.12 python3.13 python3,$(shell command -v $(name) 2>/dev/null)))
+VENV := .venv
+BIN := $(VENV)/bin
+PICTURES := tests/pictures
+
+.PHONY: demo test check bench wheel clean
+
+demo: $(VENV)/ready-to-run
+	$(BIN)/keyphase open data/setup1.npz
+
+test: $(VENV)/ready-to-test
+	sh tests/ensure_chromium.sh
+	$(BIN)/ruff format --check --quiet app tests
+	$(BIN)/ruff check --quiet app tests
+	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 -m "not browser"
+	OMP_NUM_THREADS=1 $(BIN)/pytest -q -m browser
+
+check: $(VENV)/ready-to-test
+	$(BIN)/ruff format --check app tests
+	$(BIN)/ruff check app tests
+	$(BIN)/pyright
+
+bench: $(VENV)/ready-to-test
+	OMP_NUM_THREADS=1 $(BIN)/pytest tests/benchmarks -q -o python_files='bench_*.py' -o addopts= --benchmark-only
+
+wheel: $(VENV)/ready-to-test
+	$(BIN)/python -m build --wheel
+
+clean:
+	rm -rf $(VENV) $(PICTURES) dist build
+
+$(VENV)/ready-to-run: pyproject.toml constraints.txt
+	@test -n "$(PYTHON)" || { echo "keyphase needs Python 3.11 or newer; on Debian: apt-get install python3 python3-venv"; exit 1; }
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "keyphase needs Python 3.11 or newer, but $(PYTHON) is older; run make PYTHON=/path/to/python3.11"; exit 1; }
+	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable .
+	@touch $@
+
+$(VENV)/ready-to-test: $(VENV)/ready-to-run
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[dev]'
+	@touch $@
