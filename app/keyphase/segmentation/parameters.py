@@ -15,40 +15,34 @@ Engine = Literal["vectorised", "filterpy"]
 class Parameters:
     """The parameters of `segment`; the defaults need no tuning on most recordings.
 
-    Force (paper II-B)
-    force_threshold      normalized error a peak must exceed; None: the chi-square level of one
-                         false alarm in a hundred demonstrations
-    force_ratio          ... and how many times its running 2 s median it must exceed
-    min_distance_s       least time between two peaks [s]
-    persistence          how far the force must stay changed afterwards, in noise levels
-    process_noise_ratio  R1 = ratio * R2
-    measurement_noise    R2 of the force channels [N^2]; None: estimated from the recording
-    engine               "vectorised", or "filterpy" as the reference
-
-    Position (paper II-A)
-    gaussians            number of Gaussians; None: by the corrected BIC
-    variant              "keyphase", or "scikit-learn" as the paper literally describes it
-    estimator            where in its interval a boundary lies
-    seed                 of the scikit-learn variant's random starts
-
-    Combination (paper II-C)
-    merge_tolerance_s    how far apart a force and a position boundary may be one [s]
-
     Raises ParameterError for a value out of its range.
     """
 
     force_threshold: float | None = None
+    """Normalized error a peak must exceed; None: the chi-square level of one false alarm in a
+    hundred demonstrations."""
     force_ratio: float = 20.0
+    """How many times its running 2 s median a peak must exceed."""
     min_distance_s: float = 0.3
+    """Least time between two peaks [s]."""
     persistence: float = 4.0
+    """How far the force must stay changed after a peak, in noise levels."""
     process_noise_ratio: float = 1.0
+    """R1 of the force filter, as a multiple of R2."""
     measurement_noise: float | None = None
+    """R2 of the force channels [N^2]; None: estimated from the recording."""
     engine: Engine = "vectorised"
+    """The filter: our own, or filterpy as its reference."""
     gaussians: int | None = None
+    """Number of Gaussians; None: by the corrected BIC."""
     variant: Variant = "keyphase"
+    """The mixture: our own fit, or scikit-learn's as the paper literally describes it."""
     estimator: Estimator = "equal-distance"
+    """Where in its interval a boundary lies."""
     seed: int = 0
+    """Of the scikit-learn variant's random starts."""
     merge_tolerance_s: float = 0.3
+    """How far apart a force and a position boundary may be one [s]."""
 
     def __post_init__(self) -> None:
         for name, (low, high) in RANGES.items():
