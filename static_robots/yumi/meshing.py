@@ -10,14 +10,18 @@ BLOCK = 8
 """Cells along one side of a block; blocks away from the surface are not evaluated finely."""
 
 
+MARGIN = 0.008
+"""Metres around the given corners, for what the blends add."""
+
+
 def mesh_of(field: Field, low: Array, high: Array, cell: float, faces: int) -> trimesh.Trimesh:
     """Surface of `field` between two corners: marching cubes of `cell` metres, then at most
     `faces` triangles, pulled back onto the surface, with vertex normals for smooth shading.
     """
-    low, high = np.asarray(low) - 3 * cell, np.asarray(high) + 3 * cell
+    low, high = np.asarray(low) - MARGIN, np.asarray(high) + MARGIN
     values = _sampled(field, low, high, cell)
     vertices, triangles, _, _ = marching_cubes(
-        values, 0.0, spacing=(cell,) * 3, gradient_direction="ascent"
+        values, 0.0, spacing=(cell,) * 3, gradient_direction="descent"
     )
     vertices = _onto_surface(field, vertices + low)
     if len(triangles) > faces:
@@ -34,7 +38,7 @@ def _sampled(field: Field, low: Array, high: Array, cell: float) -> Array:
     values = np.empty(blocks * BLOCK, np.float32)
     centres = _grid(low + cell * (BLOCK - 1) / 2, blocks, cell * BLOCK)
     at_centre = field(centres.reshape(-1, 3)).reshape(blocks)
-    reach = cell * BLOCK * np.sqrt(3.0)
+    reach = 1.5 * cell * BLOCK * np.sqrt(3.0)
     for block in np.ndindex(*blocks):
         corner = np.array(block) * BLOCK
         inside = tuple(slice(c, c + BLOCK) for c in corner)

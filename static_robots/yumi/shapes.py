@@ -78,7 +78,7 @@ def elbow(foot: float, hub: ArrayLike, hub_radius: float, length: float, neck: f
     seam = ring((0, 0, 0.011), Z, foot * 0.995, 0.0016)
     # The blend swells past the drum's face, which is flat on the robot.
     return cut(
-        cut(body, lambda points: -length - 0.0005 - points[:, 1], blend=0.006), seam, blend=0.002
+        cut(body, half_space(1, -length - 0.0005), blend=0.006), seam, blend=0.002
     )
 
 
@@ -95,7 +95,7 @@ def limb(drum: float, length: float, end: ArrayLike, end_radius: float, start: f
     body = union(socket, union(barrel, neck, blend=blend), blend=blend)
     seam = ring((end[0], end[1] - 0.0228, 0), Y, end_radius * 0.972, 0.0016)
     return cut(
-        cut(body, lambda points: -length - 0.0005 - points[:, 2], blend=0.006), seam, blend=0.002
+        cut(body, half_space(2, -length - 0.0005), blend=0.006), seam, blend=0.002
     )
 
 
