@@ -1,0 +1,218 @@
+"""Segment files: written whole, and read back only if they are what they claim to be."""
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from keyphase.errors import KeyphaseError, SegmentFileError
+from keyphase.labeling.labeling import Labeling
+from keyphase.labeling.segment_file_content import as_csv, as_json, segment_file_content
+from keyphase.readers.whole_file import write_whole
+from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
+from keyphase.segmentation.parameters import Parameters
+from keyphase.segmentation.segmentation import Origin
+
+SUFFIX = ".segments.json"
+"""How the names of segment files end."""
+
+_LIMIT_BYTES = 64 * 1024**2
+
+
+@dataclass(frozen=True)
+class FiledDemonstration:
+    """The recording a segment file is about; `path` is relative to the segment file."""
+
+    name: str
+    path: str
+    sha256: str
+    duration_s: float
+    rate_hz: float
+
+
+@dataclass(frozen=True)
+class FiledBoundary:
+    """A boundary as a segment file holds it."""
+
+    time_s: float
+    origin: Origin
+    interval_s: tuple[float, float]
+    confidence: float
+    contact_change: bool
+
+
+@dataclass(frozen=True)
+class FiledSegment:
+    """A segment as a segment file holds it; `id` counts from 1 in time order."""
+
+    id: int
+    start_s: float
+    end_s: float
+    label: str
+    kept: bool
+    end_condition: EndCondition
+
+
+@dataclass(frozen=True)
+class SegmentFile:
+    """What a segment file says; `plan` holds ids of segments."""
+
+    path: Path
+    software_version: str
+    demonstration: FiledDemonstration
+    parameters: Parameters
+    boundaries: tuple[FiledBoundary, ...]
+    segments: tuple[FiledSegment, ...]
+    plan: tuple[int, ...]
+
+    @property
+    def recording(self) -> Path:
+        """Where the recording is expected."""
+        return self.path.parent / self.demonstration.path
+
+
+def schema() -> dict[str, Any]:
+    """The published JSON Schema (2020-12) of segment files."""
+    text = resources.files("keyphase.labeling").joinpath("segments.schema.json").read_text("utf-8")
+    return json.loads(text)
+
+
+def write_segment_file(labeling: Labeling, path: Path) -> None:
+    """Write the segment file of `labeling` to `path`, as CSV where the name ends in .csv.
+
+    A crash leaves either the old file or the new one. Raises SegmentFileError where the
+    demonstration has no file, or the folder takes none.
+    """
+    content = segment_file_content(labeling, path)
+    data = as_csv(content) if path.suffix.lower() == ".csv" else as_json(content)
+    try:
+        write_whole(path, data)
+    except KeyphaseError as error:
+        raise SegmentFileError(str(error)) from error
+
+
+def read_segment_file(path: Path, *, check_recording: bool = True) -> SegmentFile:
+    """The segment file at `path`, checked against the schema and against its recording's hash.
+
+    Raises SegmentFileError where it is malformed or contradicts itself, and, unless
+    `check_recording` is False, where the recording is missing or no longer the same.
+    """
+    content = _json(path)
+    _check_schema(content, path)
+    file = _parsed(content, path)
+    _check_consistency(file)
+    if check_recording:
+        _check_recording(file)
+    return file
+
+
+def _json(path: Path) -> Any:
+    try:
+        with path.open("rb") as file:
+            data = file.read(_LIMIT_BYTES + 1)
+    except OSError as error:
+        raise SegmentFileError(
+            f"{path}: the segment file cannot be read ({error.strerror}); check the path."
+        ) from error
+    if len(data) > _LIMIT_BYTES:
+        raise SegmentFileError(
+            f"{path}: a segment file has at most {_LIMIT_BYTES} bytes, but this one is larger; "
+            "name another file."
+        )
+    try:
+        return json.loads(data, parse_constant=_refuse_constant)
+    except (ValueError, RecursionError) as error:
+        raise SegmentFileError(
+            f"{path}: expected JSON, but it cannot be parsed ({error}); write the file again."
+        ) from error
+
+
+def _refuse_constant(name: str) -> float:
+    raise ValueError(f"{name} is no JSON number")
+
+
+def _check_schema(content: Any, path: Path) -> None:
+    from jsonschema import Draft202012Validator
+    from jsonschema.exceptions import best_match
+
+    error = best_match(Draft202012Validator(schema()).iter_errors(content))
+    if error is not None:
+        where = error.json_path.removeprefix("$").removeprefix(".") or "the file as a whole"
+        message = error.message if len(error.message) <= 200 else f"{error.message[:200]}…"
+        raise SegmentFileError(
+            f"{path}: not a segment file of version 1, {where}: {message}; "
+            "mend that field or write the file again."
+        )
+
+
+def _parsed(content: Mapping[str, Any], path: Path) -> SegmentFile:
+    try:
+        return SegmentFile(
+            path,
+            content["software_version"],
+            FiledDemonstration(**content["demonstration"]),
+            Parameters(**content["parameters"]),
+            tuple(_boundary(item) for item in content["boundaries"]),
+            tuple(_segment(item) for item in content["segments"]),
+            tuple(content["plan"]),
+        )
+    except (KeyphaseError, TypeError) as error:
+        raise SegmentFileError(f"{path}: {error}") from error
+
+
+def _boundary(item: Mapping[str, Any]) -> FiledBoundary:
+    early, late = item["interval_s"]
+    return FiledBoundary(**{**item, "interval_s": (early, late)})
+
+
+def _segment(item: Mapping[str, Any]) -> FiledSegment:
+    end = item["end_condition"]
+    if end["kind"] == "contact":
+        x, y, z = end["direction"]
+        condition: EndCondition = ContactEnd((x, y, z), end["threshold_N"])
+    else:
+        condition = ConfigurationEnd(end["position_tolerance_m"], end["rotation_tolerance_rad"])
+    return FiledSegment(**{**item, "end_condition": condition})
+
+
+def _check_consistency(file: SegmentFile) -> None:
+    """What a schema cannot say: order, tiling, and that the plan names kept segments."""
+    times = [boundary.time_s for boundary in file.boundaries]
+    starts = [segment.start_s for segment in file.segments]
+    ends = [segment.end_s for segment in file.segments]
+    ids = [segment.id for segment in file.segments]
+    if ids != list(range(1, len(ids) + 1)):
+        raise _contradiction(file, "segment ids must count 1, 2, … in time order")
+    if starts[1:] != times or ends[:-1] != times:
+        raise _contradiction(file, "neighbouring segments must meet at the boundaries")
+    if any(end <= start for start, end in zip(starts, ends, strict=True)):
+        raise _contradiction(file, "times must ascend from segment to segment")
+    if any(b.interval_s[0] > b.interval_s[1] for b in file.boundaries):
+        raise _contradiction(file, "interval_s must be ascending")
+    kept = {segment.id for segment in file.segments if segment.kept}
+    if not kept.issuperset(file.plan):
+        unknown = next(id_ for id_ in file.plan if id_ not in kept)
+        raise _contradiction(file, f"the plan may name kept segments only, but names {unknown}")
+
+
+def _contradiction(file: SegmentFile, rule: str) -> SegmentFileError:
+    return SegmentFileError(f"{file.path}: {rule}; write the file again.")
+
+
+def _check_recording(file: SegmentFile) -> None:
+    try:
+        with file.recording.open("rb") as recording:
+            found = hashlib.file_digest(recording, "sha256").hexdigest()
+    except (OSError, ValueError) as error:
+        raise SegmentFileError(
+            f"{file.path}: its recording was expected at {file.recording}, but cannot be read "
+            "there; put it back or segment it again."
+        ) from error
+    if found != file.demonstration.sha256:
+        raise SegmentFileError(
+            f"{file.path}: its recording {file.recording} has changed since (SHA-256 {found[:12]}…"
+            f" instead of {file.demonstration.sha256[:12]}…); segment it again."
+        )
