@@ -104,18 +104,6 @@ def polygon_distance(points: Array, corners: Sequence[tuple[float, float]]) -> A
     return np.where(inside, -nearest, nearest)
 
 
-def ring(centre: ArrayLike, axis: ArrayLike, radius: float, thickness: float) -> Field:
-    """Torus of tube radius `thickness`; cut from a shell it leaves a seam."""
-    c, direction = np.asarray(centre, float), np.asarray(axis, float)
-
-    def field(points: Array) -> Array:
-        height = (points - c) @ direction
-        out = np.linalg.norm(points - c - height[:, None] * direction, axis=1) - radius
-        return np.hypot(out, height) - thickness
-
-    return field
-
-
 def half_space(axis: int, limit: float) -> Field:
     """All points whose coordinate `axis` lies below `limit`."""
     return lambda points: points[:, axis] - limit

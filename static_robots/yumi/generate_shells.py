@@ -6,15 +6,16 @@ python static_robots/yumi/generate_shells.py [NAME ...]
 import sys
 from pathlib import Path
 
+import numpy as np
 import trimesh
 from shapes import SHELLS, Piece
 
 FOLDER = Path(__file__).parent / "shells"
 MATERIALS = {
-    "shell": (222, 224, 223),
-    "cap": (190, 194, 198),
-    "joint": (58, 62, 68),
-    "rubber": (36, 38, 41),
+    "shell": (194, 196, 195),
+    "cap": (160, 164, 168),
+    "joint": (48, 52, 58),
+    "rubber": (30, 32, 35),
     "sensor": (36, 78, 128),
 }
 """Colours, sRGB."""
@@ -42,8 +43,15 @@ def glb(name: str, pieces: list[Piece]) -> bytes:
 
 def _material(name: str) -> trimesh.visual.material.PBRMaterial:
     return trimesh.visual.material.PBRMaterial(
-        name=name, baseColorFactor=(*MATERIALS[name], 255), metallicFactor=0.05, roughnessFactor=0.5
+        name=name, baseColorFactor=_linear(MATERIALS[name]), metallicFactor=0.0, roughnessFactor=0.6
     )
+
+
+def _linear(colour: tuple[int, int, int]) -> list[int]:
+    # GLB holds linear light.
+    share = np.array(colour) / 255
+    light = np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
+    return [*(int(value) for value in np.rint(light * 255)), 255]
 
 
 if __name__ == "__main__":

@@ -10,6 +10,10 @@ BLOCK = 8
 """Cells along one side of a block; blocks away from the surface are not evaluated finely."""
 
 
+AGREEMENT = float(np.cos(np.radians(50)))
+"""A face further turned than this from a vertex's normal has no say in its shading."""
+FLAT_AREA = 8e-4
+"""Square metres of faces around a vertex from which on they alone decide its shading."""
 MARGIN = 0.008
 """Metres around the given corners, for what the blends add."""
 
@@ -80,5 +84,16 @@ def _onto_surface(field: Field, points: Array) -> Array:
 
 
 def _shading_normals(field: Field, mesh: trimesh.Trimesh) -> Array:
-    normals = _gradient(field, np.asarray(mesh.vertices))
-    return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
+    """The field's normals, leaning towards large flat faces so that these stay flat."""
+    exact = _gradient(field, np.asarray(mesh.vertices))
+    exact /= np.maximum(np.linalg.norm(exact, axis=1, keepdims=True), 1e-9)
+    corners = mesh.faces.ravel()
+    faces = np.repeat(mesh.face_normals, 3, axis=0)
+    agrees = np.sum(exact[corners] * faces, axis=1) > AGREEMENT
+    weights = np.repeat(mesh.area_faces, 3) * agrees
+    normals = np.zeros_like(exact)
+    np.add.at(normals, corners, weights[:, None] * faces)
+    area = np.linalg.norm(normals, axis=1, keepdims=True)
+    flat = np.minimum(area / FLAT_AREA, 1)
+    mixed = (1 - flat) * exact + flat * normals / np.maximum(area, 1e-18)
+    return mixed / np.linalg.norm(mixed, axis=1, keepdims=True)

@@ -17,7 +17,6 @@ from distance_fields import (
     ellipsoid,
     half_space,
     prism,
-    ring,
     round_cone,
     union,
 )
@@ -70,33 +69,27 @@ def elbow(foot: float, hub: ArrayLike, hub_radius: float, length: float, neck: f
     hub = np.asarray(hub, float)
     blend = 0.045 if foot > 0.045 else 0.035
     flange = cylinder((0, 0, 0), (0, 0, 0.03), foot, 0.006, foot * 0.93)
-    drum = cylinder(hub - 0.004 * Y, hub - length * Y, hub_radius, 0.009)
+    drum = cylinder(hub - 0.006 * Y, hub - length * Y, hub_radius, 0.009)
     rise = round_cone(
         (0, -length * 0.35, 0.02), hub - Y * (length * 0.5 - 0.002), foot * 0.72, neck
     )
     body = union(flange, union(drum, rise, blend=blend), blend=blend)
-    seam = ring((0, 0, 0.011), Z, foot * 0.995, 0.0016)
     # The blend swells past the drum's face, which is flat on the robot.
-    return cut(
-        cut(body, half_space(1, -length - 0.0005), blend=0.006), seam, blend=0.002
-    )
+    return cut(body, half_space(1, -length - 0.0005), blend=0.006)
 
 
 def limb(drum: float, length: float, end: ArrayLike, end_radius: float, start: float) -> Field:
     """A link that starts as a drum below z = 0 and becomes a barrel along y."""
     end = np.asarray(end, float)
     middle = end[1] * 0.44
-    socket = cylinder((0, 0, -length), (0, 0, -0.004), drum, 0.009)
-    barrel = cylinder((end[0], middle, 0), end - 0.002 * Y, start, 0.008, end_radius)
+    socket = cylinder((0, 0, -length), (0, 0, -0.006), drum, 0.009)
+    barrel = cylinder((end[0], middle, 0), end - 0.005 * Y, start, 0.008, end_radius)
     neck = round_cone(
         (0, 0, -length * 0.5), (end[0] * 0.85, middle + 0.03, -0.004), drum * 0.8, start * 0.86
     )
     blend = 0.045 if end_radius > 0.05 else 0.04
     body = union(socket, union(barrel, neck, blend=blend), blend=blend)
-    seam = ring((end[0], end[1] - 0.0228, 0), Y, end_radius * 0.972, 0.0016)
-    return cut(
-        cut(body, half_space(2, -length - 0.0005), blend=0.006), seam, blend=0.002
-    )
+    return cut(body, half_space(2, -length - 0.0005), blend=0.006)
 
 
 def link_1() -> list[Piece]:
@@ -157,9 +150,8 @@ def link_6() -> list[Piece]:
         cylinder((0.027, -0.03, -0.004), (0.027, 0.0285, -0.002), 0.034, 0.005),
         blend=0.030,
     )
-    shell = cut(pod, ring((0.027, 0.018, 0), Y, 0.0345, 0.0013), blend=0.002)
     return [
-        moulded(shell, (-0.04, -0.07, -0.07), (0.075, 0.03, 0.035), 2600),
+        moulded(pod, (-0.04, -0.07, -0.07), (0.075, 0.03, 0.035), 2600),
         disc((0, 0, -0.006), (0, 0, 0.026), 0.0205, "joint", 0.002),
     ]
 
@@ -186,11 +178,15 @@ def gripper() -> list[Piece]:
         blend=0.02,
     )
     slot = box((0, 0, 0.092), (0.034, 0.0145, 0.012), 0.002)
-    seam = box((0, 0, 0.020), (0.05, 0.05, 0.0007), 0.0003)
     rails = box((0, 0, 0.084), (0.033, 0.0135, 0.0035), 0.001)
-    shell = cut(cut(housing, slot, blend=0.003), seam, blend=0.002)
+    shell = cut(housing, slot, blend=0.003)
+    band = cut(
+        lambda points: housing(points) - 0.0003,
+        lambda points: 0.0007 - np.abs(points[:, 2] - 0.020),
+    )
     return [
         moulded(shell, (-0.045, -0.037, 0), (0.045, 0.037, 0.092), 3000),
+        moulded(band, (-0.041, -0.034, 0.018), (0.041, 0.034, 0.022), 500, 0.0006, "joint"),
         moulded(rails, (-0.035, -0.015, 0.08), (0.035, 0.015, 0.09), 300, 0.0009, "joint"),
     ]
 
