@@ -1,0 +1,96 @@
+"""The wheel works by itself: in an empty environment, outside the checkout."""
+
+import os
+import re
+import subprocess
+import sys
+import venv
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("wheel")
+    command = [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder, ROOT]
+    subprocess.run(command, check=True, capture_output=True)
+    (built,) = folder.glob("*.whl")
+    return built
+
+
+@pytest.fixture(scope="module")
+def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The bin folder of an environment that holds nothing but the wheel and what it needs."""
+    environment = tmp_path_factory.mktemp("environment")
+    venv.create(environment, with_pip=True)
+    command = [environment / "bin" / "python", "-m", "pip", "install", "--quiet"]
+    subprocess.run([*command, "--constraint", ROOT / "constraints.txt", wheel], check=True)
+    return environment / "bin"
+
+
+def run(installed: Path, *arguments: object, cwd: Path) -> str:
+    """Run the installed command far from the checkout, seeing nothing of this environment."""
+    clean = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "VIRTUAL_ENV"))}
+    done = subprocess.run(
+        [installed / "keyphase", *map(str, arguments)],
+        cwd=cwd,
+        env=clean,
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    return done.stdout
+
+
+def test_wheel_holds_the_shipped_recordings_and_robots(installed: Path, tmp_path: Path) -> None:
+    code = (
+        "from keyphase.shipped import shipped;"
+        "print(*sorted(p.name for p in shipped('data').iterdir()));"
+        "print(*sorted(p.name for p in shipped('static_robots').iterdir()))"
+    )
+    done = subprocess.run(
+        [installed / "python", "-c", code], cwd=tmp_path, check=True, capture_output=True, text=True
+    )
+    data, robots = done.stdout.splitlines()
+    assert "setup1.npz" in data.split()
+    assert "yumi" in robots.split()
+
+
+def test_installed_keyphase_segments_a_shipped_recording(installed: Path, tmp_path: Path) -> None:
+    (site,) = installed.parent.glob("lib/python*/site-packages/keyphase/_shipped/data")
+    run(installed, "segment", site / "setup1.npz", "--output", tmp_path / "out", cwd=tmp_path)
+    assert (tmp_path / "out" / "setup1.segments.json").is_file()
+
+
+@pytest.fixture
+def served(installed: Path, tmp_path: Path) -> Iterator[str]:
+    process = subprocess.Popen(
+        [installed / "keyphase", "--no-browser"],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONUNBUFFERED": "1"},
+    )
+    assert process.stdout is not None
+    for line in process.stdout:
+        if link := re.search(r"http://\S+token=\S+", line):
+            yield link[0]
+            break
+    process.terminate()
+    process.wait()
+
+
+def test_installed_keyphase_serves_the_page(served: str) -> None:
+    import httpx
+
+    with httpx.Client(follow_redirects=True) as client:
+        page = client.get(served)
+        assert page.status_code == 200
+        for script in re.findall(r'(?:src|href)="(/app/static/[^"]+)"', page.text):
+            assert client.get(f"{served.split('/?')[0]}{script}").status_code == 200, script
