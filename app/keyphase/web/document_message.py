@@ -1,0 +1,257 @@
+"""The `document` message: a labeling as the page draws it, with the reasons in words."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+
+from keyphase.demonstration import Demonstration
+from keyphase.labeling.labeling import LabeledBoundary, LabeledSegment, Labeling, PlanEntry
+from keyphase.segmentation.end_condition import ContactEnd, EndCondition
+from keyphase.segmentation.segmentation import Peak, Segmentation
+
+CONNECTING_MM = 1.0
+"""A plan entry that starts nearer than this to where the last one ended needs no connection."""
+
+_AXES = ("x", "y", "z")
+_MEASURE = re.compile(r"\s*\b\d+(\.\d+)?\s?(mm|cm|m|deg|°)(?!\w)")
+_DIRECTION = re.compile(r"\s+(left|right|forward|backward|back|up|down)\b")
+
+
+def document_message(labeling: Labeling) -> dict[str, Any]:
+    """The parts of the `document` message that the labeling determines."""
+    segmentation = labeling.segmentation
+    demonstration = segmentation.demonstration
+    return {
+        "name": demonstration.name,
+        "start_s": demonstration.start_s,
+        "end_s": demonstration.end_s,
+        "rate_hz": demonstration.rate_hz,
+        "channels": channels(demonstration),
+        "notices": list(demonstration.notices),
+        "parameters": asdict(segmentation.parameters),
+        "threshold": segmentation.threshold,
+        "automatic_threshold": (
+            segmentation.curve.automatic_threshold if segmentation.curve else None
+        ),
+        "force_channels": segmentation.curve.channels if segmentation.curve else 0,
+        "boundaries": [_boundary(b, segmentation) for b in labeling.boundaries],
+        "segments": [_segment(segment) for segment in labeling.segments],
+        "peaks": [_peak(peak) for peak in segmentation.peaks],
+        "gaussians": [
+            {
+                "weight": gaussian.weight,
+                "mean_time_s": gaussian.mean_time_s,
+                "sigma_time_s": gaussian.sigma_time_s,
+            }
+            for gaussian in segmentation.gaussians
+        ],
+        "plan": _plan(labeling),
+        "proposed_drops": list(labeling.proposed_drops),
+        "inapplicable": [asdict(edit) for edit in labeling.inapplicable],
+    }
+
+
+def channels(demonstration: Demonstration) -> list[str]:
+    """Names of what was recorded."""
+    recorded = {
+        "position": demonstration.position_m,
+        "orientation": demonstration.orientation_wxyz,
+        "force": demonstration.force_N,
+        "torque": demonstration.torque_Nm,
+        "joints": demonstration.joints_rad,
+    }
+    return [name for name, values in recorded.items() if values is not None]
+
+
+def strip(labeling: Labeling) -> list[dict[str, Any]]:
+    """The segments in small, for the list of recordings."""
+    duration = labeling.segmentation.demonstration.duration_s
+    return [
+        {
+            "share": (segment.end_s - segment.start_s) / duration,
+            "color": segment.color if segment.kept else None,
+        }
+        for segment in labeling.segments
+    ]
+
+
+def least_confidence(labeling: Labeling) -> float | None:
+    """Confidence of the least certain boundary nobody has decided about; None without any."""
+    open_ones = [b.confidence for b in labeling.boundaries if not b.accepted and b.origin != "user"]
+    return min(open_ones, default=None)
+
+
+def short_labels(label: str) -> list[str]:
+    """The label, a shorter one without measures and directions, and its first word."""
+    without_measure = _MEASURE.sub("", label)
+    shorter = without_measure if len(without_measure) <= 16 else _DIRECTION.sub("", without_measure)
+    first, _, rest = shorter.partition(" ")
+    return [label, shorter or label, f"{first}…" if rest else shorter or label]
+
+
+def _boundary(boundary: LabeledBoundary, segmentation: Segmentation) -> dict[str, Any]:
+    return {
+        "time_s": boundary.time_s,
+        "origin": boundary.origin,
+        "interval_s": list(boundary.interval_s),
+        "confidence": boundary.confidence,
+        "contact_change": boundary.contact_change,
+        "was_s": boundary.was_s,
+        "accepted": boundary.accepted,
+        "why": _why(boundary, segmentation),
+    }
+
+
+def _why(boundary: LabeledBoundary, segmentation: Segmentation) -> dict[str, Any]:
+    found = boundary.automatic
+    peak = found.peak if found else None
+    position_s = found.position_s if found else None
+    threshold = segmentation.threshold
+    return {
+        "sentences": _sentences(boundary, segmentation),
+        "height": peak.height if peak else None,
+        "times_threshold": peak.height / threshold if peak and threshold else None,
+        "position_s": position_s,
+        "steps": _steps(peak),
+    }
+
+
+def _sentences(boundary: LabeledBoundary, segmentation: Segmentation) -> list[str]:
+    said: list[str] = []
+    found = boundary.automatic
+    if found is None:
+        return ["Placed by you."]
+    if boundary.was_s is not None:
+        said.append(f"Moved by you from {boundary.was_s:.3f} s.")
+    if found.peak is not None:
+        said.append(_about_peak(found.peak, segmentation.threshold))
+    if found.peak is not None and found.position_s is not None:
+        said.append(_about_position(found.position_s - found.time_s))
+    if found.peak is None and found.position_s is not None:
+        said += _about_gaussians(found.position_s, segmentation)
+    if not boundary.contact_change and found.peak is not None:
+        said.append("It counts as no contact change.")
+    return said
+
+
+def _about_peak(peak: Peak, threshold: float | None) -> str:
+    if not threshold:
+        return f"The error peaks at {_number(peak.height)}."
+    times = _number(peak.height / threshold)
+    return f"The error peaks at {_number(peak.height)}, {times} × the threshold."
+
+
+def _about_position(lead_s: float) -> str:
+    if abs(lead_s) < 5e-4:
+        return "Position alone puts the boundary at the same time."
+    way = "later" if lead_s > 0 else "earlier"
+    return f"Position alone puts the boundary {abs(lead_s) * 1e3:.0f} ms {way}."
+
+
+def _about_gaussians(time_s: float, segmentation: Segmentation) -> list[str]:
+    """Which two Gaussians meet at a boundary that position alone found."""
+    order = sorted(segmentation.gaussians, key=lambda gaussian: gaussian.mean_time_s)
+    after = next((i for i, g in enumerate(order) if g.mean_time_s > time_s), len(order))
+    if not 0 < after < len(order):
+        return ["The movement changes here; the force does not."]
+    spans = [
+        f"{i + 1} ({order[i].mean_time_s - order[i].sigma_time_s:.2f} to "
+        f"{order[i].mean_time_s + order[i].sigma_time_s:.2f} s, "
+        f"{100 * order[i].weight:.0f} % of the samples)"
+        for i in (after - 1, after)
+    ]
+    return [f"Gaussian {spans[0]} gives way to {spans[1]}.", "The force shows no change here."]
+
+
+def _steps(peak: Peak | None) -> list[dict[str, Any]]:
+    if peak is None:
+        return []
+    measured = [("Force", "N", peak.force_step_N), ("Torque", "N m", peak.torque_step_Nm)]
+    return [
+        {"name": f"{name} {axis}", "value": value, "unit": unit, "axis": axis}
+        for name, unit, values in measured
+        if values is not None
+        for axis, value in zip(_AXES, values, strict=True)
+    ]
+
+
+def _segment(segment: LabeledSegment) -> dict[str, Any]:
+    return {
+        "start_s": segment.start_s,
+        "end_s": segment.end_s,
+        "label": segment.label,
+        "proposed": segment.proposed,
+        "kept": segment.kept,
+        "idle": segment.idle,
+        "color": segment.color,
+        "end_condition": _end_condition(segment.end_condition),
+        "short": short_labels(segment.label),
+    }
+
+
+def _end_condition(condition: EndCondition) -> dict[str, Any]:
+    kind = "contact" if isinstance(condition, ContactEnd) else "configuration"
+    return {"kind": kind, **asdict(condition)}
+
+
+def _peak(peak: Peak) -> dict[str, Any]:
+    return {
+        "time_s": peak.time_s,
+        "bin_time_s": peak.bin_time_s,
+        "height": peak.height,
+        "rejection": peak.rejection,
+    }
+
+
+def _plan(labeling: Labeling) -> list[dict[str, Any]]:
+    demonstration = labeling.segmentation.demonstration
+    gaps = _gaps_mm(labeling.plan, labeling.segments, demonstration)
+    return [
+        {
+            "time_s": entry.time_s,
+            "segment": entry.segment,
+            "repeat": entry.repeat,
+            "connect_mm": gap,
+        }
+        for entry, gap in zip(labeling.plan, gaps, strict=True)
+    ]
+
+
+def _gaps_mm(
+    plan: Sequence[PlanEntry], segments: Sequence[LabeledSegment], demonstration: Demonstration
+) -> list[float | None]:
+    """How far each entry starts from where the one before it ended."""
+    position = demonstration.position_m
+    gaps: list[float | None] = []
+    for before, entry in zip([None, *plan], plan, strict=False):
+        if before is None:
+            gaps.append(None)
+            continue
+        ended = position[demonstration.index_at(segments[before.segment].end_s)]
+        starts = position[demonstration.index_at(segments[entry.segment].start_s)]
+        gap = 1e3 * float(np.linalg.norm(starts - ended))
+        gaps.append(gap if gap >= CONNECTING_MM else None)
+    return gaps
+
+
+def _number(value: float) -> str:
+    """Three figures, never in powers of ten."""
+    if value >= 100:
+        return f"{value:.0f}"
+    return f"{value:.3g}"
+
+
+def ghosts(before: Labeling, now: Labeling) -> list[dict[str, Any]]:
+    """Boundaries that a change under way would bring or take."""
+    old = {boundary.time_s: boundary for boundary in before.boundaries}
+    new = {boundary.time_s: boundary for boundary in now.boundaries}
+    comes = [_ghost(new[t], "comes") for t in sorted(new.keys() - old.keys())]
+    goes = [_ghost(old[t], "goes") for t in sorted(old.keys() - new.keys())]
+    return comes + goes
+
+
+def _ghost(boundary: LabeledBoundary, fate: str) -> dict[str, Any]:
+    return {"time_s": boundary.time_s, "origin": boundary.origin, "fate": fate}

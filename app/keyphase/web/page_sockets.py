@@ -1,0 +1,133 @@
+"""The websockets of all open pages: sending to one or all of them, and hearing them in order."""
+
+import asyncio
+import json
+import logging
+import time
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from typing import Any
+
+from websockets.asyncio.server import ServerConnection
+from websockets.exceptions import ConnectionClosed
+
+from keyphase.web.access import Grant
+
+_log = logging.getLogger(__name__)
+
+MOST_PAGES = 100
+"""So many pages at once; the next one is turned away."""
+
+MESSAGES_PER_S = 400.0
+"""A page that goes on faster than this is made to wait, so that the others are heard."""
+
+_LAGGING_BYTES = 1 << 20
+_LOST_BYTES = 64 << 20
+
+
+@dataclass(eq=False)
+class Page:
+    """One open page."""
+
+    id: str
+    grant: Grant
+    connection: ServerConnection
+    loop: asyncio.AbstractEventLoop
+
+    def send(self, message: Mapping[str, Any] | bytes) -> None:
+        """Send a message from any thread."""
+        data = message if isinstance(message, bytes) else encode(message)
+        call_soon(self.loop, lambda: _push(self, data, may_drop=False))
+
+
+@dataclass
+class _Budget:
+    """Messages a page may still send at once; refills with time."""
+
+    left: float = MESSAGES_PER_S
+    at_s: float = field(default_factory=time.monotonic)
+
+    def wait_s(self) -> float:
+        """Take one message; how long to wait first."""
+        now = time.monotonic()
+        self.left = min(self.left + (now - self.at_s) * MESSAGES_PER_S, MESSAGES_PER_S) - 1.0
+        self.at_s = now
+        return max(-self.left / MESSAGES_PER_S, 0.0)
+
+
+class PageSockets:
+    """All open pages. `on_open` greets a page and adds it, `on_message` hears it.
+
+    Both run outside the loop, for one page one after another.
+    """
+
+    def __init__(
+        self, on_open: Callable[[Page], None], on_message: Callable[[Page, str | bytes], None]
+    ) -> None:
+        self._on_open = on_open
+        self._on_message = on_message
+        self._pages: set[Page] = set()
+        self._count = 0
+        self._pool = ThreadPoolExecutor(max_workers=8, thread_name_prefix="page")
+
+    def __len__(self) -> int:
+        return len(self._pages)
+
+    async def serve(self, connection: ServerConnection, grant: Grant) -> None:
+        """Greet a page, then hear its messages one after another until it leaves."""
+        if len(self._pages) >= MOST_PAGES:
+            await connection.close(1013, f"No more than {MOST_PAGES} pages at once.")
+            return
+        self._count += 1
+        loop = asyncio.get_running_loop()
+        page = Page(f"page-{self._count}", grant, connection, loop)
+        budget = _Budget()
+        try:
+            await loop.run_in_executor(self._pool, self._on_open, page)
+            async for message in connection:
+                await asyncio.sleep(budget.wait_s())
+                await loop.run_in_executor(self._pool, self._on_message, page, message)
+        except ConnectionClosed:
+            pass
+        finally:
+            self._pages.discard(page)
+
+    def add(self, page: Page) -> None:
+        """Include a page in broadcasts, once it has been told how things stand."""
+        self._pages.add(page)
+
+    def broadcast(self, message: Mapping[str, Any], may_drop: bool = False) -> None:
+        """Send to every page, from any thread; `may_drop` spares pages that lag behind."""
+        pages = tuple(self._pages)
+        if pages:
+            data = encode(message)
+            call_soon(pages[0].loop, lambda: [_push(page, data, may_drop) for page in pages])
+
+    def close(self) -> None:
+        """Stop hearing."""
+        self._pool.shutdown(wait=False, cancel_futures=True)
+
+
+def encode(message: Mapping[str, Any]) -> str:
+    """A message as text; refuses NaN, which is no JSON."""
+    return json.dumps(message, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+
+
+def call_soon(loop: asyncio.AbstractEventLoop, action: Callable[[], object]) -> None:
+    """Run `action` in the loop's thread; nothing where the loop has stopped."""
+    try:
+        loop.call_soon_threadsafe(action)
+    except RuntimeError:
+        _log.debug("The server has stopped; a message was not sent.")
+
+
+def _push(page: Page, data: str | bytes, may_drop: bool) -> None:
+    """Write without waiting; a page that does not read is spared, and in the end cut off."""
+    from websockets.asyncio.server import broadcast
+
+    waiting = page.connection.transport.get_write_buffer_size()
+    if waiting > _LOST_BYTES:
+        page.connection.transport.abort()
+    elif not (may_drop and waiting > _LAGGING_BYTES):
+        broadcast([page.connection], data)

@@ -1,0 +1,78 @@
+"""Open the page: build the session, put it behind one port, print the link, wait."""
+
+import logging
+from collections.abc import Sequence
+from pathlib import Path
+
+from keyphase import __version__
+from keyphase.segmentation.parameters import RANGES
+from keyphase.web.access import Access, Grant
+from keyphase.web.one_port import serve, silent
+from keyphase.web.requests import Requests
+from keyphase.web.session import Opener, Session
+from keyphase.web.site import OurSite
+
+_log = logging.getLogger(__name__)
+
+
+class PageServer:
+    """A running server: one session behind one port."""
+
+    def __init__(
+        self,
+        paths: Sequence[Path],
+        opener: Opener,
+        *,
+        host: str = "127.0.0.1",
+        port: int = 0,
+        read_only: bool = False,
+    ) -> None:
+        self.session = Session(paths, opener)
+        self.requests = Requests(self.session)
+        self.session.hear = self.requests.hear
+        self.session.hello = _hello()
+        self.access = Access(host)
+        self.site = OurSite(self.access, self.session.sockets, lambda _uuid, _value: True)
+        self.viser = serve(self.site, host, port)
+        self.port = self.viser.get_port()
+        self._grant = Grant.LOOKING if read_only else Grant.EVERYTHING
+        if self.session.recordings:
+            self.session.open(self.session.recordings[0].id)
+
+    @property
+    def link(self) -> str:
+        """The link that opens the page."""
+        return self.access.link(self.port, self._grant)
+
+    def stop(self) -> None:
+        """Stop serving and close the recordings."""
+        self.session.close()
+        with silent():
+            self.viser.stop()
+
+
+def open_page(
+    paths: Sequence[Path],
+    *,
+    host: str = "127.0.0.1",
+    port: int = 0,
+    open_browser: bool = True,
+    read_only: bool = False,
+    recipe: Path | None = None,
+    robot: Path | None = None,
+    tool_frame: str | None = None,
+) -> None:
+    """Serve the page on `paths` (recordings, or folders of them) until interrupted.
+
+    Raises KeyphaseError if nothing can listen on `host` and `port`.
+    """
+
+
+def _hello() -> dict[str, object]:
+    return {
+        "type": "hello",
+        "version": __version__,
+        "theme_default": "light",
+        "ranges": {name: list(bounds) for name, bounds in RANGES.items()},
+        "labels": [],
+    }

@@ -1,0 +1,64 @@
+"""A worker that computes one thing at a time and of each kind only the newest request."""
+
+import logging
+import threading
+from collections.abc import Callable
+
+_log = logging.getLogger(__name__)
+
+
+class Worker:
+    """One thread; `submit` replaces a waiting job of the same kind.
+
+    A slider sends values faster than they can be computed and drawn, and only the last one
+    matters; an edit must never be lost, so jobs without a kind all run, in order.
+    """
+
+    def __init__(self, on_error: Callable[[Exception], None]) -> None:
+        self._on_error = on_error
+        self._waiting: dict[object, Callable[[], None]] = {}
+        self._changed = threading.Condition()
+        self._stopped = False
+        self._busy = False
+        self._thread = threading.Thread(target=self._run, name="worker", daemon=True)
+        self._thread.start()
+
+    def submit(self, job: Callable[[], None], kind: str | None = None) -> None:
+        """Run `job` in the worker's thread; of waiting jobs of one kind only the last runs."""
+        with self._changed:
+            key = object() if kind is None else kind
+            self._waiting.pop(key, None)
+            self._waiting[key] = job
+            self._changed.notify_all()
+
+    def wait_until_idle(self, timeout_s: float) -> bool:
+        """Whether everything submitted so far has run within `timeout_s`."""
+        with self._changed:
+            return self._changed.wait_for(
+                lambda: not self._waiting and not self._busy, timeout=timeout_s
+            )
+
+    def stop(self) -> None:
+        """Finish what runs, forget what waits."""
+        with self._changed:
+            self._stopped = True
+            self._waiting.clear()
+            self._changed.notify_all()
+
+    def _run(self) -> None:
+        while (job := self._next()) is not None:
+            try:
+                job()
+            except Exception as error:
+                self._on_error(error)
+            with self._changed:
+                self._busy = False
+                self._changed.notify_all()
+
+    def _next(self) -> Callable[[], None] | None:
+        with self._changed:
+            self._changed.wait_for(lambda: self._waiting or self._stopped)
+            if self._stopped:
+                return None
+            self._busy = True
+            return self._waiting.pop(next(iter(self._waiting)))
