@@ -1,0 +1,39 @@
+"""Block means over short bins in time, which make irregular and different rates alike."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from keyphase.demonstration import Array
+
+BIN_S = 0.02
+"""Width of a bin: 50 Hz is enough for a hand's motion and for finding a contact."""
+
+Indices = NDArray[np.intp]
+
+
+def bin_starts(time_s: Array, width_s: float = BIN_S) -> Indices:
+    """Index of the first sample of every bin that holds one, from `time_s` (N,) [s].
+
+    Bins are counted in time, not in samples, because rates are irregular. They begin half a
+    sample early, so that jitter does not move samples of a regular recording between bins.
+    """
+    half_a_step = 0.5 * float(np.median(np.diff(time_s)))
+    bins = np.floor((time_s - time_s[0] + half_a_step) / width_s)
+    return np.flatnonzero(np.diff(bins, prepend=-1.0))
+
+
+def bin_means(values: Array, starts: Indices) -> Array:
+    """Mean of `values` (N,) or (N, D) in each of the bins that begin at `starts` (M,)."""
+    counts = np.diff(starts, append=len(values))
+    sums = np.add.reduceat(values, starts, axis=0)
+    return sums / (counts[:, None] if values.ndim == 2 else counts)
+
+
+def typical_step_s(time_s: Array) -> float:
+    """Median distance between neighbouring times (N at least 2); BIN_S for a single one."""
+    return float(np.median(np.diff(time_s))) if len(time_s) > 1 else BIN_S
+
+
+def count_in(duration_s: float, step_s: float, least: int, most: int) -> int:
+    """How many steps a duration is, rounded and kept from `least` to `most`."""
+    return int(min(max(round(min(duration_s / step_s, 1e9)), least), most))

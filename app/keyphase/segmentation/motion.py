@@ -1,0 +1,83 @@
+"""The tool's motion at 50 Hz, in the units in which the position segmentation sees it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.segmentation.bins import bin_means, bin_starts, typical_step_s
+
+METRES_PER_RADIAN = 0.2
+"""How far a rotation counts as a movement: about the reach of a hand around its wrist."""
+
+_LARGEST_M = 1e3
+_SMOOTHING_HZ = 5.0
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """The tool's motion in bins of 20 ms.
+
+    time_s      (n,)        mean time of each bin
+    position_m  (n, 3)      mean position
+    rotation_rad (n, 3)     rotation vector from the first bin, base frame; None if not recorded
+    pose_m      (n, 3 or 6) position, and the rotation vector times 0.2 m/rad, first bin at zero
+    speed       (n,)        norm of the pose's velocity, smoothed below 5 Hz [m/s]
+    """
+
+    time_s: Array
+    position_m: Array
+    rotation_rad: Array | None
+    pose_m: Array
+    speed: Array
+
+    @property
+    def step_s(self) -> float:
+        """Median time from bin to bin."""
+        return typical_step_s(self.time_s)
+
+
+def motion_of(demonstration: Demonstration) -> Motion:
+    """Bin the pose of a demonstration; see `Motion`."""
+    starts = bin_starts(demonstration.time_s)
+    time = bin_means(demonstration.time_s, starts)
+    position = bin_means(demonstration.position_m, starts)
+    wxyz = demonstration.orientation_wxyz
+    rotation = None if wxyz is None else rotation_vectors(bin_means(wxyz, starts))
+    pose = _pose(position, rotation)
+    return Motion(time, position, rotation, pose, _speed(time, pose))
+
+
+def rotation_vectors(wxyz: Array) -> Array:
+    """Rotation vectors (n, 3) [rad] of sign-continuous quaternions (n, 4) from the first one.
+
+    The logarithm is taken without folding to the shortest arc, so that it goes on past 180°.
+    """
+    w0, v0 = wxyz[0, 0], wxyz[0, 1:]
+    w = wxyz[:, 0] * w0 + wxyz[:, 1:] @ v0
+    v = w0 * wxyz[:, 1:] - wxyz[:, :1] * v0 - np.cross(wxyz[:, 1:], v0)
+    sine = np.linalg.norm(v, axis=1)
+    small = sine < 1e-9
+    scale = np.where(small, 2.0, 2.0 * np.arctan2(sine, w) / np.where(small, 1.0, sine))
+    return scale[:, None] * v
+
+
+def _pose(position: Array, rotation: Array | None) -> Array:
+    # Beyond a kilometre squares lose the millimetres; such a recording is shrunk to one.
+    scale = max(1.0, float(np.abs(position).max()) / _LARGEST_M)
+    translation = position / scale
+    translation = translation - translation[0]
+    if rotation is None:
+        return translation
+    return np.hstack([translation, METRES_PER_RADIAN * rotation])
+
+
+def _speed(time: Array, pose: Array) -> Array:
+    if len(time) < 2:
+        return np.zeros(len(time))
+    from scipy.signal import butter, sosfiltfilt
+
+    rate = 1.0 / typical_step_s(time)
+    if len(time) > 20 and rate > 2.5 * _SMOOTHING_HZ:
+        pose = sosfiltfilt(butter(2, _SMOOTHING_HZ, fs=rate, output="sos"), pose, axis=0)
+    return np.linalg.norm(np.gradient(pose, time, axis=0), axis=1)
