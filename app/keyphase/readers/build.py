@@ -1,0 +1,40 @@
+"""From the channels a reader found to a demonstration that knows its file."""
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.errors import DemonstrationError
+from keyphase.readers.held import held_notices
+from keyphase.readers.timing import irregular_notices
+from keyphase.readers.whole_file import WholeFile
+
+
+def build(
+    file: WholeFile,
+    channels: Mapping[str, Array],
+    *,
+    metadata: Mapping[str, Any] | None = None,
+    notices: Iterable[str] = (),
+) -> Demonstration:
+    """The demonstration of `channels` (by their names in Demonstration), named after its file.
+
+    What holds and irregular rows are left in it is added to the notices. Raises
+    DemonstrationError, naming the file, where the channels break an invariant.
+    """
+    name = file.source.path.stem
+    try:
+        with np.errstate(all="ignore"):
+            found = (*irregular_notices(channels["time_s"]), *held_notices(channels))
+            return Demonstration(
+                name=name,
+                **channels,
+                metadata=metadata or {},
+                source=file.source,
+                notices=(*notices, *found),
+            )
+    except DemonstrationError as error:
+        reason = str(error).removeprefix(f"{name}: ")
+        raise DemonstrationError(f"{file.name}: {reason}") from error

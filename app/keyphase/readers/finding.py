@@ -1,0 +1,87 @@
+"""Which files are recordings, and which recipe reads a table."""
+
+import os
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+from keyphase.errors import DemonstrationError
+from keyphase.readers.native_csv import LONGEST_HEADER, has_native_header
+
+RECIPE_SUFFIX = ".recipe.toml"
+FOLDER_RECIPE = "recipe.toml"
+
+_TABLE_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".log", ".asc")
+_SEGMENTS_SUFFIX = ".segments.csv"
+
+
+class Found(NamedTuple):
+    """A recording and its name relative to the folder it was found in (or its own name)."""
+
+    path: Path
+    relative: Path
+
+
+def find_recordings(
+    paths: Iterable[Path | str], recipe: Path | str | None = None
+) -> tuple[Found, ...]:
+    """The recordings among files and, recursively, in folders; sorted within each, each once.
+
+    A file that is named is taken as it is; reading it says what is wrong with it. In a folder
+    count archives (.npz), native tables, and tables that have a recipe: their own, their folder's,
+    or the one given for all. Hidden folders and files are passed over, links to folders not
+    followed. No more of a file than its first line is read. Raises DemonstrationError for a folder
+    that cannot be listed.
+    """
+    found: dict[str, Found] = {}
+    for path in map(Path, paths):
+        inside = _in_folder(path, recipe) if path.is_dir() else [Found(path, Path(path.name))]
+        for recording in inside:
+            found.setdefault(os.path.abspath(recording.path), recording)
+    return tuple(found.values())
+
+
+def own_recipe(path: Path) -> Path | None:
+    """The recipe of the one table at `path`, `<file>.recipe.toml`, where it is there."""
+    recipe = path.with_name(path.name + RECIPE_SUFFIX)
+    return recipe if recipe.is_file() else None
+
+
+def folder_recipe(path: Path) -> Path | None:
+    """The recipe of all tables in the folder of `path`, `recipe.toml`, where it is there."""
+    recipe = path.with_name(FOLDER_RECIPE)
+    return recipe if recipe.is_file() else None
+
+
+def begins_native(path: Path) -> bool:
+    """Whether a file begins with the header of a native table; reads no more of it than that."""
+    try:
+        with path.open("rb") as file:
+            return has_native_header(file.read(LONGEST_HEADER))
+    except OSError:
+        return False
+
+
+def _in_folder(folder: Path, recipe: Path | str | None) -> Iterator[Found]:
+    paths = []
+    for parent, folders, files in os.walk(folder, onerror=_refuse):
+        folders[:] = [name for name in folders if not name.startswith(".")]
+        paths += [Path(parent, name) for name in files if not name.startswith(".")]
+    for path in sorted(paths, key=lambda path: path.relative_to(folder).parts):
+        if path.is_file() and _is_recording(path, recipe is not None):
+            yield Found(path, path.relative_to(folder))
+
+
+def _refuse(error: OSError) -> None:
+    raise DemonstrationError(
+        f"{error.filename}: the folder cannot be listed ({error.strerror}); check its permissions."
+    ) from error
+
+
+def _is_recording(path: Path, recipe_given: bool) -> bool:
+    name = path.name.lower()
+    if name.endswith(".npz"):
+        return True
+    if not name.endswith(_TABLE_SUFFIXES) or name.endswith(_SEGMENTS_SUFFIX):
+        return False
+    return bool(recipe_given or own_recipe(path) or folder_recipe(path) or begins_native(path))

@@ -1,0 +1,130 @@
+"""The native table: a CSV whose header names each column with its unit.
+
+`time_s, position_x_m, …, orientation_w, …, force_x_N, …, torque_x_Nm, …, joint_1_rad, …` in any
+order; what a demonstration may lack, the table may.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.errors import DemonstrationError
+from keyphase.readers.build import build
+from keyphase.readers.orientation import refuse_not_unit
+from keyphase.readers.table import Table, TableForm, open_table, split_cells
+from keyphase.readers.timing import refuse_not_increasing
+from keyphase.readers.whole_file import WholeFile, write_whole
+
+_GROUPS: Mapping[str, tuple[str, ...]] = {
+    "time_s": ("time_s",),
+    "position_m": ("position_x_m", "position_y_m", "position_z_m"),
+    "orientation_wxyz": ("orientation_w", "orientation_x", "orientation_y", "orientation_z"),
+    "force_N": ("force_x_N", "force_y_N", "force_z_N"),
+    "torque_Nm": ("torque_x_Nm", "torque_y_Nm", "torque_z_Nm"),
+}
+_REQUIRED = ("time_s", "position_m")
+_JOINT = re.compile(r"joint_([1-9][0-9]{0,3})_rad")
+_SHOWN_NAMES = 5
+
+LONGEST_HEADER = 65536
+"""Bytes in which a native header must end."""
+
+
+def has_native_header(data: bytes) -> bool:
+    """Whether a file that begins with `data` begins with the header of a native table."""
+    first = data[:LONGEST_HEADER].decode("utf-8-sig", errors="replace").splitlines()[:1]
+    names = {cell.strip() for line in first for cell in split_cells(line, ",")}
+    return all(name in names for channel in _REQUIRED for name in _GROUPS[channel])
+
+
+def read_csv(file: WholeFile, limit_bytes: int) -> Demonstration:
+    """The demonstration in a native table.
+
+    Raises DemonstrationError, with line and column, for missing, doubled or incomplete columns
+    and for cells that cannot be.
+    """
+    table = open_table(file.name, file.data, TableForm(), limit_bytes)
+    groups = _groups(table)
+    columns = [table.names.index(name) for names in groups.values() for name in names]
+    values = table.numbers(columns)
+    ends = np.cumsum([len(names) for names in groups.values()])
+    channels = dict(zip(groups, np.split(values, ends[:-1], axis=1), strict=True))
+    channels["time_s"] = channels["time_s"][:, 0]
+    _refuse_impossible(table, channels)
+    return build(file, channels, notices=_unknown_notices(table, columns))
+
+
+def _groups(table: Table) -> dict[str, tuple[str, ...]]:
+    """The columns of each channel that the table has, each channel complete."""
+    named = [name for name in table.names if name]
+    doubled = next((name for name, count in Counter(named).items() if count > 1), None)
+    if doubled is not None:
+        raise DemonstrationError(
+            f"{table.file}: the header names {doubled[:80]!r} more than once; rename one of them."
+        )
+    joints = [name for name in named if _JOINT.fullmatch(name)]
+    every = dict(_GROUPS)
+    if joints:
+        every["joints_rad"] = tuple(f"joint_{i}_rad" for i in range(1, len(joints) + 1))
+    groups = {}
+    for channel, names in every.items():
+        missing = [name for name in names if name not in named]
+        if not missing:
+            groups[channel] = names
+        elif channel in _REQUIRED or len(missing) < len(names) or channel == "joints_rad":
+            raise _missing(table, missing)
+    return groups
+
+
+def _missing(table: Table, missing: list[str]) -> DemonstrationError:
+    found = ", ".join(repr(name[:40]) for name in table.names[:_SHOWN_NAMES])
+    return DemonstrationError(
+        f"{table.file}: the column {missing[0]} is missing from the header in line 1, which begins "
+        f"{found}; name the columns as a native table does, or describe the table in a recipe "
+        f"{Path(table.file).name}.recipe.toml beside it."
+    )
+
+
+def _refuse_impossible(table: Table, channels: Mapping[str, Array]) -> None:
+    refuse_not_increasing(
+        channels["time_s"], lambda row: f"{table.file}: line {table.line(row)}, column 'time_s'"
+    )
+    if "orientation_wxyz" in channels:
+        refuse_not_unit(
+            channels["orientation_wxyz"],
+            lambda row: (
+                f"{table.file}: line {table.line(row)}, columns 'orientation_w' to 'orientation_z'"
+            ),
+        )
+
+
+def _unknown_notices(table: Table, columns: list[int]) -> tuple[str, ...]:
+    unknown = [table.label(i) for i in range(table.width) if i not in columns]
+    if not unknown:
+        return ()
+    more = f" and {len(unknown) - _SHOWN_NAMES} more" if len(unknown) > _SHOWN_NAMES else ""
+    return (f"Left out columns that are no channel: {', '.join(unknown[:_SHOWN_NAMES])}{more}.",)
+
+
+def save_csv(demonstration: Demonstration, path: Path | str) -> None:
+    """Write the native table; numbers are written so that they read back exactly.
+
+    A table has no place for metadata: save an archive where it must be kept. The same
+    demonstration gives the same bytes. Raises DemonstrationError where the folder takes no files.
+    """
+    names, columns = ["time_s"], [demonstration.time_s[:, None]]
+    groups = dict(_GROUPS)
+    if demonstration.joints_rad is not None:
+        joints = range(1, demonstration.joints_rad.shape[1] + 1)
+        groups["joints_rad"] = tuple(f"joint_{i}_rad" for i in joints)
+    for channel, group in list(groups.items())[1:]:
+        values = getattr(demonstration, channel)
+        if values is not None:
+            names.extend(group)
+            columns.append(values)
+    rows = (",".join(map(repr, row)) for row in np.hstack(columns).tolist())
+    write_whole(Path(path), "\n".join([",".join(names), *rows, ""]).encode())

@@ -1,0 +1,229 @@
+"""The native archive: an NPZ with one array for each channel, named with its unit.
+
+`time_s` (N,), `position_m` (N, 3), and where recorded `orientation_wxyz` (N, 4), `force_N` (N, 3),
+`torque_Nm` (N, 3), `joints_rad` (N, J), and `metadata_json`, a zero-dimensional string that holds a
+JSON object. Archives come from anywhere, so nothing in one is unpickled, trusted in size or
+unpacked to disk: each member is read within a limit, and its header before its data.
+"""
+
+import difflib
+import io
+import json
+import math
+import struct
+import tokenize
+import zipfile
+import zlib
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.lib import format as npy
+from numpy.typing import NDArray
+
+from keyphase.demonstration import Demonstration
+from keyphase.errors import DemonstrationError
+from keyphase.readers.build import build
+from keyphase.readers.whole_file import WholeFile, write_whole
+
+MAGIC = b"PK\x03\x04"
+"""How a zip archive that holds anything begins."""
+
+_REQUIRED = ("time_s", "position_m")
+_OPTIONAL = ("orientation_wxyz", "force_N", "torque_Nm", "joints_rad")
+_METADATA = "metadata_json"
+_KNOWN = (*_REQUIRED, *_OPTIONAL, _METADATA)
+_SUFFIX = ".npy"
+_SHOWN_NAMES = 5
+
+_DAMAGE = (
+    zipfile.BadZipFile,
+    zlib.error,
+    struct.error,
+    tokenize.TokenError,
+    EOFError,
+    LookupError,
+    MemoryError,
+    OSError,
+    OverflowError,
+    RuntimeError,
+    SyntaxError,
+    TypeError,
+    ValueError,
+)
+"""What zipfile and NumPy raise over bytes that are not what they should be."""
+
+
+def read_npz(file: WholeFile, limit_bytes: int) -> Demonstration:
+    """The demonstration in a native archive.
+
+    Raises DemonstrationError for damaged archives, missing or pickled members, wrong types and
+    shapes, and archives that unpack to more than `limit_bytes`.
+    """
+    with _damage_told(file), zipfile.ZipFile(io.BytesIO(file.data)) as archive:
+        members = _members(archive, file)
+        _refuse_too_large(members, file, limit_bytes)
+        arrays = {name: _array(archive, info, file) for name, info in members.items()}
+        unknown = _unknown_notices(archive)
+    metadata = _metadata(arrays.pop(_METADATA, None), file)
+    return build(file, arrays, metadata=metadata, notices=unknown)
+
+
+@contextmanager
+def _damage_told(file: WholeFile) -> Iterator[None]:
+    try:
+        yield
+    except _DAMAGE as error:
+        raise DemonstrationError(
+            f"{file.name}: expected a whole NPZ archive, but it is damaged "
+            f"({error or type(error).__name__}); copy or export it again."
+        ) from error
+
+
+def _members(archive: zipfile.ZipFile, file: WholeFile) -> dict[str, zipfile.ZipInfo]:
+    found: dict[str, zipfile.ZipInfo] = {}
+    for info in archive.infolist():
+        name = info.filename.removesuffix(_SUFFIX)
+        if name not in _KNOWN or name == info.filename:
+            continue
+        if name in found:
+            raise DemonstrationError(
+                f"{file.name}: expected one member {name}, but the archive holds several; "
+                "save it again."
+            )
+        found[name] = info
+    for name in _REQUIRED:
+        if name not in found:
+            raise DemonstrationError(
+                f"{file.name}: the member {name} is missing; a native archive needs "
+                f"{' and '.join(_REQUIRED)}, but this one holds {_shown(archive.namelist())}."
+            )
+    return found
+
+
+def _refuse_too_large(
+    members: Mapping[str, zipfile.ZipInfo], file: WholeFile, limit_bytes: int
+) -> None:
+    """Declared sizes bound what is read: zipfile never unpacks a member beyond its own."""
+    unpacked = sum(info.file_size for info in members.values())
+    if unpacked > limit_bytes:
+        raise DemonstrationError(
+            f"{file.name}: the archive unpacks to {unpacked} bytes, more than the limit of "
+            f"{limit_bytes}; cut the recording or raise the limit."
+        )
+
+
+def _array(archive: zipfile.ZipFile, info: zipfile.ZipInfo, file: WholeFile) -> NDArray[Any]:
+    data = archive.read(info)
+    stream = io.BytesIO(data)
+    member = info.filename.removesuffix(_SUFFIX)
+    shape, fortran_order, dtype = _header(stream, member, file)
+    _refuse_wrong_type(dtype, member, file)
+    offset = stream.tell()
+    expected, came = math.prod(shape) * dtype.itemsize, len(data) - offset
+    if expected != came or min(shape, default=1) < 0:
+        raise DemonstrationError(
+            f"{file.name}: {member} declares shape {shape} and {expected} bytes, but {came} bytes "
+            "follow; save the archive again."
+        )
+    flat = np.frombuffer(data, dtype, offset=offset) if came else np.empty(0, dtype)
+    return flat.reshape(shape, order="F" if fortran_order else "C")
+
+
+def _header(
+    stream: io.BytesIO, member: str, file: WholeFile
+) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
+    version = npy.read_magic(stream)
+    if version == (1, 0):
+        return npy.read_array_header_1_0(stream)
+    if version == (2, 0):
+        return npy.read_array_header_2_0(stream)
+    raise DemonstrationError(
+        f"{file.name}: {member} must be stored in NPY version 1 or 2, but has {version}; "
+        "save plain arrays with numpy.savez."
+    )
+
+
+def _refuse_wrong_type(dtype: np.dtype[Any], member: str, file: WholeFile) -> None:
+    if dtype.hasobject:
+        raise DemonstrationError(
+            f"{file.name}: {member} holds pickled Python objects, which are never loaded; "
+            "save plain arrays of numbers."
+        )
+    kinds, expected = ("U", "text") if member == _METADATA else ("fiu", "real numbers")
+    if dtype.kind not in kinds:
+        raise DemonstrationError(
+            f"{file.name}: {member} must hold {expected}, but its type is {dtype}; "
+            "convert it before saving."
+        )
+
+
+def _metadata(array: NDArray[Any] | None, file: WholeFile) -> dict[str, Any]:
+    if array is None:
+        return {}
+    try:
+        metadata = json.loads(str(array.item()), parse_constant=_refuse_constant)
+    except (ValueError, RecursionError) as error:
+        raise DemonstrationError(
+            f"{file.name}: {_METADATA} must be one string of JSON, but cannot be read as such "
+            f"({error}); write it with json.dumps."
+        ) from error
+    if not isinstance(metadata, dict):
+        raise DemonstrationError(
+            f"{file.name}: {_METADATA} must hold a JSON object, but holds a "
+            f"{type(metadata).__name__}; put it under a key."
+        )
+    return metadata
+
+
+def _refuse_constant(word: str) -> None:
+    raise ValueError(f"{word} is not JSON")
+
+
+def _unknown_notices(archive: zipfile.ZipFile) -> tuple[str, ...]:
+    unknown = [name for name in archive.namelist() if name.removesuffix(_SUFFIX) not in _KNOWN]
+    if not unknown:
+        return ()
+    near = difflib.get_close_matches(unknown[0].removesuffix(_SUFFIX)[:60], _KNOWN, n=1)
+    hint = f"; did you mean {near[0]}?" if near else "."
+    return (f"Left out members that are no channel: {_shown(unknown)}{hint}",)
+
+
+def _shown(names: list[str]) -> str:
+    shown = ", ".join(repr(name[:60]) for name in names[:_SHOWN_NAMES]) or "nothing"
+    return shown + (f" and {len(names) - _SHOWN_NAMES} more" if len(names) > _SHOWN_NAMES else "")
+
+
+def save_npz(demonstration: Demonstration, path: Path | str) -> None:
+    """Write the native archive; the same demonstration gives the same bytes.
+
+    Name, source and notices are not stored: a reader sets them. Raises DemonstrationError where
+    the metadata is not JSON or the folder takes no files.
+    """
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        for name in (*_REQUIRED, *_OPTIONAL):
+            values = getattr(demonstration, name)
+            if values is not None:
+                _write_member(archive, name, values)
+        if demonstration.metadata:
+            _write_member(archive, _METADATA, np.array(_json(demonstration)))
+    write_whole(Path(path), buffer.getvalue())
+
+
+def _write_member(archive: zipfile.ZipFile, name: str, values: NDArray[Any]) -> None:
+    """ZipInfo's own date is fixed, where ZipFile.write would take the clock's."""
+    data = io.BytesIO()
+    npy.write_array(data, values, allow_pickle=False)
+    archive.writestr(zipfile.ZipInfo(name + _SUFFIX), data.getvalue())
+
+
+def _json(demonstration: Demonstration) -> str:
+    try:
+        return json.dumps(dict(demonstration.metadata), allow_nan=False, sort_keys=True)
+    except (TypeError, ValueError, RecursionError) as error:
+        raise DemonstrationError(
+            f"{demonstration.name}: metadata must be JSON values to be saved, but is not ({error})."
+        ) from error

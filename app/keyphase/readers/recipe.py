@@ -1,0 +1,131 @@
+"""A recipe: how to read a table of somebody else's making.
+
+Nothing has a default that could be wrong in silence: units, orders, layouts, frame and sign are
+said. `docs/recipes.md` describes every word of the file a recipe is written in.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from keyphase.readers.columns import Columns
+from keyphase.readers.orientation import MatrixLayout, QuaternionOrder
+from keyphase.readers.table import TableForm
+
+ISO = "iso"
+"""The time format that stands for ISO 8601."""
+
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class RateTime:
+    """No time in the table: rows follow each other at a rate."""
+
+    rate_hz: float
+
+
+@dataclass(frozen=True)
+class NumberTime:
+    """A column of numbers, `size` seconds each."""
+
+    column: Columns
+    size: float
+    from_zero: bool
+
+
+@dataclass(frozen=True)
+class StampTime:
+    """A column of dates and times: ISO, or in a format of strptime. Counted from the first row."""
+
+    column: Columns
+    format: str
+
+
+@dataclass(frozen=True)
+class Scaled:
+    """Columns of numbers and the size of their unit in SI."""
+
+    columns: Columns
+    size: float
+
+
+@dataclass(frozen=True)
+class Pose(Scaled):
+    """Position and orientation as a 4x4 matrix; the size is that of its lengths."""
+
+    layout: MatrixLayout
+
+
+@dataclass(frozen=True)
+class Quaternion:
+    """Orientation as a quaternion, normalised only on request."""
+
+    columns: Columns
+    order: QuaternionOrder
+    normalise: bool
+
+
+@dataclass(frozen=True)
+class Euler(Scaled):
+    """Orientation as three angles; the sequence is SciPy's: lower case fixed axes, upper turned."""
+
+    sequence: str
+
+
+@dataclass(frozen=True)
+class RotationVector(Scaled):
+    """Orientation as axis times angle."""
+
+
+@dataclass(frozen=True)
+class Matrix:
+    """Orientation as a 3x3 or 4x4 matrix."""
+
+    columns: Columns
+    layout: MatrixLayout
+
+
+Orientation = Quaternion | Euler | RotationVector | Matrix
+
+
+@dataclass(frozen=True)
+class Load(Scaled):
+    """Force or torque, and the constant offset in it: given in its unit, or a mean to take."""
+
+    offset: Vector | None
+    offset_from_first_s: float | None
+
+
+@dataclass(frozen=True)
+class WrenchForm:
+    """The frame of force and torque; sign -1 where they are what the tool exerts."""
+
+    frame: Literal["base", "tool"]
+    sign: Literal[1, -1]
+
+
+@dataclass(frozen=True)
+class Rows:
+    """What to do about rows with the time of the row before, uneven steps and held channels."""
+
+    repeated: Literal["refuse", "drop"] = "refuse"
+    irregular: Literal["leave", "refuse", "resample"] = "leave"
+    rate_hz: float | None = None
+    held: Literal["leave", "interpolate"] = "leave"
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """How to read one kind of table; `name` is what messages call it."""
+
+    name: str
+    table: TableForm
+    time: RateTime | NumberTime | StampTime
+    rows: Rows
+    pose: Pose | None
+    position: Scaled | None
+    orientation: Orientation | None
+    force: Load | None
+    torque: Load | None
+    wrench: WrenchForm | None
+    joints: Scaled | None

@@ -1,0 +1,142 @@
+"""The columns a recipe chooses, as channels in SI units and keyphase's conventions."""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from keyphase.demonstration import Array
+from keyphase.readers.columns import Columns
+from keyphase.readers.orientation import (
+    from_euler,
+    from_matrices,
+    from_quaternions,
+    from_rotation_vectors,
+    normalised,
+    refuse_not_homogeneous,
+    square_matrices,
+)
+from keyphase.readers.recipe import (
+    Euler,
+    Load,
+    Matrix,
+    Orientation,
+    Pose,
+    Quaternion,
+    RateTime,
+    Recipe,
+    RotationVector,
+    Scaled,
+    StampTime,
+)
+from keyphase.readers.stamps import seconds_from_first
+from keyphase.readers.table import Table
+
+Channels = dict[str, Array]
+"""Channels by their names in Demonstration, time included."""
+
+Noted = tuple[Channels, tuple[str, ...]]
+"""Channels, and what was done to them that a person should know."""
+
+
+def channels_of(table: Table, recipe: Recipe) -> Noted:
+    """All channels of `table` that `recipe` describes, row by row as they are recorded.
+
+    Raises RecipeError and DemonstrationError as `read_by_recipe` does.
+    """
+    time, notices = _time(table, recipe)
+    channels = {"time_s": time}
+    if recipe.pose:
+        channels |= _pose(table, recipe.pose)
+    if recipe.position:
+        channels["position_m"] = _scaled(table, recipe.position)
+    if recipe.orientation:
+        channels["orientation_wxyz"], more = _orientation(table, recipe.orientation)
+        notices += more
+    for name, form in _loads_and_joints(recipe).items():
+        channels[name] = _scaled(table, form)
+    return channels, notices
+
+
+def _loads_and_joints(recipe: Recipe) -> dict[str, Scaled]:
+    forms: dict[str, Load | Scaled | None] = {
+        "force_N": recipe.force,
+        "torque_Nm": recipe.torque,
+        "joints_rad": recipe.joints,
+    }
+    return {name: form for name, form in forms.items() if form is not None}
+
+
+def where(
+    table: Table, columns: Columns, rows: NDArray[np.intp] | None = None
+) -> Callable[[int], str]:
+    """Names a row by its line and the columns looked at; `rows` are those of the table left."""
+    found = columns.find(table)
+    labels = table.label(found[0])
+    if len(found) > 1:
+        labels += f" to {table.label(found[-1])}"
+
+    def name(row: int) -> str:
+        in_table = row if rows is None else int(rows[row])
+        return f"{table.file}: line {table.line(in_table)}, {labels}"
+
+    return name
+
+
+def _time(table: Table, recipe: Recipe) -> tuple[Array, tuple[str, ...]]:
+    form = recipe.time
+    if isinstance(form, RateTime):
+        step = 1.0 / form.rate_hz
+        notice = f"The table has no time: its rows are taken to be {step:.6g} s apart."
+        return np.arange(len(table)) / form.rate_hz, (notice,)
+    if isinstance(form, StampTime):
+        stamps = table.text(form.column.find(table)[0])
+        seconds = seconds_from_first(stamps, form.format, where(table, form.column))
+        return seconds, (f"Time is counted from the first row, stamped {stamps[0]}.",)
+    seconds = form.size * table.numbers(form.column.find(table))[:, 0]
+    if form.from_zero and seconds[0] != 0:
+        notice = f"Time is counted from the first row, which is at {seconds[0]:.9g} s in the table."
+        return seconds - seconds[0], (notice,)
+    return seconds, ()
+
+
+def _scaled(table: Table, form: Scaled) -> Array:
+    return form.size * table.numbers(form.columns.find(table))
+
+
+def _pose(table: Table, form: Pose) -> Channels:
+    flat = table.numbers(form.columns.find(table))
+    matrices = square_matrices(flat, form.layout)
+    row_name = where(table, form.columns)
+    refuse_not_homogeneous(matrices, row_name)
+    return {
+        "position_m": form.size * matrices[:, :3, 3],
+        "orientation_wxyz": from_matrices(matrices[:, :3, :3], row_name),
+    }
+
+
+def _orientation(table: Table, form: Orientation) -> tuple[Array, tuple[str, ...]]:
+    values = table.numbers(form.columns.find(table))
+    row_name = where(table, form.columns)
+    match form:
+        case Quaternion():
+            return _quaternion(values, form, row_name)
+        case Euler():
+            return from_euler(form.size * values, form.sequence), ()
+        case RotationVector():
+            return from_rotation_vectors(form.size * values), ()
+        case Matrix():
+            matrices = square_matrices(values, form.layout)
+            if matrices.shape[1] == 4:
+                refuse_not_homogeneous(matrices, row_name)
+            return from_matrices(matrices[:, :3, :3], row_name), ()
+
+
+def _quaternion(
+    values: Array, form: Quaternion, row_name: Callable[[int], str]
+) -> tuple[Array, tuple[str, ...]]:
+    if not form.normalise:
+        return from_quaternions(values, form.order, row_name), ()
+    furthest = np.max(np.abs(np.linalg.norm(values, axis=1) - 1.0))
+    notice = f"Quaternions were normalised; the furthest had a norm {furthest:.3g} from one."
+    return from_quaternions(normalised(values, row_name), form.order, row_name), (notice,)

@@ -1,0 +1,126 @@
+"""Tables of somebody else's making, read by a recipe.
+
+Columns become channels in SI units; then come, in this order, repeated rows, the wrench's offset,
+sign and frame, held channels, and uneven rows. Each step says in the notices what it did.
+"""
+
+import numpy as np
+
+from keyphase.demonstration import Demonstration
+from keyphase.errors import DemonstrationError, RecipeError
+from keyphase.readers.build import build
+from keyphase.readers.held import find_hold
+from keyphase.readers.recipe import RateTime, Recipe
+from keyphase.readers.recipe_channels import Channels, Noted, channels_of, where
+from keyphase.readers.resampling import interpolate_hold, resample
+from keyphase.readers.table import Table, open_table
+from keyphase.readers.timing import irregularity, refuse_not_increasing
+from keyphase.readers.whole_file import WholeFile
+from keyphase.readers.wrench import in_base_frame, offset_of
+
+_LOADS = {"force_N": "N", "torque_Nm": "N m"}
+
+
+def read_by_recipe(file: WholeFile, recipe: Recipe, limit_bytes: int) -> Demonstration:
+    """The demonstration in a table.
+
+    Raises RecipeError where recipe and table do not fit, DemonstrationError, with line and column,
+    where the table holds what cannot be.
+    """
+    table = open_table(file.name, file.data, recipe.table, limit_bytes)
+    channels, notices = channels_of(table, recipe)
+    channels, more = _distinct(channels, recipe, table)
+    notices += more
+    for step in (_without_offset, _acting_on_tool, _in_base, _interpolated):
+        channels, more = step(channels, recipe)
+        notices += more
+    channels, more = _even(channels, recipe, limit_bytes, file.name)
+    notices += more
+    return build(file, channels, notices=(f"Read with the recipe {recipe.name}.", *notices))
+
+
+def _distinct(channels: Channels, recipe: Recipe, table: Table) -> Noted:
+    """Rows that are each later than the one before."""
+    if isinstance(recipe.time, RateTime):
+        return channels, ()
+    repeats = np.concatenate([[False], np.diff(channels["time_s"]) == 0])
+    if recipe.rows.repeated == "refuse" or not repeats.any():
+        refuse_not_increasing(channels["time_s"], where(table, recipe.time.column))
+        return channels, ()
+    rows = np.flatnonzero(~repeats)
+    kept = {channel: values[rows] for channel, values in channels.items()}
+    refuse_not_increasing(kept["time_s"], where(table, recipe.time.column, rows))
+    first = table.line(int(np.argmax(repeats)))
+    notice = f"Dropped {repeats.sum()} rows with the time of the row before, first line {first}."
+    return kept, (notice,)
+
+
+def _without_offset(channels: Channels, recipe: Recipe) -> Noted:
+    changed, notices = dict(channels), ()
+    for channel, load in (("force_N", recipe.force), ("torque_Nm", recipe.torque)):
+        offset = offset_of(load, channels[channel], channels["time_s"]) if load else None
+        if load and offset is not None:
+            changed[channel] = channels[channel] - offset
+            numbers = ", ".join(f"{value:.4g}" for value in offset)
+            since = load.offset_from_first_s
+            source = f", the mean of the first {since:g} s" if since else ""
+            notices += (f"Took the offset ({numbers}) {_LOADS[channel]}{source} out of {channel}.",)
+    return changed, notices
+
+
+def _acting_on_tool(channels: Channels, recipe: Recipe) -> Noted:
+    """What the environment exerts on the tool, where the table has the opposite."""
+    if recipe.wrench is None or recipe.wrench.sign == 1:
+        return channels, ()
+    turned = {channel: -channels[channel] for channel in _loads(channels)}
+    return channels | turned, (f"Turned the sign of {' and '.join(turned)}.",)
+
+
+def _in_base(channels: Channels, recipe: Recipe) -> Noted:
+    if recipe.wrench is None or recipe.wrench.frame == "base":
+        return channels, ()
+    orientation = channels["orientation_wxyz"]
+    turned = {
+        channel: in_base_frame(channels[channel], orientation) for channel in _loads(channels)
+    }
+    notice = f"Turned {' and '.join(turned)} from the tool's frame into the base frame."
+    return channels | turned, (notice,)
+
+
+def _interpolated(channels: Channels, recipe: Recipe) -> Noted:
+    if recipe.rows.held == "leave":
+        return channels, ()
+    time, changed, notices = channels["time_s"], dict(channels), ()
+    for channel, values in channels.items():
+        hold = find_hold(time, values) if channel != "time_s" else None
+        if hold:
+            changed[channel] = interpolate_hold(channel, time, values, hold)
+            notices += (
+                f"Interpolated {channel} between the {len(hold.fresh_rows)} of {len(time)} rows at "
+                f"which it changed (about {hold.rate_hz:.3g} Hz).",
+            )
+    return changed, notices
+
+
+def _even(channels: Channels, recipe: Recipe, limit_bytes: int, file: str) -> Noted:
+    time, rate = channels["time_s"], recipe.rows.rate_hz
+    if recipe.rows.irregular == "refuse" and (phrase := irregularity(time)):
+        raise DemonstrationError(
+            f"{file}: expected evenly spaced rows, but the {phrase}; "
+            f"let the recipe {recipe.name} leave or resample them."
+        )
+    if rate is None:
+        return channels, ()
+    columns = sum(values[:1].size for values in channels.values())
+    if (time[-1] - time[0]) * rate * columns * time.itemsize > limit_bytes:
+        raise RecipeError(
+            f"{recipe.name}: [rows]: {rate:g} Hz over {time[-1] - time[0]:.6g} s makes more "
+            "samples than the limit allows; choose a lower rate_hz."
+        )
+    resampled = resample(channels, rate)
+    notice = f"Resampled {len(time)} rows to {len(resampled['time_s'])} at {rate:g} Hz."
+    return resampled, (notice,)
+
+
+def _loads(channels: Channels) -> list[str]:
+    return [channel for channel in _LOADS if channel in channels]

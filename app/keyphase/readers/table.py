@@ -1,0 +1,225 @@
+"""A text table: lines of cells, of which some columns are numbers.
+
+Messages name columns as the header does and rows by the number of their line in the file. Numbers
+are parsed by NumPy's C reader; only a file that it refuses is searched, cell by cell, for the cell
+to name.
+"""
+
+import csv
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.errors import DemonstrationError
+
+_LONGEST_LINE = 100_000
+"""Thousands of columns; what is longer is no table, and the csv module would refuse its cells."""
+_BYTES_PER_LINE = 200
+"""A limit of 2 GiB in memory lets ten million lines in: eleven hours at 250 Hz."""
+_BYTES_PER_CHARACTER = 4
+"""What a character costs while a table is decoded, split and parsed."""
+
+_QUOTED_OR_PLAIN = re.compile(r'"([^"]*)"|(\S+)')
+_NUMBER = re.compile(
+    r"\s*[+-]?(\d+\.?\d*(e[+-]?\d+)?|\.\d+(e[+-]?\d+)?|nan|inf(inity)?)\s*",
+    re.ASCII | re.IGNORECASE,
+)
+
+
+@dataclass(frozen=True)
+class TableForm:
+    """How the text of a table is laid out; the defaults are those of a plain CSV.
+
+    `separator` is one character, or None for any white space. `skip_lines` lines are passed over,
+    then comes one line of column names if `header`.
+    """
+
+    separator: str | None = ","
+    skip_lines: int = 0
+    header: bool = True
+    encoding: str = "utf-8-sig"
+    decimal: str = "."
+
+
+@dataclass(frozen=True)
+class Table:
+    """The lines of a table that hold data, each with `width` cells, and its column names."""
+
+    file: str
+    form: TableForm
+    names: tuple[str, ...]
+    width: int
+    lines: Sequence[str]
+    line_numbers: Sequence[int]
+    quoted: bool
+
+    def __len__(self) -> int:
+        return len(self.lines)
+
+    def label(self, column: int) -> str:
+        """A column as messages name it."""
+        named = column < len(self.names) and self.names[column]
+        return f"column {self.names[column][:80]!r}" if named else f"column {column}"
+
+    def line(self, row: int) -> int:
+        """Number in the file, from 1, of the line that holds data row `row`."""
+        return self.line_numbers[row]
+
+    def where(self, row: int, column: int) -> str:
+        """A cell as messages name it."""
+        return f"{self.file}: line {self.line(row)}, {self.label(column)}"
+
+    def text(self, column: int) -> list[str]:
+        """The cells of one column as they stand."""
+        return [split_cells(line, self.form.separator)[column].strip() for line in self.lines]
+
+    def numbers(self, columns: Sequence[int]) -> Array:
+        """Some columns (N, len(columns)) as finite numbers.
+
+        Raises DemonstrationError naming line and column of the first cell that is no number, not
+        finite or empty.
+        """
+        lines, separator, used = self._plain(columns)
+        try:
+            values = np.loadtxt(lines, delimiter=separator, comments=None, usecols=used, ndmin=2)
+        except ValueError as error:
+            raise self._not_a_number(columns) or DemonstrationError(
+                f"{self.file}: expected a table of numbers, but it cannot be read ({error})."
+            ) from error
+        if not np.isfinite(values).all():
+            row, at = (int(i) for i in np.argwhere(~np.isfinite(values))[0])
+            raise DemonstrationError(
+                f"{self.where(row, columns[at])}: expected a finite number, but found "
+                f"{values[row, at]}; cut the rows that were not measured or fill them first."
+            )
+        return values
+
+    def _plain(self, columns: Sequence[int]) -> tuple[Sequence[str], str | None, Sequence[int]]:
+        """Lines NumPy can read, their separator and the columns in them: no quotes, points."""
+        lines, separator, used = self.lines, self.form.separator, columns
+        if self.quoted:
+            rows = (split_cells(line, separator) for line in lines)
+            lines = ["\t".join(cells[i] for i in columns) for cells in rows]
+            separator, used = "\t", range(len(columns))
+        if self.form.decimal != ".":
+            lines = [line.replace(self.form.decimal, ".") for line in lines]
+        return lines, separator, used
+
+    def _not_a_number(self, columns: Sequence[int]) -> DemonstrationError | None:
+        for row, line in enumerate(self.lines):
+            cells = split_cells(line, self.form.separator)
+            for column in columns:
+                cell = cells[column].strip()
+                if not _NUMBER.fullmatch(cell.replace(self.form.decimal, ".")):
+                    came = f"found {cell[:40]!r}" if cell else "the cell is empty"
+                    return DemonstrationError(
+                        f"{self.where(row, column)}: expected a number, but {came}; "
+                        "correct the cell or leave the line out."
+                    )
+        return None
+
+
+def split_cells(line: str, separator: str | None) -> list[str]:
+    """The cells of one line, quotes taken off."""
+    if '"' not in line:
+        return line.split(separator)
+    if separator is None:
+        return [quoted or plain for quoted, plain in _QUOTED_OR_PLAIN.findall(line)]
+    return next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])
+
+
+def open_table(file: str, data: bytes, form: TableForm, limit_bytes: int) -> Table:
+    """Decode and split a table, and check that all its rows are equally long.
+
+    Raises DemonstrationError for binary or wrongly encoded content, tables too large for
+    `limit_bytes` of memory, tables without rows, and rows of another length.
+    """
+    lines = _lines(file, data, form, limit_bytes)
+    body_at = form.skip_lines + form.header
+    if not any(line.strip() for line in lines[body_at:]):
+        raise DemonstrationError(
+            f"{file}: expected rows of numbers after line {body_at}, but there are none; "
+            "record or export the file again."
+        )
+    numbered = [(n, line) for n, line in enumerate(lines, 1) if n > body_at and line.strip()]
+    body = [line for _, line in numbered]
+    quoted = any('"' in line for line in body)
+    names = _names(lines[form.skip_lines], form) if form.header else ()
+    width = len(split_cells(body[0], form.separator))
+    table = Table(file, form, names, width, body, [n for n, _ in numbered], quoted)
+    _refuse_ragged(table)
+    return table
+
+
+def _lines(file: str, data: bytes, form: TableForm, limit_bytes: int) -> list[str]:
+    _refuse_too_large(file, data, limit_bytes)
+    try:
+        text = data.decode(form.encoding)
+    except UnicodeError as error:
+        raise DemonstrationError(
+            f"{file}: expected text in {form.encoding}, but it cannot be decoded "
+            f"({error.reason if isinstance(error, UnicodeDecodeError) else error}); "
+            "save it as UTF-8 or name its encoding in a recipe."
+        ) from error
+    if "\0" in text:
+        raise DemonstrationError(
+            f"{file}: expected a text table, but the file is binary; export it as text or NPZ."
+        )
+    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    longest = max(range(len(lines)), key=lambda i: len(lines[i]))
+    if len(lines[longest]) > _LONGEST_LINE:
+        raise DemonstrationError(
+            f"{file}: line {longest + 1} has {len(lines[longest])} characters, more than a table "
+            f"of numbers can have ({_LONGEST_LINE}); check that the file is a text table."
+        )
+    return lines
+
+
+def _refuse_too_large(file: str, data: bytes, limit_bytes: int) -> None:
+    most_lines = limit_bytes // _BYTES_PER_LINE
+    if len(data) > limit_bytes // _BYTES_PER_CHARACTER:
+        raise DemonstrationError(
+            f"{file}: a text table may have {limit_bytes // _BYTES_PER_CHARACTER} bytes, but this "
+            f"one has {len(data)}; convert it to NPZ, cut it or raise the limit."
+        )
+    lines = max(data.count(b"\n"), data.count(b"\r"))
+    if lines > most_lines:
+        raise DemonstrationError(
+            f"{file}: a text table may have {most_lines} lines, but this one has {lines}; "
+            "convert it to NPZ, cut it or raise the limit."
+        )
+
+
+def _names(line: str, form: TableForm) -> tuple[str, ...]:
+    return tuple(cell.strip() for cell in split_cells(line, form.separator))
+
+
+def _refuse_ragged(table: Table) -> None:
+    for row, line in enumerate(table.lines):
+        cells = _count_cells(line, table.form.separator)
+        if cells != table.width:
+            raise DemonstrationError(
+                f"{table.file}: line {table.line(row)} has {cells} cells, but the first row, "
+                f"line {table.line(0)}, has {table.width}; complete or leave out the line."
+            )
+    if table.form.header and not _header_fits(table):
+        raise DemonstrationError(
+            f"{table.file}: the header names {len(table.names)} columns, but the rows have "
+            f"{table.width} cells; check the separator and the header line."
+        )
+
+
+def _count_cells(line: str, separator: str | None) -> int:
+    if separator is None or '"' in line:
+        return len(split_cells(line, separator))
+    return line.count(separator) + 1
+
+
+def _header_fits(table: Table) -> bool:
+    """As many names as cells, but for the empty one that a trailing separator makes."""
+    named = len(table.names) - (table.names[-1:] == ("",))
+    last = split_cells(table.lines[0], table.form.separator)[-1].strip()
+    return named == table.width - (last == "") or len(table.names) == table.width
