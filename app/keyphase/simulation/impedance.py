@@ -1,0 +1,110 @@
+# MuJoCo tells no types.
+# pyright: reportAttributeAccessIssue=false
+"""Cartesian impedance control of the right arm: the one controller of keyphase.
+
+Lead-through, recording and replay differ only in where the reference comes from.
+"""
+
+from dataclasses import dataclass, field
+
+import mujoco
+import numpy as np
+
+from keyphase.demonstration import Array
+
+RATE_HZ = 250.0
+"""Control and recording rate."""
+
+
+@dataclass(frozen=True)
+class Gains:
+    """Stiffness and damping of the tool point, and the posture held in the null space.
+
+    The defaults are soft enough to meet a hard part at 40 mm/s with a few newtons and not to jam
+    at a friction of 0.8.
+    """
+
+    stiffness_N_m: float = 2000.0
+    damping_Ns_m: float = 180.0
+    rotational_stiffness_Nm_rad: float = 40.0
+    rotational_damping_Nms_rad: float = 3.0
+    posture_stiffness_Nm_rad: float = 30.0
+    posture_damping_Nms_rad: float = 4.0
+    greatest_force_N: float = 30.0
+    greatest_torque_Nm: float = 6.0
+    limit_margin_rad: float = 0.1
+    limit_stiffness_Nm_rad: float = 300.0
+
+
+@dataclass(frozen=True, eq=False)
+class Reference:
+    """Where the tool is wanted, in the robot's base frame.
+
+    position_m (3,), orientation_wxyz (4,), velocity_m_s (3,), angular_velocity_rad_s (3,)
+    """
+
+    position_m: Array
+    orientation_wxyz: Array
+    velocity_m_s: Array = field(default_factory=lambda: np.zeros(3))
+    angular_velocity_rad_s: Array = field(default_factory=lambda: np.zeros(3))
+
+
+class CartesianImpedance:
+    """Joint torques that make the tool point behave as a spring and damper towards a reference.
+
+    tau = J^T (K (x_r - x) + D (xdot_r - xdot)) + N^T tau_posture + h(q, qdot) + tau_limit, with N
+    the dynamically consistent null space of J (Khatib 1987) and h gravity and Coriolis, the held
+    load included. Spring and posture are bounded, so that a far reference pulls, never throws.
+    """
+
+    def __init__(self, model: mujoco.MjModel, tool: int, joints: Array, gains: Gains) -> None:
+        """`tool` is the site that is controlled, `joints` the ids of the driven joints."""
+        self.gains = gains
+        self._model, self._tool = model, tool
+        self._positions = model.jnt_qposadr[joints]
+        self._dofs = model.jnt_dofadr[joints]
+        self._low, self._high = model.jnt_range[joints].T
+        self._jacobian = np.zeros((6, model.nv))
+        self._inverse = np.zeros((6, model.nv))
+
+    def torques(self, data: mujoco.MjData, reference: Reference, posture: Array) -> Array:
+        """Torques of the driven joints [N m], (7,), towards `reference`, near `posture`."""
+        gains, dofs = self.gains, self._dofs
+        q, qd = data.qpos[self._positions], data.qvel[dofs]
+        mujoco.mj_jacSite(self._model, data, self._jacobian[:3], self._jacobian[3:], self._tool)
+        mujoco.mj_solveM(self._model, data, self._inverse, self._jacobian)
+        jacobian, inverse = self._jacobian[:, dofs], self._inverse[:, dofs]
+        wrench = self._wrench(data, reference, jacobian @ qd)
+        free = gains.posture_stiffness_Nm_rad * (posture - q) - gains.posture_damping_Nms_rad * qd
+        free -= jacobian.T @ np.linalg.solve(inverse @ jacobian.T, inverse @ free)
+        return jacobian.T @ wrench + free + self._limits(q, qd) + data.qfrc_bias[dofs]
+
+    def _wrench(self, data: mujoco.MjData, reference: Reference, twist: Array) -> Array:
+        gains = self.gains
+        rotation = data.site_xmat[self._tool]
+        away = reference.position_m - data.site_xpos[self._tool]
+        turned = rotation_towards(rotation, reference.orientation_wxyz)
+        force = _bounded(gains.stiffness_N_m * away, gains.greatest_force_N)
+        torque = _bounded(gains.rotational_stiffness_Nm_rad * turned, gains.greatest_torque_Nm)
+        force += gains.damping_Ns_m * (reference.velocity_m_s - twist[:3])
+        torque += gains.rotational_damping_Nms_rad * (reference.angular_velocity_rad_s - twist[3:])
+        return np.concatenate([force, torque])
+
+    def _limits(self, q: Array, qd: Array) -> Array:
+        margin = self.gains.limit_margin_rad
+        inside = np.minimum(self._high - margin - q, 0.0) + np.maximum(self._low + margin - q, 0.0)
+        return self.gains.limit_stiffness_Nm_rad * inside - 5.0 * qd * (inside != 0.0)
+
+
+def rotation_towards(rotation: Array, wxyz: Array) -> Array:
+    """Rotation vector, base frame, that turns the row-major matrix (9,) into the quaternion."""
+    now, local, turned = np.empty(4), np.empty(3), np.empty(3)
+    mujoco.mju_mat2Quat(now, rotation)
+    mujoco.mju_subQuat(local, wxyz, now)
+    mujoco.mju_mulMatVec3(turned, rotation, local)
+    return turned
+
+
+def _bounded(vector: Array, greatest: float) -> Array:
+    norm = float(np.sqrt(vector @ vector))
+    return vector * (greatest / norm) if norm > greatest else vector

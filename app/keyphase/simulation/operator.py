@@ -1,0 +1,97 @@
+"""A scripted operator: looks at the workcell, then leads the tool through the task by hand."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.errors import SimulationError
+from keyphase.simulation.hand_path import Habits, HandPath, minimum_jerk
+from keyphase.simulation.impedance import RATE_HZ, Reference
+from keyphase.simulation.parts import HOUSING_M, TOOL_TO_MATING_FACE_M
+from keyphase.simulation.simulation import Simulation
+
+X, Y, Z = np.eye(3)
+
+
+def hand_path(simulation: Simulation, start: Reference, random: np.random.Generator) -> HandPath:
+    """The path of one demonstration of the simulated workcell's task, from the pose `start`.
+
+    The operator sees where the parts are, a little wrong. Raises SimulationError for a workcell
+    nobody has shown the operator.
+    """
+    name = simulation.workcell.name
+    if name not in _TASKS:
+        raise SimulationError(
+            f"The scripted operator knows {', '.join(_TASKS)}, but not the workcell '{name}'."
+        )
+    path = HandPath(start, Habits.drawn(random), random)
+    _TASKS[name](path, simulation, start, random)
+    return path
+
+
+def _setup1(
+    path: HandPath, simulation: Simulation, start: Reference, random: np.random.Generator
+) -> None:
+    from keyphase.simulation.setup1 import WALL_FACE_Y_M
+
+    mating = _mating_pose(simulation)
+    forward = mating - start.position_m
+    down = forward[2] + random.uniform(0.075, 0.095)
+    seen = random.normal(size=3) * 0.5e-3
+    path.stroke("forward", np.array([*forward[:2], down]) + seen, random.uniform(1.2, 1.9))
+    path.pause("idle", random.uniform(0.6, 1.2))
+    pressed = random.uniform(1.8e-3, 2.8e-3)
+    path.stroke("down until contact", (forward[2] - down - pressed) * Z, random.uniform(1.2, 1.8))
+    path.pause("idle", random.uniform(0.7, 1.2))
+    gap = WALL_FACE_Y_M - HOUSING_M[1] / 2 - simulation.part_poses()["housing"][0][1]
+    pushed = random.uniform(3e-3, 5e-3)
+    path.stroke("sideways until contact", (gap + pushed) * Y, random.uniform(1.8, 2.6))
+
+
+def _setup2(
+    path: HandPath, simulation: Simulation, start: Reference, random: np.random.Generator
+) -> None:
+    from keyphase.simulation.setup2 import GAP_M, HOUSING_POSITION_M, START_TURN_RAD
+
+    mating = _mating_pose(simulation)
+    path.turn("rotate", -START_TURN_RAD * Z, random.uniform(1.2, 1.8))
+    path.pause("", random.uniform(0.0, 0.06))
+    seen = random.normal(size=3) * 0.5e-3
+    pressed = random.uniform(1.8e-3, 2.8e-3)
+    down = mating - start.position_m + seen * (X + Y) - pressed * Z
+    path.stroke("down until contact", down, random.uniform(1.2, 1.8))
+    gap = HOUSING_POSITION_M[1] + GAP_M - simulation.part_poses()["housing"][0][1]
+    speeds, met = _pushing_speeds(gap, random)
+    path.push("sideways until contact", Y, speeds[:met], random.uniform(0.15, 0.25))
+    path.push("on with contact kept", Y, speeds[met:])
+
+
+def _pushing_speeds(gap_m: float, random: np.random.Generator) -> tuple[Array, int]:
+    """Speed per tick of a push that meets resistance after `gap_m`, and the tick where it does.
+
+    The hand gets up to speed, is slowed by what it meets, and brakes to rest.
+    """
+    fast = random.uniform(0.045, 0.065)
+    slow = fast * random.uniform(0.4, 0.6)
+    start_s, slow_s, brake_s = random.uniform(0.5, 0.8), 0.12, random.uniform(0.4, 0.6)
+    # A smooth start covers half of what full speed would.
+    cruise_s = (gap_m - fast * start_s / 2) / fast
+    on_s = random.uniform(0.035, 0.045) / slow - brake_s / 2
+    time = np.arange(1, round((start_s + cruise_s + on_s + brake_s) * RATE_HZ) + 1) / RATE_HZ
+    met_s = start_s + cruise_s
+    rise = minimum_jerk(time / start_s) * fast
+    slowed = (fast - slow) * minimum_jerk((time - met_s) / slow_s)
+    brake = 1.0 - minimum_jerk((time - met_s - on_s) / brake_s)
+    return (rise - slowed) * brake, round(met_s * RATE_HZ)
+
+
+def _mating_pose(simulation: Simulation) -> Array:
+    """Tool point at which the held part sits on the housing."""
+    return simulation.part_poses()["housing"][0] + (HOUSING_M[2] + TOOL_TO_MATING_FACE_M) * Z
+
+
+_TASKS: dict[str, Callable[[HandPath, Simulation, Reference, np.random.Generator], None]] = {
+    "setup1": _setup1,
+    "setup2": _setup2,
+}

@@ -1,0 +1,173 @@
+# MuJoCo tells no types.
+# pyright: reportAttributeAccessIssue=false
+"""A workcell in motion: physics, controller and wrist sensor behind one `step`."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import mujoco
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.errors import SimulationError
+from keyphase.simulation.contacts import Contacts
+from keyphase.simulation.disturbance import Disturbance
+from keyphase.simulation.impedance import RATE_HZ, CartesianImpedance, Gains, Reference
+from keyphase.simulation.robot_scene import ARM_JOINTS, SENSOR_SITE, TOOL_SITE
+from keyphase.simulation.wrist_sensor import (
+    Load,
+    SensorModel,
+    WristSensor,
+    about_tool,
+    estimated_load,
+)
+
+if TYPE_CHECKING:
+    from keyphase.simulation.workcell import Workcell
+
+_CALIBRATION_TILTS_RAD = ((0.0, 0.0), (0.4, 0.0), (-0.4, 0.0), (0.0, 0.4), (0.0, -0.4))
+"""Turns of the last two joints but one, from the start: enough tilt to tell weight from bias."""
+_CALIBRATION_TICKS, _CALIBRATION_SETTLING_TICKS = 40, 15
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """What one 250 Hz tick gives; base frame, torque about the tool point.
+
+    `contact_N` holds the simulator's own normal forces, one per pair of the workcell: ground
+    truth, which nothing that controls or segments may read.
+    """
+
+    time_s: float
+    position_m: Array
+    orientation_wxyz: Array
+    joints_rad: Array
+    force_N: Array
+    torque_Nm: Array
+    contact_N: Array
+
+
+class Simulation:
+    """One workcell being simulated; made by `Workcell.build`."""
+
+    def __init__(
+        self, workcell: "Workcell", model: mujoco.MjModel, disturbance: Disturbance, seed: int
+    ) -> None:
+        self.workcell, self.disturbance = workcell, disturbance
+        self.model, self.data = model, mujoco.MjData(model)
+        joints = np.array([model.joint(name).id for name in ARM_JOINTS])
+        self._positions = model.jnt_qposadr[joints]
+        self._tool, self._wrist = model.site(TOOL_SITE).id, model.site(SENSOR_SITE).id
+        self._reading = int(model.sensor("wrist_force").adr[0])
+        self._substeps = round(1.0 / (RATE_HZ * model.opt.timestep))
+        self.controller = CartesianImpedance(model, self._tool, joints, Gains())
+        self.contacts = Contacts(model, workcell.pairs)
+        self.sensor = WristSensor(
+            SensorModel().noisier(disturbance.sensor_noise), 1.0 / RATE_HZ, seed
+        )
+        self.posture_rad = np.array(workcell.start_joints_rad)
+        self.load = self._calibrated()
+        self.reset()
+
+    def reset(self) -> None:
+        """Back to the start: arm at its start, parts where they belong, time zero."""
+        self._place(self.posture_rad)
+        self._ticks = 0
+        self.start_parts = self.part_poses()
+
+    def step(self, reference: Reference) -> Sample:
+        """One control tick of 4 ms towards `reference`.
+
+        Raises SimulationError when the physics diverge.
+        """
+        wrench, contact_N = self._advance(reference)
+        self._ticks += 1
+        position, orientation = self.tool_pose()
+        if not np.isfinite(wrench).all() or abs(position).max() > 5.0:
+            raise SimulationError(
+                f"{self.workcell.name} diverged after {self._ticks / RATE_HZ:.3f} s; "
+                "use smaller disturbances or a slower reference."
+            )
+        measured = self._measured(self.sensor.read(wrench))
+        return Sample(
+            time_s=self._ticks / RATE_HZ,
+            position_m=position,
+            orientation_wxyz=orientation,
+            joints_rad=self.joints_rad(),
+            force_N=measured[:3],
+            torque_Nm=measured[3:],
+            contact_N=contact_N,
+        )
+
+    def tool_pose(self) -> tuple[Array, Array]:
+        """Position (3,) and orientation (4,), w x y z, of the tool point in the base frame."""
+        wxyz = np.empty(4)
+        mujoco.mju_mat2Quat(wxyz, self.data.site_xmat[self._tool])
+        return self.data.site_xpos[self._tool].copy(), wxyz
+
+    def joints_rad(self) -> Array:
+        """Angles of the driven joints, in the order of ARM_JOINTS."""
+        return self.data.qpos[self._positions].copy()
+
+    def here(self) -> Reference:
+        """The reference that keeps the tool where it is."""
+        return Reference(*self.tool_pose())
+
+    def part_poses(self) -> Mapping[str, tuple[Array, Array]]:
+        """Position and orientation of each part the workcell names, by name."""
+        return self.body_poses(self.workcell.parts)
+
+    def body_poses(self, names: tuple[str, ...]) -> Mapping[str, tuple[Array, Array]]:
+        """Position (3,) and orientation (4,), w x y z, of the bodies named, in the base frame."""
+        bodies = ((name, self.data.body(name)) for name in names)
+        return {name: (body.xpos.copy(), body.xquat.copy()) for name, body in bodies}
+
+    def contact_forces(self) -> Mapping[str, float]:
+        """The simulator's normal force of each pair of parts, by name."""
+        forces = self.contacts.normal_forces(self.data).tolist()
+        return dict(zip(self.contacts.names, forces, strict=True))
+
+    def _advance(self, reference: Reference) -> tuple[Array, Array]:
+        """Physics of one tick: mean wrench on the tool, sensor frame, and mean contact forces."""
+        data, first = self.data, self._reading
+        data.ctrl[:] = self.controller.torques(data, reference, self.posture_rad)
+        wrench = np.zeros(6)
+        contact = np.zeros(len(self.contacts.names))
+        for _ in range(self._substeps):
+            mujoco.mj_step(self.model, data)
+            # The sensor says what the arm exerts on the tool; the load is the opposite.
+            wrench -= data.sensordata[first : first + 6]
+            contact += self.contacts.normal_forces(data)
+        return wrench / self._substeps, contact / self._substeps
+
+    def _measured(self, reading: Array) -> Array:
+        rotation = self.data.site_xmat[self._wrist].reshape(3, 3)
+        wrench = self.load.compensated(reading, rotation)
+        sites = self.data.site_xpos
+        return about_tool(wrench, rotation, sites[self._wrist], sites[self._tool])
+
+    def _calibrated(self) -> Load:
+        """The load on the sensor, from readings at rest in a few tilted poses."""
+        readings, rotations = [], []
+        for tilt in _CALIBRATION_TILTS_RAD:
+            pose = self.posture_rad.copy()
+            pose[4:6] += tilt
+            self._place(pose)
+            readings.append(self._reading_at_rest())
+            rotations.append(self.data.site_xmat[self._wrist].reshape(3, 3).copy())
+        self.sensor.settle()
+        return estimated_load(np.array(readings), np.array(rotations))
+
+    def _reading_at_rest(self) -> Array:
+        here = self.here()
+        for _ in range(_CALIBRATION_SETTLING_TICKS):
+            self.sensor.read(self._advance(here)[0])
+        return np.mean(
+            [self.sensor.read(self._advance(here)[0]) for _ in range(_CALIBRATION_TICKS)], axis=0
+        )
+
+    def _place(self, joints_rad: Array) -> None:
+        mujoco.mj_resetData(self.model, self.data)
+        self.data.qpos[self._positions] = joints_rad
+        mujoco.mj_forward(self.model, self.data)
