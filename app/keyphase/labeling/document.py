@@ -1,0 +1,101 @@
+"""The document: a demonstration, parameters and the history of edits. Everything else follows."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field, replace
+from typing import Any
+
+from keyphase.demonstration import Demonstration
+from keyphase.labeling.anchored import anchored
+from keyphase.labeling.edits import Edit
+from keyphase.labeling.history import History, ParameterChange, Step
+from keyphase.labeling.labeling import Labeling
+from keyphase.labeling.step_names import edit_name, parameters_name
+from keyphase.segmentation.parameters import Parameters
+
+
+@dataclass(frozen=True, eq=False)
+class Document:
+    """One demonstration under a person's hands; immutable, every change gives a new one.
+
+    `shared` are the parameters of the folder; what was changed on this recording alone is in the
+    history. Its labeling is `label(segment(demonstration, parameters), edits)`.
+    """
+
+    demonstration: Demonstration
+    shared: Parameters = field(default_factory=Parameters)
+    history: History = field(default_factory=History)
+    next_number: int = 0
+
+    @property
+    def edits(self) -> dict[int, Edit]:
+        """The edits in force, by number, in the order they were made."""
+        return {
+            step.number: step.change
+            for step in self.history.done
+            if not isinstance(step.change, ParameterChange)
+        }
+
+    @property
+    def own_parameters(self) -> Mapping[str, Any]:
+        """The parameters in which this recording departs from its folder."""
+        for step in reversed(self.history.done):
+            if isinstance(step.change, ParameterChange):
+                return step.change.own
+        return {}
+
+    @property
+    def parameters(self) -> Parameters:
+        """The parameters in force."""
+        return replace(self.shared, **self.own_parameters)
+
+    @property
+    def undo_name(self) -> str | None:
+        """What undo would take back."""
+        step = self.history.last_done
+        return step.name if step else None
+
+    @property
+    def redo_name(self) -> str | None:
+        """What redo would make again."""
+        step = self.history.next_undone
+        return step.name if step else None
+
+    def apply(self, edit: Edit, labeling: Labeling) -> "Document":
+        """With one edit more, as a person made it on `labeling`, which is this document's.
+
+        Raises LabelingError, with the reason, for an edit that cannot be made there.
+        """
+        complete = anchored(edit, labeling)
+        return self._with(edit_name(complete, labeling), complete)
+
+    def set_parameters(self, parameters: Parameters) -> "Document":
+        """With other parameters for this recording; the same document where none differs."""
+        before, after = asdict(self.parameters), asdict(parameters)
+        changes = {name: after[name] for name in after if after[name] != before[name]}
+        if not changes:
+            return self
+        change = ParameterChange({**self.own_parameters, **changes})
+        return self._with(parameters_name(changes), change)
+
+    def reset_parameters(self) -> "Document":
+        """With the folder's parameters again; the same document where it has no others."""
+        if not self.own_parameters:
+            return self
+        return self._with("Reset parameters", ParameterChange({}))
+
+    def with_shared(self, shared: Parameters) -> "Document":
+        """Under other parameters of the folder; not a step of this recording's history."""
+        return replace(self, shared=shared)
+
+    def undo(self) -> "Document":
+        """With the last step taken back. Raises LabelingError where there is none."""
+        return replace(self, history=self.history.undone())
+
+    def redo(self) -> "Document":
+        """With the next step made again. Raises LabelingError where there is none."""
+        return replace(self, history=self.history.redone())
+
+    def _with(self, name: str, change: Edit | ParameterChange) -> "Document":
+        step = Step(self.next_number, name, change)
+        history = self.history.with_step(step)
+        return replace(self, history=history, next_number=self.next_number + 1)

@@ -1,0 +1,119 @@
+"""`label`: a segmentation with a person's edits over it; docs/labeling.md has the rules."""
+
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+
+from keyphase.labeling.boundary_line import Mark
+from keyphase.labeling.colors import colors_of
+from keyphase.labeling.description import Describe, describe_segment
+from keyphase.labeling.edits import Edit
+from keyphase.labeling.labeling import Inapplicable, LabeledSegment, Labeling
+from keyphase.labeling.plan import planned
+from keyphase.labeling.spans import Decision, assign
+from keyphase.labeling.walk import Walk, walk
+from keyphase.segmentation.segmentation import Segment, Segmentation
+
+
+def label(
+    segmentation: Segmentation,
+    edits: Mapping[int, Edit] = MappingProxyType({}),
+    describe: Describe = describe_segment,
+) -> Labeling:
+    """The segmentation with edits applied in order.
+
+    `edits` are anchored edits (see `anchored`) by their number, in the order they were made.
+    Nothing is refused: an edit whose place is gone is listed as inapplicable, and applies again
+    as soon as the parameters bring its place back. `describe` says what a segment with new ends
+    is.
+    """
+    done = walk(segmentation, edits)
+    found = _segments(segmentation, done.line.marks, describe)
+    middles = [0.5 * (segment.start_s + segment.end_s) for segment in found]
+    labels, unlabeled = assign(done.labels, middles)
+    kept, unkept = _kept(done, found, middles)
+    segments = _labeled(found, labels, kept, colors_of(segmentation, found))
+    return Labeling(
+        segmentation,
+        tuple(mark.as_boundary() for mark in done.line.marks),
+        segments,
+        planned(done.plan, segments),
+        tuple(i for i, segment in enumerate(found) if segment.idle and i not in kept),
+        _inapplicable(done.missed, unlabeled, unkept),
+    )
+
+
+def _segments(
+    segmentation: Segmentation, marks: Sequence[Mark], describe: Describe
+) -> list[Segment]:
+    """The program's segments where nothing changed at their ends, else described anew."""
+    known = {(s.start_s, s.end_s): s for s in segmentation.segments}
+    demonstration = segmentation.demonstration
+    times = [demonstration.start_s, *(mark.time_s for mark in marks), demonstration.end_s]
+    contacts = [False, *(mark.contact_change for mark in marks), False]
+    changed = [False, *(_is_changed(mark) for mark in marks), False]
+    segments: list[Segment] = []
+    for i in range(len(times) - 1):
+        same = None if changed[i] or changed[i + 1] else known.get((times[i], times[i + 1]))
+        segments.append(
+            same or describe(segmentation, times[i], times[i + 1], contacts[i], contacts[i + 1])
+        )
+    return segments
+
+
+def _is_changed(mark: Mark) -> bool:
+    found = mark.automatic
+    return mark.by_hand or found is None or found.contact_change != mark.contact_change
+
+
+def _kept(
+    done: Walk, found: Sequence[Segment], middles_s: Sequence[float]
+) -> tuple[dict[int, bool], list[Decision[bool]]]:
+    """What was decided about each segment; dropping the idle ones overrules what came before."""
+    split = done.decided_before_idle or 0
+    before, homeless_before = assign(done.keeps[:split], middles_s)
+    after, homeless_after = assign(done.keeps[split:], middles_s)
+    idle = range(len(found)) if done.decided_before_idle is not None else ()
+    dropped = {i: False for i in idle if found[i].idle}
+    return {**before, **dropped, **after}, homeless_before + homeless_after
+
+
+def _labeled(
+    found: Sequence[Segment],
+    labels: Mapping[int, str],
+    kept: Mapping[int, bool],
+    colors: Sequence[int],
+) -> tuple[LabeledSegment, ...]:
+    return tuple(
+        LabeledSegment(
+            segment.start_s,
+            segment.end_s,
+            labels.get(i) or segment.label,
+            proposed=not labels.get(i),
+            kept=kept.get(i, not segment.idle),
+            idle=segment.idle,
+            color=colors[i],
+            end_condition=segment.end_condition,
+        )
+        for i, segment in enumerate(found)
+    )
+
+
+def _inapplicable(
+    missed: Sequence[Inapplicable],
+    unlabeled: Sequence[Decision[str]],
+    unkept: Sequence[Decision[bool]],
+) -> tuple[Inapplicable, ...]:
+    by_edit = {each.edit: each for each in missed}
+    for decision in unlabeled:
+        text = f"Label “{decision.value}”{_where(decision)}: that segment is no longer found."
+        by_edit.setdefault(decision.edit, Inapplicable(decision.edit, text))
+    for decision in unkept:
+        what = "Kept" if decision.value else "Dropped"
+        text = f"{what}{_where(decision)}: that segment is no longer found."
+        by_edit.setdefault(decision.edit, Inapplicable(decision.edit, text))
+    return tuple(by_edit[number] for number in sorted(by_edit))
+
+
+def _where(decision: Decision[str] | Decision[bool]) -> str:
+    start, end = decision.span.span_s
+    return f" from {start:.2f} to {end:.2f} s"

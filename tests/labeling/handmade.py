@@ -1,0 +1,76 @@
+"""Segmentations made by hand, so that labeling is tested without the segmentation's own choices."""
+
+import hashlib
+
+import numpy as np
+
+from keyphase.demonstration import Demonstration, Source
+from keyphase.segmentation.end_condition import ConfigurationEnd
+from keyphase.segmentation.parameters import Parameters
+from keyphase.segmentation.segmentation import Boundary, Segment, Segmentation
+
+
+def demonstration(duration_s=10.0, rate_hz=100.0, path=None, name="demo"):
+    time = np.arange(round(duration_s * rate_hz) + 1) / rate_hz
+    position = np.stack([time, 0 * time, 0 * time], axis=1)
+    source = None
+    if path is not None:
+        path.write_bytes(b"a recording")
+        source = Source(path, hashlib.sha256(path.read_bytes()).hexdigest())
+    return Demonstration(name, time, position, force_N=np.zeros_like(position), source=source)
+
+
+def boundary(time_s, origin="position", confidence=0.8, contact_change=False):
+    return Boundary(time_s, origin, (time_s - 0.05, time_s + 0.05), confidence, contact_change)
+
+
+def segmentation(times=(2.0, 4.0, 6.0, 8.0), idle=(), made_from=None, parameters=None):
+    """Boundaries at `times`; segments are called "part 1", …, those in `idle` are idle."""
+    made_from = made_from or demonstration()
+    edges = [made_from.start_s, *times, made_from.end_s]
+    segments = tuple(
+        Segment(a, b, "idle" if i in idle else f"part {i + 1}", i in idle, ConfigurationEnd())
+        for i, (a, b) in enumerate(zip(edges, edges[1:], strict=False))
+    )
+    boundaries = tuple(boundary(time) for time in times)
+    return Segmentation(
+        made_from, parameters or Parameters(), boundaries, segments, (), None, (), None
+    )
+
+
+class Person:
+    """Makes edits one after another on one segmentation, as the page does."""
+
+    def __init__(self, segmentation, describe=None):
+        from keyphase.labeling.document import Document
+
+        self.segmentation = segmentation
+        self.document = Document(segmentation.demonstration)
+
+    @property
+    def labeling(self):
+        from keyphase.labeling.label import label
+
+        return label(self.segmentation, self.document.edits)
+
+    def makes(self, *edits):
+        for edit in edits:
+            self.document = self.document.apply(edit, self.labeling)
+        return self.labeling
+
+    def sees(self, segmentation):
+        """The same edits over another automatic result, as after a slider has moved."""
+        self.segmentation = segmentation
+        return self.labeling
+
+
+def times(labeling):
+    return [round(boundary.time_s, 6) for boundary in labeling.boundaries]
+
+
+def labels(labeling):
+    return [segment.label for segment in labeling.segments]
+
+
+def plan(labeling):
+    return [entry.segment for entry in labeling.plan]
