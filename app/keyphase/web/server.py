@@ -9,6 +9,7 @@ from keyphase.segmentation.parameters import RANGES
 from keyphase.web.access import Access, Grant
 from keyphase.web.one_port import serve, silent
 from keyphase.web.requests import Requests
+from keyphase.web.scene import Scene
 from keyphase.web.session import Opener, Session
 from keyphase.web.site import OurSite
 
@@ -35,6 +36,8 @@ class PageServer:
         self.site = OurSite(self.access, self.session.sockets, lambda _uuid, _value: True)
         self.viser = serve(self.site, host, port)
         self.port = self.viser.get_port()
+        self.scene = Scene(self.viser, self.session.select_at)
+        self.session.add_view(self.scene)
         self._grant = Grant.LOOKING if read_only else Grant.EVERYTHING
         if self.session.recordings:
             self.session.open(self.session.recordings[0].id)

@@ -235,6 +235,12 @@ class Session:
                     lambda view=view: view.show_selection(segment), f"{id(view)} sel"
                 )
 
+    def select_at(self, time_s: float) -> None:
+        """Select the segment around a time, as a click in the scene does."""
+        with self.lock:
+            if self.opened is not None:
+                self.select(self.opened.labeling.segment_at(time_s))
+
     def move_playhead(self, change: Callable[[Playhead], Playhead]) -> None:
         """Seek, play or pause."""
         with self.lock:

@@ -1,0 +1,72 @@
+"""Colours of the scene, as the timeline has them."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Rgb = tuple[int, int, int]
+
+
+class Theme(NamedTuple):
+    """What differs between light and dark."""
+
+    accent: Rgb
+    ground: Rgb
+    cell: Rgb
+    section: Rgb
+    leader: Rgb
+    origins: dict[str, Rgb]
+
+
+def _rgb(code: str) -> Rgb:
+    return int(code[1:3], 16), int(code[3:5], 16), int(code[5:7], 16)
+
+
+SEGMENT_COLORS: NDArray[np.uint8] = np.array(
+    [
+        _rgb(code)
+        for code in ("#58A2F2", "#EFB63A", "#26C397", "#CA71B6", "#A7A425", "#8FDDE8", "#B98A63")
+    ],
+    np.uint8,
+)
+"""Colours of segments in both themes; they repeat, and the number tells segments apart."""
+
+IDLE = _rgb("#9aa3ad")
+"""The path of idle and dropped segments."""
+
+LIGHT = Theme(
+    accent=_rgb("#1c7ed6"),
+    ground=_rgb("#f1f3f5"),
+    cell=_rgb("#dee2e6"),
+    section=_rgb("#ced4da"),
+    leader=_rgb("#868e96"),
+    origins={
+        "position": _rgb("#7048e8"),
+        "force": _rgb("#e8590c"),
+        "both": _rgb("#c2255c"),
+        "user": _rgb("#1b1f24"),
+    },
+)
+
+DARK = Theme(
+    accent=_rgb("#4dabf7"),
+    ground=_rgb("#1a1a1a"),
+    cell=_rgb("#29292b"),
+    section=_rgb("#333436"),
+    leader=_rgb("#92969b"),
+    origins={
+        "position": _rgb("#a78bfa"),
+        "force": _rgb("#ff922b"),
+        "both": _rgb("#f783ac"),
+        "user": _rgb("#f1f3f5"),
+    },
+)
+
+
+def segment_color(color: int, kept: bool) -> Rgb:
+    """Colour of a segment by its number."""
+    if not kept:
+        return IDLE
+    red, green, blue = SEGMENT_COLORS[color % len(SEGMENT_COLORS)].tolist()
+    return red, green, blue
