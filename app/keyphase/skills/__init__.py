@@ -1,0 +1,1 @@
+"""Segments made executable: movement primitives with end conditions."""

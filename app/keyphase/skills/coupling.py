@@ -1,0 +1,279 @@
+"""Step a primitive in real time with temporal coupling: it waits while the robot is held.
+
+The law with two degrees of freedom of Karlsson et al. (2017), for position and orientation with
+one error and one phase. With y_a measured, y_c the primitive's own state and v = z / tau_a:
+
+    e' = alpha_e (W (y_a - y_c) - e)            W: 1 for metres, 0.2 m/rad for rotations
+    tau_a = tau (1 + k_c e'e)                   replaces tau everywhere, the phase included
+    y_c'' = (z' - tau_a' v) / tau_a             tau_a' = 2 tau k_c e'(de/dt)
+    y_r'' = k_p (y_c - y_a) + k_v (v - y_a') + y_c''
+
+y_r'' is integrated to the reference y_r for an impedance controller and kept within 10 mm and
+0.05 rad of the measured pose, so that it neither runs away from a robot that is held nor pulls
+harder than that.
+
+Everything is a pure function over arrays; a leading batch axis steps many at once.
+"""
+
+from dataclasses import dataclass, replace
+from math import ceil
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from keyphase.demonstration import Array
+from keyphase.errors import SkillError
+from keyphase.skills import quaternions
+from keyphase.skills.primitive import (
+    Primitive,
+    forcing,
+    remaining,
+    scale_and_hold,
+    tau_of,
+    transformation,
+)
+
+LARGEST_STEP = 0.5
+"""Largest alpha_z h / tau of one integration step; it is unstable above 1.66."""
+
+REFERENCE_REACH = (0.01, 0.05)
+"""How far the reference may be from the measured pose [m, rad]."""
+
+
+@dataclass(frozen=True, eq=False)
+class State:
+    """Where a primitive is while it runs; `...` is the batch, empty for one.
+
+    phase, tau                 (...)    from 1 towards 0; time constant [s]
+    position_m                 (..., 3) y_c
+    orientation_wxyz           (..., 4)
+    z                          (..., 6) tau_a times its velocity
+    error_m                    (..., 6) e, the coupling error
+    goal_position_m            (..., 3) goal_orientation_wxyz (..., 4) alike
+    scale, hold                (..., 6) s and b of the forcing term
+    reference_position_m       (..., 3) y_r
+    reference_orientation_wxyz (..., 4)
+    reference_velocity         (..., 6) metres and radians per second
+    """
+
+    phase: Array
+    tau: Array
+    position_m: Array
+    orientation_wxyz: Array
+    z: Array
+    error_m: Array
+    goal_position_m: Array
+    goal_orientation_wxyz: Array
+    scale: Array
+    hold: Array
+    reference_position_m: Array
+    reference_orientation_wxyz: Array
+    reference_velocity: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Measured:
+    """Measured pose (..., 3), (..., 4) and velocity (..., 6) in m/s and rad/s, base frame."""
+
+    position_m: Array
+    orientation_wxyz: Array
+    velocity: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Reference:
+    """What the impedance controller is to follow over the coming step, base frame.
+
+    position_m (..., 3), orientation_wxyz (..., 4), velocity (..., 6) and acceleration (..., 6)
+    in m and rad; the acceleration is the reference acceleration y_r'' before it is clamped.
+    """
+
+    position_m: Array
+    orientation_wxyz: Array
+    velocity: Array
+    acceleration: Array
+
+
+def start(
+    primitive: Primitive,
+    position_m: ArrayLike | None = None,
+    orientation_wxyz: ArrayLike | None = None,
+    *,
+    goal_position_m: ArrayLike | None = None,
+    goal_orientation_wxyz: ArrayLike | None = None,
+    velocity: ArrayLike = 0.0,
+    duration_s: ArrayLike | None = None,
+) -> State:
+    """State at the start; what is not given is as demonstrated, at rest.
+
+    Any argument may carry a leading batch axis; they are broadcast against each other.
+    `duration_s` scales time. Quaternion signs are chosen nearest to the demonstrated ones.
+
+    Raises SkillError for a duration that is not positive.
+    """
+    position, wxyz = start_pose(primitive, position_m, orientation_wxyz)
+    goal, goal_wxyz = goal_pose(primitive, goal_position_m, goal_orientation_wxyz, wxyz)
+    duration = np.asarray(primitive.duration_s if duration_s is None else duration_s, float)
+    refuse_not_positive(duration)
+    batch = np.broadcast_shapes(
+        position.shape[:-1],
+        wxyz.shape[:-1],
+        goal.shape[:-1],
+        goal_wxyz.shape[:-1],
+        np.shape(velocity)[:-1],
+        duration.shape,
+    )
+    displacement = np.broadcast_to(remaining(goal, goal_wxyz, position, wxyz), (*batch, 6))
+    scale, hold = scale_and_hold(primitive, displacement)
+    tau = np.broadcast_to(tau_of(duration), batch)
+    speed = np.broadcast_to(np.asarray(velocity, float), (*batch, 6))
+    position = np.broadcast_to(position, (*batch, 3))
+    wxyz = np.broadcast_to(wxyz, (*batch, 4))
+    return State(
+        phase=np.ones(batch),
+        tau=tau,
+        position_m=position,
+        orientation_wxyz=wxyz,
+        z=speed * tau[..., None],
+        error_m=np.zeros((*batch, 6)),
+        goal_position_m=np.broadcast_to(goal, (*batch, 3)),
+        goal_orientation_wxyz=np.broadcast_to(goal_wxyz, (*batch, 4)),
+        scale=scale,
+        hold=hold,
+        reference_position_m=position,
+        reference_orientation_wxyz=wxyz,
+        reference_velocity=speed,
+    )
+
+
+def start_pose(
+    primitive: Primitive, position_m: ArrayLike | None, wxyz: ArrayLike | None
+) -> tuple[Array, Array]:
+    """The given pose, the demonstrated one where none is given, its sign as demonstrated."""
+    position = primitive.start_position_m if position_m is None else np.asarray(position_m, float)
+    if wxyz is None:
+        return position, primitive.start_orientation_wxyz
+    unit = np.asarray(wxyz, float)
+    return position, quaternions.nearest_sign(unit, primitive.start_orientation_wxyz)
+
+
+def goal_pose(
+    primitive: Primitive, position_m: ArrayLike | None, wxyz: ArrayLike | None, start_wxyz: Array
+) -> tuple[Array, Array]:
+    """Like `start_pose` for the goal; without recorded orientation it is the start's own."""
+    position = primitive.goal_position_m if position_m is None else np.asarray(position_m, float)
+    if wxyz is not None:
+        unit = np.asarray(wxyz, float)
+        near = primitive.goal_orientation_wxyz if primitive.oriented else start_wxyz
+        return position, quaternions.nearest_sign(unit, near)
+    return position, primitive.goal_orientation_wxyz if primitive.oriented else start_wxyz
+
+
+def step(
+    primitive: Primitive, state: State, measured: Measured, h: float
+) -> tuple[State, Reference]:
+    """Advance by `h` seconds against the measured pose; the reference for that time.
+
+    Splits the step where alpha_z h / tau would pass 0.5. Semi-implicit: velocity, then pose.
+    """
+    parts = substeps(primitive, state.tau, h)
+    acceleration = None
+    for _ in range(parts):
+        state, now = _advance(primitive, state, measured, h / parts)
+        acceleration = now if acceleration is None else acceleration
+    assert acceleration is not None
+    reference = _reference(state, measured, acceleration, h)
+    followed = replace(
+        state,
+        reference_position_m=reference.position_m,
+        reference_orientation_wxyz=reference.orientation_wxyz,
+        reference_velocity=reference.velocity,
+    )
+    return followed, reference
+
+
+def substeps(primitive: Primitive, tau: Array, h: float) -> int:
+    """Integration steps that one control step needs to stay accurate."""
+    ratio = primitive.constants.alpha_z * h / float(np.min(tau))
+    return max(1, ceil(ratio / LARGEST_STEP - 1e-9))
+
+
+def _advance(
+    primitive: Primitive, state: State, measured: Measured, h: float
+) -> tuple[State, Array]:
+    """One integration step; also the reference acceleration y_r'' at its beginning."""
+    c = primitive.constants
+    left = remaining(
+        state.goal_position_m, state.goal_orientation_wxyz, state.position_m, state.orientation_wxyz
+    )
+    force = forcing(primitive, state.phase, state.scale, state.hold)
+    deviation = _deviation(measured, state)
+    error_rate = c.alpha_e * (c.error_weights * deviation - state.error_m)
+    stretch = 1.0 + c.k_c * np.add.reduce(state.error_m * state.error_m, axis=-1)
+    tau = (state.tau * stretch)[..., None]
+    tau_rate = (2.0 * c.k_c * state.tau * np.add.reduce(state.error_m * error_rate, -1))[..., None]
+    z_rate = transformation(c, left, state.z, force) / tau
+    velocity = state.z / tau
+    acceleration = (
+        (z_rate - tau_rate * velocity) / tau
+        + c.k_v * (velocity - measured.velocity)
+        - c.k_p * deviation
+    )
+    z = state.z + h * z_rate
+    moved = (h / tau) * z
+    turn = quaternions.from_rotation_vector(moved[..., 3:])
+    advanced = replace(
+        state,
+        phase=state.phase * np.exp(-c.alpha_x * h / tau[..., 0]),
+        position_m=state.position_m + moved[..., :3],
+        orientation_wxyz=quaternions.normalised(quaternions.product(turn, state.orientation_wxyz)),
+        z=z,
+        error_m=state.error_m + h * error_rate,
+    )
+    return advanced, acceleration
+
+
+def _deviation(measured: Measured, state: State) -> Array:
+    """y_a - y_c (..., 6), the rotation by its shorter way."""
+    turn = quaternions.product(
+        measured.orientation_wxyz, quaternions.conjugate(state.orientation_wxyz)
+    )
+    way = measured.position_m - state.position_m
+    return np.concatenate((way, quaternions.shortest_rotation_vector(turn)), axis=-1)
+
+
+def _reference(state: State, measured: Measured, acceleration: Array, h: float) -> Reference:
+    """Integrate y_r'' and keep the reference within reach of the measured pose."""
+    velocity = state.reference_velocity + h * acceleration
+    away = state.reference_position_m + h * velocity[..., :3] - measured.position_m
+    turn = quaternions.product(
+        quaternions.from_rotation_vector(h * velocity[..., 3:]), state.reference_orientation_wxyz
+    )
+    turned = quaternions.shortest_rotation_vector(
+        quaternions.product(turn, quaternions.conjugate(measured.orientation_wxyz))
+    )
+    away, far = _within(away, REFERENCE_REACH[0])
+    turned, far_turned = _within(turned, REFERENCE_REACH[1])
+    wxyz = quaternions.product(quaternions.from_rotation_vector(turned), measured.orientation_wxyz)
+    clamped = np.concatenate([far] * 3 + [far_turned] * 3, axis=-1)
+    return Reference(
+        position_m=measured.position_m + away,
+        orientation_wxyz=quaternions.normalised(wxyz),
+        velocity=np.where(clamped, measured.velocity, velocity),
+        acceleration=acceleration,
+    )
+
+
+def _within(vector: Array, reach: float) -> tuple[Array, NDArray[np.bool_]]:
+    """The vector (..., 3) shortened to `reach`, and whether (..., 1) it had to be."""
+    norm = np.sqrt(np.add.reduce(vector * vector, axis=-1, keepdims=True))
+    far = norm > reach
+    return np.where(far, vector * (reach / np.maximum(norm, reach)), vector), far
+
+
+def refuse_not_positive(duration_s: Array) -> None:
+    """Raise SkillError unless every duration is a positive number."""
+    if not (np.isfinite(duration_s).all() and (duration_s > 0.0).all()):
+        raise SkillError(
+            f"The duration of a skill must be above zero, but is {duration_s}; give seconds."
+        )

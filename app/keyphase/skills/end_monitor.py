@@ -1,0 +1,139 @@
+"""Watch a skill while it runs and say when, and how, it is over."""
+
+from dataclasses import dataclass, replace
+from math import log
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from keyphase.demonstration import Array
+from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
+from keyphase.skills import quaternions
+from keyphase.skills.primitive import PHASE_SPAN
+from keyphase.skills.skill import Skill
+
+Outcome = Literal["reached", "contact", "timeout", "too far", "unexpected contact"]
+
+DEBOUNCE_S = 0.02
+"""How long a force must stay beyond its threshold."""
+
+LEVEL_S = 0.1
+"""Time constant with which the level before the contact follows the force."""
+
+ARMED_WITHIN_M = 0.03
+"""A contact counts from this far before the demonstrated one, or from half the way to it."""
+
+REACHED_AFTER = 0.8
+"""A configuration counts from this fraction of the motion on; a closed path starts at its goal."""
+
+
+@dataclass(frozen=True, eq=False)
+class EndMonitor:
+    """A skill's end condition while it runs; a value, `step` returns the next one.
+
+    skill, shift_m    what is watched, and by how much it is executed away from its demonstration
+    start_force_N     (3,) at the start
+    level_N           force along the contact direction before the contact; it follows the force,
+                      friction that starts with the motion included, until the tool comes near
+    armed             whether the tool is near enough for a contact to count
+    time_s            since the start
+    over_s, beyond_s  how long the force has been over the threshold, and beyond the limit
+    """
+
+    skill: Skill
+    shift_m: Array
+    start_force_N: Array
+    level_N: float
+    armed: bool = False
+    time_s: float = 0.0
+    over_s: float = 0.0
+    beyond_s: float = 0.0
+
+    def step(
+        self, position_m: Array, orientation_wxyz: Array, force_N: Array, phase: float, h: float
+    ) -> tuple["EndMonitor", Outcome | None]:
+        """Take in a sample, `h` seconds after the one before.
+
+        position_m, force_N (3,) and orientation_wxyz (4,) as measured, phase of the primitive.
+        """
+        at_m = position_m - self.shift_m
+        change = force_N - self.start_force_N
+        beyond = float(change @ change) > self.skill.force_limit_N**2
+        following = replace(
+            self._after_force(at_m, force_N, h),
+            time_s=self.time_s + h,
+            beyond_s=self.beyond_s + h if beyond else 0.0,
+        )
+        return following, following._outcome(at_m, orientation_wxyz, phase)
+
+    def _after_force(self, at_m: Array, force_N: Array, h: float) -> "EndMonitor":
+        end = self.skill.end_condition
+        if not isinstance(end, ContactEnd):
+            return self
+        along = float(force_N @ np.asarray(end.direction))
+        if not (self.armed or _is_near(self.skill, at_m)):
+            return replace(
+                self, level_N=self.level_N + min(h / LEVEL_S, 1.0) * (along - self.level_N)
+            )
+        over = along - self.level_N > end.threshold_N
+        return replace(self, armed=True, over_s=self.over_s + h if over else 0.0)
+
+    def _outcome(self, at_m: Array, wxyz: Array, phase: float) -> Outcome | None:
+        if _lasts(self.over_s):
+            return "contact"
+        if _lasts(self.beyond_s):
+            return "unexpected contact"
+        if _beyond_contact(self.skill, at_m) > self.skill.travel_limit_m:
+            return "too far"
+        if _is_reached(self.skill, at_m, wxyz, phase):
+            return "reached"
+        return "timeout" if self.time_s >= self.skill.timeout_s else None
+
+
+def start_monitor(
+    skill: Skill, force_N: ArrayLike, shift_m: ArrayLike = (0.0, 0.0, 0.0)
+) -> EndMonitor:
+    """Monitor of a skill that starts now under the measured force (3,).
+
+    `shift_m` (3,): how far start and goal are moved against the demonstration.
+    """
+    force = np.asarray(force_N, float)
+    end = skill.end_condition
+    level = float(force @ np.asarray(end.direction)) if isinstance(end, ContactEnd) else 0.0
+    return EndMonitor(skill, np.asarray(shift_m, float), force, level)
+
+
+def _lasts(duration_s: float) -> bool:
+    return duration_s >= DEBOUNCE_S - 1e-9
+
+
+def _beyond_contact(skill: Skill, at_m: Array) -> float:
+    """How far past the demonstrated contact (below zero: before it) [m]."""
+    if skill.travel_direction is None:
+        return 0.0
+    return float((at_m - skill.end_position_m) @ np.asarray(skill.travel_direction))
+
+
+def _is_near(skill: Skill, at_m: Array) -> bool:
+    way = -_beyond_contact(skill, skill.primitive.start_position_m)
+    return _beyond_contact(skill, at_m) >= -min(ARMED_WITHIN_M, 0.5 * max(way, 0.0))
+
+
+def _is_reached(skill: Skill, at_m: Array, wxyz: Array, phase: float) -> bool:
+    end = skill.end_condition
+    if not isinstance(end, ConfigurationEnd) or _progress(skill, phase) < REACHED_AFTER:
+        return False
+    way = at_m - skill.end_position_m
+    if float(way @ way) > end.position_tolerance_m**2:
+        return False
+    if not skill.primitive.oriented:
+        return True
+    turn = quaternions.product(skill.end_orientation_wxyz, quaternions.conjugate(wxyz))
+    left = quaternions.shortest_rotation_vector(turn)
+    return float(left @ left) <= end.rotation_tolerance_rad**2
+
+
+def _progress(skill: Skill, phase: float) -> float:
+    """Fraction of the demonstrated duration that the phase stands for."""
+    return -log(max(phase, 1e-300)) / (PHASE_SPAN * skill.primitive.constants.alpha_x)

@@ -1,0 +1,164 @@
+"""From the plan's segments to skills."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from typing import Literal, Protocol
+
+import numpy as np
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.errors import ParameterError
+from keyphase.segmentation.end_condition import AFTER_S, ContactEnd, EndCondition
+from keyphase.skills.connecting import connecting_skill, is_apart
+from keyphase.skills.fitting import Fit, fit_primitive
+from keyphase.skills.path import Path, direction_of_travel, extended, path_of
+from keyphase.skills.primitive import Primitive
+from keyphase.skills.skill import Skill
+
+BeyondContact = Literal["extended demonstration", "goal shift"]
+"""How a skill reaches beyond its contact: our way, or the paper's."""
+
+OFFSET_M = 0.02
+"""How far beyond the demonstrated contact a skill goes on, in case the contact comes later."""
+
+TRAVEL_MARGIN_M = 0.01
+"""How much further than that it may be pushed before it has failed."""
+
+TIMEOUT_FACTOR = 3.0
+"""A skill has failed after this many of its durations."""
+
+LEAST_FORCE_LIMIT_N = 15.0
+FORCE_LIMIT_FACTOR = 2.0
+"""A force that changed by more than this many demonstrated changes is not the expected one."""
+
+
+class PlannedSegment(Protocol):
+    """What a skill is made from; times in the demonstration [s]."""
+
+    @property
+    def start_s(self) -> float: ...  # noqa: D102
+
+    @property
+    def end_s(self) -> float: ...  # noqa: D102
+
+    @property
+    def label(self) -> str: ...  # noqa: D102
+
+    @property
+    def end_condition(self) -> EndCondition: ...  # noqa: D102
+
+
+def skills_of(
+    demonstration: Demonstration,
+    segments: Iterable[PlannedSegment],
+    *,
+    offset_m: float = OFFSET_M,
+    beyond_contact: BeyondContact = "extended demonstration",
+    fit: Fit = "least squares",
+    connect: bool = True,
+) -> tuple[Skill, ...]:
+    """Skills of `segments` in the order given, which may repeat and reorder them.
+
+    Where a skill starts away from where the one before it ended (5 mm, 3 degrees), a connecting
+    move is put in between, unless `connect` is False.
+
+    Raises SkillError for a segment that cannot be made executable.
+    """
+    skills = [
+        skill_of(demonstration, s, offset_m=offset_m, beyond_contact=beyond_contact, fit=fit)
+        for s in segments
+    ]
+    return connected(skills) if connect else tuple(skills)
+
+
+def skill_of(
+    demonstration: Demonstration,
+    segment: PlannedSegment,
+    *,
+    offset_m: float = OFFSET_M,
+    beyond_contact: BeyondContact = "extended demonstration",
+    fit: Fit = "least squares",
+) -> Skill:
+    """The skill of one segment.
+
+    A contact-terminated one goes on `offset_m` beyond its contact: either the demonstration is
+    extended before it is fitted, or, as in the paper, only the goal is shifted.
+
+    Raises SkillError for a segment that cannot be made executable.
+    """
+    path = path_of(demonstration, segment.start_s, segment.end_s)
+    end = segment.end_condition
+    is_contact = isinstance(end, ContactEnd)
+    direction = direction_of_travel(path, end)[0] if isinstance(end, ContactEnd) else None
+    primitive = _primitive(path, end, offset_m, beyond_contact, fit)
+    wxyz = path.orientation_wxyz
+    return Skill(
+        label=segment.label,
+        connecting=False,
+        primitive=primitive,
+        end_condition=end,
+        end_position_m=path.position_m[-1].copy(),
+        end_orientation_wxyz=(primitive.goal_orientation_wxyz if wxyz is None else wxyz[-1].copy()),
+        travel_direction=None if direction is None else _triple(direction),
+        offset_m=offset_m if is_contact else 0.0,
+        travel_limit_m=offset_m + TRAVEL_MARGIN_M if is_contact else 0.0,
+        timeout_s=TIMEOUT_FACTOR * primitive.duration_s,
+        force_limit_N=force_limit(demonstration, segment.start_s, segment.end_s),
+        demonstrated_s=(float(segment.start_s), float(segment.end_s)),
+    )
+
+
+def connected(skills: Sequence[Skill]) -> tuple[Skill, ...]:
+    """The skills with connecting moves where one starts away from where the one before ended."""
+    out = list(skills[:1])
+    for before, after in pairwise(skills):
+        if move := move_between(before, after):
+            out.append(move)
+        out.append(after)
+    return tuple(out)
+
+
+def move_between(before: Skill, after: Skill) -> Skill | None:
+    """The connecting move from the end of one skill to the start of the next, if one is needed."""
+    start = after.primitive
+    there = (start.start_position_m, start.start_orientation_wxyz)
+    here = (before.end_position_m, before.end_orientation_wxyz)
+    if not is_apart(*here, *there):
+        return None
+    return connecting_skill(
+        *here, *there, oriented=start.oriented, label=f"connect to {after.label}"
+    )
+
+
+def force_limit(demonstration: Demonstration, start_s: float, end_s: float) -> float:
+    """Twice the largest demonstrated change of the force against the start, 15 N at least [N]."""
+    if demonstration.force_N is None:
+        return LEAST_FORCE_LIMIT_N
+    first, last = np.searchsorted(demonstration.time_s, (start_s, end_s + AFTER_S[1])).tolist()
+    force = demonstration.force_N[first : max(last, first + 1)]
+    change = np.sqrt(((force - force[0]) ** 2).sum(axis=1)).max()
+    return max(FORCE_LIMIT_FACTOR * float(change), LEAST_FORCE_LIMIT_N)
+
+
+def _primitive(
+    path: Path, end: EndCondition, offset_m: float, beyond_contact: BeyondContact, fit: Fit
+) -> Primitive:
+    if not (np.isfinite(offset_m) and offset_m >= 0.0):
+        raise ParameterError(f"The offset beyond a contact must not be below zero: {offset_m} m.")
+    if not isinstance(end, ContactEnd):
+        return _fitted(path, fit)
+    direction, speed = direction_of_travel(path, end)
+    if beyond_contact == "extended demonstration":
+        return _fitted(extended(path, direction, speed, offset_m), fit)
+    primitive = _fitted(path, fit)
+    return replace(primitive, goal_position_m=primitive.goal_position_m + offset_m * direction)
+
+
+def _fitted(path: Path, fit: Fit) -> Primitive:
+    return fit_primitive(path.time_s, path.position_m, path.orientation_wxyz, fit=fit)
+
+
+def _triple(vector: Array) -> tuple[float, float, float]:
+    x, y, z = vector.tolist()
+    return x, y, z

@@ -1,0 +1,74 @@
+"""A skill: a segment made executable, as a primitive and its end condition."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
+from keyphase.skills.primitive import Primitive
+from keyphase.skills.rollout import Rollout, rollout
+
+
+@dataclass(frozen=True, eq=False)
+class Skill:
+    """Plain data: everything needed to execute, draw, print and save one segment.
+
+    label                 the segment's, or what a connecting move connects
+    connecting            True for a move that was not demonstrated
+    primitive             the motion; at a contact it goes on by `offset_m` beyond it
+    end_condition         when it is over
+    end_position_m        (3,) where the demonstration ended, at a contact the contact itself
+    end_orientation_wxyz  (4,)
+    travel_direction      unit vector towards the contact, None without a contact
+    offset_m              how far the goal lies beyond the contact
+    travel_limit_m        how far beyond `end_position_m` it may go before it has failed
+    timeout_s             after which it has failed
+    force_limit_N         change of the force against its start that no end condition expects
+    demonstrated_s        (start, end) in the demonstration, None for a connecting move
+    """
+
+    label: str
+    connecting: bool
+    primitive: Primitive
+    end_condition: EndCondition
+    end_position_m: Array
+    end_orientation_wxyz: Array
+    travel_direction: tuple[float, float, float] | None
+    offset_m: float
+    travel_limit_m: float
+    timeout_s: float
+    force_limit_N: float
+    demonstrated_s: tuple[float, float] | None = None
+
+
+def drawn(skill: Skill, points: int = 100) -> Rollout:
+    """The skill's path as `points` poses from start to goal, for drawing."""
+    duration = skill.primitive.duration_s
+    return rollout(skill.primitive, duration / max(points - 1, 1))
+
+
+def describe(skill: Skill) -> str:
+    """The skill in one line: what, how long, and until when."""
+    return f"{skill.label}, {skill.primitive.duration_s:.2f} s, {until(skill)}"
+
+
+def until(skill: Skill) -> str:
+    """The end condition in words."""
+    end = skill.end_condition
+    if isinstance(end, ContactEnd):
+        direction = ", ".join(f"{c:.2f}" for c in end.direction)
+        return f"until the force along ({direction}) rises by {end.threshold_N:.2f} N"
+    return (
+        f"until within {1e3 * end.position_tolerance_m:.3g} mm and "
+        f"{np.degrees(end.rotation_tolerance_rad):.3g} deg of {_millimetres(skill.end_position_m)}"
+    )
+
+
+def ends_at_configuration(skill: Skill) -> bool:
+    """Whether the pose, not a force, says when the skill is over."""
+    return isinstance(skill.end_condition, ConfigurationEnd)
+
+
+def _millimetres(position_m: Array) -> str:
+    return "(" + ", ".join(f"{1e3 * c:.0f}" for c in position_m) + ") mm"
