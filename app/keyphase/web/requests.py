@@ -4,9 +4,11 @@ from collections import deque
 from dataclasses import replace
 
 from keyphase.errors import KeyphaseError, RequestError
+from keyphase.labeling.edits import edit_from_json
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web import protocol as ask
 from keyphase.web.access import Grant
+from keyphase.web.opened import Opened
 from keyphase.web.page_sockets import Page
 from keyphase.web.session import Cause, Session
 from keyphase.web.signals import signals_frame
@@ -43,6 +45,13 @@ class Requests:
                 self._set(request, page)
             case ask.Reset():
                 session.set_parameters(lambda _: Parameters(), held=False)
+            case ask.Edit():
+                edit = edit_from_json(request.edit)
+                session.change(lambda opened: opened.apply(edit), _cause(request.event, page))
+            case ask.Undo():
+                session.change(Opened.undo)
+            case ask.Redo():
+                session.change(Opened.redo)
             case ask.Select():
                 session.select(request.segment)
             case ask.Seek():

@@ -1,13 +1,17 @@
 """Open the page: build the session, put it behind one port, print the link, wait."""
 
 import logging
+import threading
+import webbrowser
 from collections.abc import Sequence
 from pathlib import Path
 
 from keyphase import __version__
+from keyphase.readers import find_recordings
 from keyphase.segmentation.parameters import RANGES
 from keyphase.web.access import Access, Grant
 from keyphase.web.one_port import serve, silent
+from keyphase.web.opened import open_recording
 from keyphase.web.requests import Requests
 from keyphase.web.scene import Scene
 from keyphase.web.session import Opener, Session
@@ -69,6 +73,24 @@ def open_page(
 
     Raises KeyphaseError if nothing can listen on `host` and `port`.
     """
+    del robot, tool_frame
+    found = find_recordings(paths, recipe)
+    server = PageServer(
+        [one.path for one in found],
+        lambda recording, progress: open_recording(recording, progress, recipe),
+        host=host,
+        port=port,
+        read_only=read_only,
+    )
+    print(server.link, flush=True)
+    if open_browser:
+        webbrowser.open(server.link)
+    try:
+        threading.Event().wait()
+    except KeyboardInterrupt:
+        print()
+    finally:
+        server.stop()
 
 
 def _hello() -> dict[str, object]:
