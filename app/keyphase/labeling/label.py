@@ -1,11 +1,10 @@
 """`label`: a segmentation with a person's edits over it; docs/labeling.md has the rules."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 
 from keyphase.labeling.boundary_line import Mark
 from keyphase.labeling.colors import colors_of
-from keyphase.labeling.description import Describe, describe_segment
 from keyphase.labeling.edits import Edit
 from keyphase.labeling.labeling import Inapplicable, LabeledSegment, Labeling
 from keyphase.labeling.plan import planned
@@ -13,18 +12,22 @@ from keyphase.labeling.spans import Decision, assign
 from keyphase.labeling.walk import Walk, walk
 from keyphase.segmentation.segmentation import Segment, Segmentation
 
+Describe = Callable[[float, float, bool], Segment]
+"""The segment from start to end [s] as the program would propose it, given whether it ends with a
+contact change; `Segmenter.segment_between` is one."""
+
 
 def label(
     segmentation: Segmentation,
     edits: Mapping[int, Edit] = MappingProxyType({}),
-    describe: Describe = describe_segment,
+    describe: Describe | None = None,
 ) -> Labeling:
     """The segmentation with edits applied in order.
 
     `edits` are anchored edits (see `anchored`) by their number, in the order they were made.
     Nothing is refused: an edit whose place is gone is listed as inapplicable, and applies again
     as soon as the parameters bring its place back. `describe` says what a segment with new ends
-    is.
+    is; where edits come often, pass `segment_between` of the segmenter at hand.
     """
     done = walk(segmentation, edits)
     found = _segments(segmentation, done.line.marks, describe)
@@ -43,7 +46,7 @@ def label(
 
 
 def _segments(
-    segmentation: Segmentation, marks: Sequence[Mark], describe: Describe
+    segmentation: Segmentation, marks: Sequence[Mark], describe: Describe | None
 ) -> list[Segment]:
     """The program's segments where nothing changed at their ends, else described anew."""
     known = {(s.start_s, s.end_s): s for s in segmentation.segments}
@@ -54,10 +57,17 @@ def _segments(
     segments: list[Segment] = []
     for i in range(len(times) - 1):
         same = None if changed[i] or changed[i + 1] else known.get((times[i], times[i + 1]))
-        segments.append(
-            same or describe(segmentation, times[i], times[i + 1], contacts[i], contacts[i + 1])
-        )
+        if same is None:
+            describe = describe or _segmenter_of(segmentation)
+            same = describe(times[i], times[i + 1], contacts[i + 1])
+        segments.append(same)
     return segments
+
+
+def _segmenter_of(segmentation: Segmentation) -> Describe:
+    from keyphase.segmentation.segmenter import Segmenter
+
+    return Segmenter(segmentation.demonstration).segment_between
 
 
 def _is_changed(mark: Mark) -> bool:
