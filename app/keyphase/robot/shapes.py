@@ -1,0 +1,71 @@
+"""What a robot's links look like, read by yourdfpy for display."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import trimesh
+from trimesh.exchange.gltf import export_glb
+from yourdfpy import URDF
+from yourdfpy.urdf import filename_handler_magic
+
+from keyphase.demonstration import Array
+from keyphase.errors import RobotError
+
+
+@dataclass(frozen=True, eq=False)
+class LinkShape:
+    """One mesh fixed to a link, and where: `origin` (4, 4) in the link's frame."""
+
+    link: str
+    mesh: trimesh.Trimesh
+    origin: Array
+
+
+def read_display(path: Path) -> URDF:
+    """The description with its meshes, as yourdfpy loads it.
+
+    Raises RobotError where it is no valid URDF or a mesh is missing or cannot be read.
+    """
+
+    def found(fname: str) -> str:
+        file = filename_handler_magic(fname, dir=str(path.parent))
+        if not Path(file).is_file():
+            raise RobotError(
+                f"{path}: the mesh '{fname}' is missing; put it at the path the description "
+                f"names, relative to {path.parent}, or remove that visual."
+            )
+        return file
+
+    try:
+        return URDF.load(str(path), filename_handler=found)
+    except RobotError:
+        raise
+    except Exception as error:
+        # A file from anywhere can fail anywhere in the parser or a mesh loader.
+        raise RobotError(
+            f"{path}: expected a valid URDF with readable meshes, but reading it gave "
+            f"{type(error).__name__}: {error}; check the file with another URDF viewer."
+        ) from error
+
+
+def shapes_of(display: URDF) -> tuple[LinkShape, ...]:
+    """Every visual mesh with the link it belongs to."""
+    graph = display.scene.graph
+    shapes = []
+    for node in graph.nodes_geometry:
+        link = graph.transforms.parents[node]
+        origin, name = graph.get(node, frame_from=link)
+        mesh = display.scene.geometry[name]
+        if isinstance(mesh, trimesh.Trimesh):
+            shapes.append(LinkShape(link, mesh, np.array(origin, dtype=np.float64)))
+    return tuple(shapes)
+
+
+def link_glb(shapes: Sequence[LinkShape]) -> bytes:
+    """One GLB file of shapes of the same link, in that link's frame, with their colours."""
+    scene = trimesh.Scene()
+    for number, shape in enumerate(shapes):
+        scene.add_geometry(shape.mesh, geom_name=f"{number}", transform=shape.origin)
+    return export_glb(scene, include_normals=True)
