@@ -21,6 +21,9 @@ _AGAINST = 0.6
 _MOSTLY = 0.6
 _RELEASED = 0.5
 _SETTLED_S = 0.2
+_STILL_SHARE = 0.02
+_LEAST_STILL_M, _MOST_STILL_M = 1e-3, 5e-3
+_STILL_TURN_M = METRES_PER_RADIAN * np.radians(3.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,11 +31,13 @@ class Evidence:
     """What labels are made from, once per demonstration.
 
     force_N (n, 3) above the free level and touching (n,), in the motion's bins; None without
-    force. idle_m_s is the speed below which this recording is idle.
+    force. idle_m_s is the speed below which this recording is idle, still_m the extent of a
+    place in which it counts as standing still.
     """
 
     motion: Motion
     idle_m_s: float
+    still_m: float
     force_N: Array | None
     touching: np.ndarray | None
 
@@ -42,7 +47,9 @@ class Evidence:
         motion = motion or motion_of(demonstration)
         force = contact_force(demonstration)
         touching = None if force is None else in_contact(force)
-        return cls(motion, idle_speed(motion), force, touching)
+        extent = _size(np.ptp(motion.position_m, axis=0))
+        still = min(max(_STILL_SHARE * extent, _LEAST_STILL_M), _MOST_STILL_M)
+        return cls(motion, idle_speed(motion), still, force, touching)
 
 
 def proposed_label(
@@ -68,23 +75,26 @@ def _bins(motion: Motion, start_s: float, end_s: float) -> tuple[int, int]:
 
 
 def _is_idle(evidence: Evidence, first: int, last: int, duration_s: float, travel: Array) -> bool:
-    slowest = evidence.idle_m_s
+    """Whether the tool stays in a small place, or only drifts slower than hands move on purpose."""
     stretch = evidence.motion.pose_m[first:last]
-    reach = float(np.linalg.norm(np.ptp(stretch, axis=0)))
-    drift = float(np.linalg.norm(mean_velocity(evidence.motion, first, last)))
-    net = float(np.linalg.norm(travel))
-    return (
-        drift < slowest
-        and net < 1.5 * slowest * duration_s + 2e-3
-        and reach < max(0.02, 2.0 * slowest * duration_s)
-    )
+    reach = np.ptp(stretch, axis=0)
+    if _size(reach[:3]) < evidence.still_m and _size(reach[3:]) < _STILL_TURN_M:
+        return True
+    slowest = evidence.idle_m_s
+    drifts = _size(mean_velocity(evidence.motion, first, last)) < slowest
+    nowhere = _size(travel) < 1.5 * slowest * duration_s + _LEAST_STILL_M
+    return drifts and nowhere and _size(reach) < max(0.02, 2.0 * slowest * duration_s)
+
+
+def _size(vector: Array) -> float:
+    return float(np.sqrt(vector @ vector))
 
 
 def _movement(evidence: Evidence, first: int, last: int, travel: Array) -> str:
-    distance = float(np.linalg.norm(travel[:3]))
+    distance = _size(travel[:3])
     if len(travel) == 6:
         turn = _rotation_between(evidence.motion, first, last - 1)
-        if METRES_PER_RADIAN * float(np.linalg.norm(turn)) > distance:
+        if METRES_PER_RADIAN * _size(turn) > distance:
             return _rotation(turn)
     steps = np.diff(evidence.motion.position_m[first:last], axis=0)
     path = float(np.linalg.norm(steps, axis=1).sum())
@@ -95,7 +105,7 @@ def _movement(evidence: Evidence, first: int, last: int, travel: Array) -> str:
 
 
 def _reach(motion: Motion, first: int, last: int) -> float:
-    return float(np.linalg.norm(np.ptp(motion.position_m[first:last], axis=0)))
+    return _size(np.ptp(motion.position_m[first:last], axis=0))
 
 
 def _manner(evidence: Evidence, first: int, last: int, travel: Array) -> str:
@@ -106,7 +116,7 @@ def _manner(evidence: Evidence, first: int, last: int, travel: Array) -> str:
         return "Move"
     force = evidence.force_N[first:last].mean(axis=0)
     against = -float(force @ travel)
-    strength = float(np.linalg.norm(force) * np.linalg.norm(travel))
+    strength = _size(force) * _size(travel)
     return "Push" if against > _AGAINST * strength else "Slide"
 
 
@@ -120,7 +130,7 @@ def _ending(evidence: Evidence, end: int) -> str:
     touching_after = evidence.touching[end + 1 : end + 1 + reach]
     if not len(after):
         return " until contact"
-    lost = np.linalg.norm(after.mean(axis=0)) < _RELEASED * np.linalg.norm(before.mean(axis=0))
+    lost = _size(after.mean(axis=0)) < _RELEASED * _size(before.mean(axis=0))
     return " until release" if lost and not touching_after[-1] else " until contact"
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.bins import Indices, bin_means, bin_starts
+from keyphase.segmentation.combine import CLOSEST_S
 from keyphase.segmentation.confidence import force_confidence, position_confidence
 from keyphase.segmentation.force import binned_noise, error_curve, wrench_of
 from keyphase.segmentation.literal_mixture import fit_literal
@@ -138,11 +139,20 @@ class ForceStage:
         )
 
     def reported(self, codes: Codes, parameters: Parameters) -> tuple[Peak, ...]:
-        """The used peaks and the near misses, in time order."""
+        """The used peaks and the near misses, in time order.
+
+        Lesser maxima on the flank of a used peak are part of it and not reported.
+        """
+        used = codes == 0
         near = (self.candidates.height >= NEAR_MISS * self.threshold(parameters)) & (
             self.candidates.ratio >= NEAR_MISS * parameters.force_ratio
         )
-        chosen: Indices = np.flatnonzero(near | (codes == 0))
+        missed = np.flatnonzero(near & ~used)
+        times = self.candidates.bin_time_s
+        taken = np.concatenate([[-np.inf], times[used], [np.inf]])
+        after = np.searchsorted(taken, times[missed])
+        apart = np.minimum(times[missed] - taken[after - 1], taken[after] - times[missed])
+        chosen: Indices = np.union1d(np.flatnonzero(used), missed[apart >= CLOSEST_S])
         known = self._peaks
         keys = zip(chosen.tolist(), codes[chosen].tolist(), strict=True)
         return tuple([known.get(key) or self.peak(*key) for key in keys])
