@@ -91,7 +91,7 @@ def rollout(
     parts = substeps(primitive, np.array(tau), h)
     responses = _responses(primitive, h / parts / tau, count * parts)
     position = _positions(responses, goal, displacement, scale, hold, parts)
-    wxyz = _orientations(primitive, responses, start_wxyz, goal_wxyz, scale, hold)[..., ::parts, :]
+    wxyz = _orientations(primitive, responses, start_wxyz, goal_wxyz)[..., ::parts, :]
     batch = np.broadcast_shapes(position.shape[:-2], wxyz.shape[:-2])
     return Rollout(
         time_s=h * np.arange(count + 1, dtype=np.float64),
@@ -134,28 +134,27 @@ def _positions(
 
 
 def _orientations(
-    primitive: Primitive,
-    responses: _Responses,
-    start_wxyz: Array,
-    goal_wxyz: Array,
-    scale: Array,
-    hold: Array,
+    primitive: Primitive, responses: _Responses, start_wxyz: Array, goal_wxyz: Array
 ) -> Array:
     """Orientations (..., K + 1, 4), from what is left of the rotation at every step."""
     count = len(responses.phase)
     left = quaternions.product(goal_wxyz, quaternions.conjugate(start_wxyz))
     if not primitive.oriented:
         return np.broadcast_to(start_wxyz[..., None, :], (*left.shape[:-1], count + 1, 4))
+    vector = quaternions.rotation_vector(left)
+    displacement = np.concatenate((np.zeros_like(vector), vector), axis=-1)
+    scale, hold = scale_and_hold(primitive, displacement)
     shape = np.expand_dims(responses.shape[:, 3:], tuple(range(1, left.ndim)))
     phase = np.expand_dims(responses.phase, tuple(range(1, left.ndim + 1)))
-    # Trigonometry of numbers is many times faster by math than by numpy, that of arrays not at all.
-    trigonometry = math if left.ndim == 1 else np
     force = np.moveaxis(shape * scale[..., 3:] - phase * hold[..., 3:], -1, 1)
-    steps = force.tolist() if left.ndim == 1 else force
-    first = left.tolist() if left.ndim == 1 else np.moveaxis(left, -1, 0)
-    turns = np.empty((count + 1, *np.moveaxis(left, -1, 0).shape))
+    first = np.moveaxis(left, -1, 0)
+    turns = np.empty((count + 1, *first.shape))
     turns[0] = first
-    _turn(turns, first, steps, responses.a, primitive.constants, trigonometry)
+    if left.ndim == 1:
+        # One rollout goes through plain numbers: numpy takes many times as long for them.
+        _turn(turns, first.tolist(), force.tolist(), responses.a, primitive.constants, math)
+    else:
+        _turn(turns, first, force, responses.a, primitive.constants, np)
     turned = np.moveaxis(turns, (0, 1), (-2, -1))
     return quaternions.product(quaternions.conjugate(turned), goal_wxyz[..., None, :])
 
