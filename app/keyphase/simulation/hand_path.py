@@ -1,6 +1,6 @@
 """Where a human hand leads the tool: strokes, turns and pauses, with the habits of a hand."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -9,6 +9,7 @@ from keyphase.demonstration import Array
 from keyphase.simulation.impedance import RATE_HZ, Reference
 
 _STEP_S = 1.0 / RATE_HZ
+X, Y, Z = np.eye(3)
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,7 @@ class Habits:
         """Those of one person on one day."""
         return cls(
             tremor_m=random.uniform(0.02e-3, 0.10e-3),
-            drift_m=random.uniform(0.05e-3, 0.25e-3),
+            drift_m=random.uniform(0.05e-3, 0.20e-3),
             tremor_rad=random.uniform(0.1e-3, 0.5e-3),
             drift_rad=random.uniform(0.5e-3, 2e-3),
             bulge=random.uniform(0.0, 0.03),
@@ -60,37 +61,54 @@ class HandPath:
         """How long the path is so far."""
         return (sum(len(part) for part in self._offsets) - 1) * _STEP_S
 
-    def pause(self, name: str, duration_s: float) -> None:
-        """Rest while the hand changes its grasp, which nudges the tool a little."""
+    def pause(self, name: str, duration_s: float, ease_m: Array | None = None) -> None:
+        """Rest while the hand changes its grasp, which nudges the tool a little.
+
+        `ease_m` is how far the hand gives way meanwhile.
+        """
         s = _progress(duration_s)
         nudge = self._random.normal(size=3) * 0.3e-3
         offset = np.outer(minimum_jerk(3.0 * s - 1.0), nudge)
+        if ease_m is not None:
+            offset += np.outer(minimum_jerk(s), ease_m)
         self._extend(name, offset, np.zeros_like(offset))
 
-    def stroke(self, name: str, displacement_m: Array, duration_s: float) -> None:
-        """Move by `displacement_m`, sooner or later fast, and never quite straight."""
-        skew = self._random.uniform(0.85, 1.2)
-        s = minimum_jerk(_progress(duration_s) ** skew)
-        self._extend(name, np.outer(s, displacement_m) + self._bulged(s, displacement_m), None)
+    @property
+    def here_m(self) -> Array:
+        """Where the path has come to, in the base frame."""
+        return self._start.position_m + self._offsets[-1][-1]
+
+    def stroke(
+        self,
+        name: str,
+        goal_m: Array,
+        duration_s: float,
+        overlap_s: float = 0.0,
+        on_table: bool = False,
+    ) -> None:
+        """Move to `goal_m`, sooner or later fast, and never quite straight.
+
+        On the table a stroke begins gently and bends sideways only: the hand feels what it does.
+        """
+        s = self._course(duration_s, earliest=1.0 if on_table else 0.85)
+        displacement = goal_m - self.here_m
+        across = Z if on_table else self._random.normal(size=3)
+        aside = np.cross(displacement, across)
+        bend = self._random.uniform(-1.0, 1.0) * self._habits.bulge
+        aside *= bend * np.linalg.norm(displacement) / np.linalg.norm(aside)
+        offset = np.outer(s, displacement) + np.outer(4.0 * s * (1.0 - s), aside)
+        self._extend(name, offset, np.zeros_like(offset), overlap_s)
 
     def turn(self, name: str, turn_rad: Array, duration_s: float) -> None:
         """Rotate the tool about its point by the rotation vector `turn_rad`, base frame."""
-        skew = self._random.uniform(0.85, 1.2)
-        s = minimum_jerk(_progress(duration_s) ** skew)
+        s = self._course(duration_s)
         wander = self._random.normal(size=3) * 1e-3
         self._extend(name, np.outer(s, wander), np.outer(s, turn_rad))
 
     def push(self, name: str, direction: Array, speeds_m_s: Array, overlap_s: float = 0.0) -> None:
-        """Move along the unit vector `direction` at the given speeds, one per control tick.
-
-        It sets in `overlap_s` before the phase before is over, as hands do at a via point.
-        """
+        """Move along the unit vector `direction` at the given speeds, one per control tick."""
         travelled = np.outer(np.cumsum(speeds_m_s) * _STEP_S, direction)
-        early = round(overlap_s * RATE_HZ)
-        if early:
-            self._offsets[-1][-early:] += travelled[:early]
-        self._extend(name, travelled[early:] - (travelled[early - 1] if early else 0.0), None)
-        self.phases[-1] = replace(self.phases[-1], start_s=self.phases[-1].start_s - overlap_s)
+        self._extend(name, travelled, np.zeros_like(travelled), overlap_s)
 
     def references(self) -> list[Reference]:
         """The path at the control rate; tremor and drift move it, but are not meant."""
@@ -105,20 +123,24 @@ class HandPath:
         first = Rotation.from_quat(self._start.orientation_wxyz, scalar_first=True)
         shaken = Rotation.from_rotvec(self._unsteady(rows, habits.tremor_rad, habits.drift_rad))
         wxyz = (shaken * Rotation.from_rotvec(turns) * first).as_quat(scalar_first=True)
-        rows = zip(position, wxyz, velocity, turning, strict=True)
-        return [Reference(p, q, v, w) for p, q, v, w in rows]
+        return [
+            Reference(position[row], wxyz[row], velocity[row], turning[row]) for row in range(rows)
+        ]
 
-    def _extend(self, name: str, offset: Array, turn: Array | None) -> None:
-        start_s = self.end_s
-        self._offsets.append(self._offsets[-1][-1] + offset)
-        turned = np.zeros_like(offset) if turn is None else turn
-        self._turns.append(self._turns[-1][-1] + turned)
+    def _course(self, duration_s: float, earliest: float = 0.85) -> Array:
+        """From 0 to 1, its fastest moment a little before or after the middle."""
+        return minimum_jerk(_progress(duration_s) ** self._random.uniform(earliest, 1.2))
+
+    def _extend(self, name: str, offset: Array, turn: Array, overlap_s: float = 0.0) -> None:
+        """Add a phase that sets in before the last one is over, as hands do at a via point."""
+        early = min(round(overlap_s * RATE_HZ), len(self._offsets[-1]))
+        start_s = self.end_s - early * _STEP_S
+        for parts, change in ((self._offsets, offset), (self._turns, turn)):
+            before = parts[-1][-1].copy()
+            if early:
+                parts[-1][-early:] += change[:early]
+            parts.append(before + change[early:])
         self.phases.append(Phase(name, start_s, self.end_s))
-
-    def _bulged(self, s: Array, displacement_m: Array) -> Array:
-        aside = np.cross(displacement_m, self._random.normal(size=3))
-        aside *= self._habits.bulge * np.linalg.norm(displacement_m) / np.linalg.norm(aside)
-        return np.outer(4.0 * s * (1.0 - s), aside)
 
     def _unsteady(self, rows: int, tremor: float, drift: float) -> Array:
         wobble = band_noise(self._random, rows, (4.0, 12.0)) * tremor

@@ -6,12 +6,10 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.errors import SimulationError
-from keyphase.simulation.hand_path import Habits, HandPath, minimum_jerk
+from keyphase.simulation.hand_path import Habits, HandPath, X, Y, Z, minimum_jerk
 from keyphase.simulation.impedance import RATE_HZ, Reference
 from keyphase.simulation.parts import HOUSING_M, TOOL_TO_MATING_FACE_M
 from keyphase.simulation.simulation import Simulation
-
-X, Y, Z = np.eye(3)
 
 
 def hand_path(simulation: Simulation, start: Reference, random: np.random.Generator) -> HandPath:
@@ -26,44 +24,41 @@ def hand_path(simulation: Simulation, start: Reference, random: np.random.Genera
             f"The scripted operator knows {', '.join(_TASKS)}, but not the workcell '{name}'."
         )
     path = HandPath(start, Habits.drawn(random), random)
-    _TASKS[name](path, simulation, start, random)
+    _TASKS[name](path, simulation, random)
     return path
 
 
-def _setup1(
-    path: HandPath, simulation: Simulation, start: Reference, random: np.random.Generator
-) -> None:
+def _setup1(path: HandPath, simulation: Simulation, random: np.random.Generator) -> None:
     from keyphase.simulation.setup1 import WALL_FACE_Y_M
 
     mating = _mating_pose(simulation)
-    forward = mating - start.position_m
-    down = forward[2] + random.uniform(0.075, 0.095)
-    seen = random.normal(size=3) * 0.5e-3
-    path.stroke("forward", np.array([*forward[:2], down]) + seen, random.uniform(1.2, 1.9))
+    seen = random.normal(size=3) * 0.5e-3 * (X + Y)
+    above = mating + seen + random.uniform(0.075, 0.095) * Z
+    path.stroke("forward", above, random.uniform(1.2, 1.9))
     path.pause("idle", random.uniform(0.6, 1.2))
-    pressed = random.uniform(1.8e-3, 2.8e-3)
-    path.stroke("down until contact", (forward[2] - down - pressed) * Z, random.uniform(1.2, 1.8))
-    path.pause("idle", random.uniform(0.7, 1.2))
+    pressed = random.uniform(2.4e-3, 3.2e-3)
+    path.stroke("down until contact", mating + seen - pressed * Z, random.uniform(1.2, 1.8))
+    eased = random.uniform(0.45, 0.6) * pressed
+    path.pause("idle", random.uniform(0.7, 1.2), eased * Z)
     gap = WALL_FACE_Y_M - HOUSING_M[1] / 2 - simulation.part_poses()["housing"][0][1]
-    pushed = random.uniform(3e-3, 5e-3)
-    path.stroke("sideways until contact", (gap + pushed) * Y, random.uniform(1.8, 2.6))
+    beyond = path.here_m + (gap + random.uniform(3e-3, 5e-3)) * Y
+    path.stroke("sideways until contact", beyond, random.uniform(1.8, 2.6), on_table=True)
 
 
-def _setup2(
-    path: HandPath, simulation: Simulation, start: Reference, random: np.random.Generator
-) -> None:
+def _setup2(path: HandPath, simulation: Simulation, random: np.random.Generator) -> None:
     from keyphase.simulation.setup2 import GAP_M, HOUSING_POSITION_M, START_TURN_RAD
 
     mating = _mating_pose(simulation)
     path.turn("rotate", -START_TURN_RAD * Z, random.uniform(1.2, 1.8))
-    path.pause("", random.uniform(0.0, 0.06))
     seen = random.normal(size=3) * 0.5e-3
-    pressed = random.uniform(1.8e-3, 2.8e-3)
-    down = mating - start.position_m + seen * (X + Y) - pressed * Z
-    path.stroke("down until contact", down, random.uniform(1.2, 1.8))
+    pressed = random.uniform(1.6e-3, 2.4e-3)
+    goal = mating + seen * (X + Y) - pressed * Z
+    path.stroke(
+        "down until contact", goal, random.uniform(1.2, 1.7), overlap_s=random.uniform(0.1, 0.2)
+    )
     gap = HOUSING_POSITION_M[1] + GAP_M - simulation.part_poses()["housing"][0][1]
     speeds, met = _pushing_speeds(gap, random)
-    path.push("sideways until contact", Y, speeds[:met], random.uniform(0.15, 0.25))
+    path.push("sideways until contact", Y, speeds[:met], random.uniform(0.25, 0.35))
     path.push("on with contact kept", Y, speeds[met:])
 
 
@@ -74,7 +69,7 @@ def _pushing_speeds(gap_m: float, random: np.random.Generator) -> tuple[Array, i
     """
     fast = random.uniform(0.045, 0.065)
     slow = fast * random.uniform(0.4, 0.6)
-    start_s, slow_s, brake_s = random.uniform(0.5, 0.8), 0.12, random.uniform(0.4, 0.6)
+    start_s, slow_s, brake_s = random.uniform(0.45, 0.7), 0.12, random.uniform(0.4, 0.6)
     # A smooth start covers half of what full speed would.
     cruise_s = (gap_m - fast * start_s / 2) / fast
     on_s = random.uniform(0.035, 0.045) / slow - brake_s / 2
@@ -91,7 +86,7 @@ def _mating_pose(simulation: Simulation) -> Array:
     return simulation.part_poses()["housing"][0] + (HOUSING_M[2] + TOOL_TO_MATING_FACE_M) * Z
 
 
-_TASKS: dict[str, Callable[[HandPath, Simulation, Reference, np.random.Generator], None]] = {
+_TASKS: dict[str, Callable[[HandPath, Simulation, np.random.Generator], None]] = {
     "setup1": _setup1,
     "setup2": _setup2,
 }

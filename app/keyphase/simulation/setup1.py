@@ -52,12 +52,12 @@ def _furnish(spec: mujoco.MjSpec, disturbance: Disturbance) -> None:
 
 
 def _add_seat(table: mujoco.MjsBody, position: np.ndarray, friction: float) -> None:
-    # Three low rails with a millimetre of play, open towards the wall.
+    # A low rail behind and a stop at each rear corner, open towards the wall.
     x, y = position
-    inner, rail, low = HOUSING_M[0] / 2 + 0.001, 0.006, 0.003
+    inner, rail, low = HOUSING_M[0] / 2 + 0.0015, 0.006, 0.003
     for name, side in (("seat_near", -1.0), ("seat_far", 1.0)):
-        centre = (x + side * (inner + rail / 2), y - 0.012, low / 2)
-        add_box(table, name, (rail, 0.036, low), centre, friction, GREY)
+        centre = (x + side * (inner + rail / 2), y - HOUSING_M[1] / 2 + 0.004, low / 2)
+        add_box(table, name, (rail, 0.008, low), centre, friction, GREY)
     centre = (x, y - inner - rail / 2, low / 2)
     add_box(table, "seat_back", (2 * (inner + rail), rail, low), centre, friction, GREY)
 
