@@ -30,6 +30,7 @@ def read_by_recipe(file: WholeFile, recipe: Recipe, limit_bytes: int) -> Demonst
     table = open_table(file.name, file.data, recipe.table, limit_bytes)
     channels, notices = channels_of(table, recipe)
     channels, more = _distinct(channels, recipe, table)
+    _refuse_single_row(channels, file.name)
     notices += more
     for step in (_without_offset, _acting_on_tool, _in_base, _interpolated):
         channels, more = step(channels, recipe)
@@ -53,6 +54,14 @@ def _distinct(channels: Channels, recipe: Recipe, table: Table) -> Noted:
     first = table.line(int(np.argmax(repeats)))
     notice = f"Dropped {repeats.sum()} rows with the time of the row before, first line {first}."
     return kept, (notice,)
+
+
+def _refuse_single_row(channels: Channels, file: str) -> None:
+    if len(channels["time_s"]) < 2:
+        raise DemonstrationError(
+            f"{file}: expected at least two rows at different times, but there is one; "
+            "record or export the file again."
+        )
 
 
 def _without_offset(channels: Channels, recipe: Recipe) -> Noted:

@@ -41,7 +41,8 @@ def read_whole(path: Path, limit_bytes: int) -> WholeFile:
         )
     try:
         with path.open("rb") as file:
-            data = file.read(limit_bytes + 1)
+            size = os.fstat(file.fileno()).st_size
+            data = file.read(min(size, limit_bytes) + 1)
     except OSError as error:
         raise DemonstrationError(
             f"{path}: the file cannot be read ({error.strerror}); check its permissions."

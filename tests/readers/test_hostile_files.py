@@ -1,0 +1,155 @@
+"""Whatever a file holds, reading it succeeds or says in one sentence why not."""
+
+import io
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from demonstration_strategies import random_orientations
+from hypothesis import HealthCheck, example, given, settings
+from hypothesis import strategies as st
+
+from keyphase.demonstration import Demonstration
+from keyphase.errors import DemonstrationError
+from keyphase.readers import Recipe, parse_recipe, read, save_csv, save_npz
+
+ROWS = 12
+
+RECIPE = """
+[time]
+column = 0
+unit = "s"
+[position]
+columns = [1, 2, 3]
+unit = "mm"
+[orientation]
+kind = "quaternion"
+order = "wxyz"
+columns = [4, 5, 6, 7]
+normalise = true
+[rows]
+repeated = "drop"
+irregular = "resample"
+rate_hz = 100
+held = "interpolate"
+"""
+
+fuzz = settings(
+    max_examples=300,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
+
+places = st.lists(st.tuples(st.integers(0, 10**6), st.integers(0, 255)), min_size=1, max_size=8)
+cuts = st.integers(0, 10**6)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("hostile")
+    rows = np.arange(3.0 * ROWS).reshape(ROWS, 3)
+    demonstration = Demonstration(
+        "valid",
+        np.arange(ROWS) / 100,
+        rows,
+        random_orientations(ROWS, 0),
+        force_N=rows,
+        torque_Nm=rows,
+        joints_rad=rows,
+        metadata={"robot": "YuMi", "nested": [1, 2.5, None]},
+    )
+    save_npz(demonstration, folder / "valid.npz")
+    save_csv(demonstration, folder / "valid.csv")
+    with np.load(folder / "valid.npz") as arrays:
+        np.savez_compressed(folder / "deflated.npz", **arrays)
+    return folder
+
+
+def reads_or_says_why(path: Path, recipe: Recipe | Path | None = None) -> None:
+    try:
+        assert len(read(path, recipe)) >= 2
+    except DemonstrationError as error:
+        refusal = str(error)
+    else:
+        return
+    assert path.name in refusal or "recipe" in refusal
+    assert "\n" not in refusal
+
+
+def mutated(data: bytes, places: list[tuple[int, int]], cut: int) -> bytes:
+    changed = bytearray(data)
+    for place, value in places:
+        changed[place % len(changed)] = value
+    return bytes(changed[: cut % (4 * len(changed)) or None])
+
+
+@pytest.mark.parametrize("name", ["valid.npz", "deflated.npz", "valid.csv"])
+@fuzz
+@given(places=places, cut=cuts)
+def test_a_damaged_native_file_reads_or_says_why(
+    folder: Path, name: str, places: list[tuple[int, int]], cut: int
+) -> None:
+    path = folder / f"damaged.{name}"
+    path.write_bytes(mutated((folder / name).read_bytes(), places, cut))
+    reads_or_says_why(path)
+
+
+@fuzz
+@given(places=places, cut=cuts)
+def test_a_damaged_table_read_by_a_recipe_reads_or_says_why(
+    folder: Path, places: list[tuple[int, int]], cut: int
+) -> None:
+    path = folder / "damaged.txt"
+    path.write_bytes(mutated((folder / "valid.csv").read_bytes(), places, cut))
+    reads_or_says_why(path, parse_recipe(RECIPE, "recipe"))
+
+
+@fuzz
+@given(data=st.binary(max_size=300))
+@example(data=b"\xff\xfe\x00")
+@example(data=b"PK\x03\x04")
+@example(data=b"\n\n\n")
+@example(data=b'"')
+def test_arbitrary_bytes_read_or_say_why(folder: Path, data: bytes) -> None:
+    for name in ("arbitrary.npz", "arbitrary.csv"):
+        (folder / name).write_bytes(data)
+        reads_or_says_why(folder / name)
+
+
+@fuzz
+@given(cells=st.lists(st.text(max_size=12), min_size=14, max_size=14))
+def test_arbitrary_cells_read_or_say_why(folder: Path, cells: list[str]) -> None:
+    header = (folder / "valid.csv").read_text().splitlines()[0]
+    table = "\n".join([header, ",".join(["0"] * 17), ",".join([*cells, "1", "2", "3"])])
+    path = folder / "cells.csv"
+    path.write_bytes(table.encode("utf-8", errors="surrogatepass"))
+    reads_or_says_why(path)
+
+
+@fuzz
+@given(header=st.binary(max_size=120), body=st.binary(max_size=60))
+@example(header=b"(" * 100, body=b"")
+@example(header=b"{'descr': '<f8', 'fortran_order': False, 'shape': (-1,)}", body=b"")
+@example(header=b"{'descr': '<f8', 'fortran_order': False, 'shape': (10**99,)}", body=b"")
+def test_an_arbitrary_array_header_reads_or_says_why(
+    folder: Path, header: bytes, body: bytes
+) -> None:
+    path = folder / "header.npz"
+    member = b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header + body
+    good = io.BytesIO()
+    np.save(good, np.zeros((3, 3)))
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("time_s.npy", member)
+        archive.writestr("position_m.npy", good.getvalue())
+    reads_or_says_why(path)
+
+
+@fuzz
+@given(places=places, cut=cuts)
+def test_a_damaged_recipe_reads_or_says_why(
+    folder: Path, places: list[tuple[int, int]], cut: int
+) -> None:
+    recipe = folder / "damaged.recipe.toml"
+    recipe.write_bytes(mutated(RECIPE.encode(), places, cut))
+    reads_or_says_why(folder / "valid.csv", recipe)
