@@ -85,6 +85,11 @@ def serve(site: Site, host: str, port: int) -> viser.ViserServer:
     return server
 
 
+def control_of(server: viser.ViserServer, uuid: str) -> Any:
+    """The control of the panel that browsers call `uuid`, or None."""
+    return server.gui._gui_input_handle_from_uuid.get(uuid)  # type: ignore[reportPrivateUsage]
+
+
 @contextlib.contextmanager
 def silent() -> Iterator[None]:
     """viser prints a banner when it starts and a line when it stops; ours is the link."""

@@ -11,13 +11,16 @@ from keyphase.labeling.edits import Edit
 from keyphase.labeling.label import label
 from keyphase.labeling.labeling import Labeling
 from keyphase.readers import Recipe, read
-from keyphase.segmentation import Parameters, Segment, Segmentation, Segmenter
+from keyphase.segmentation import Parameters, Segmenter
 from keyphase.web.document_message import document_message, least_confidence, strip
 from keyphase.web.recordings import Recording, State, printable
 from keyphase.web.signals import SignalTracks
 
 SURE = 0.75
 """A boundary at least this certain need not be looked at."""
+
+
+_FIT = ("gaussians", "variant", "seed", "engine", "process_noise_ratio", "measurement_noise")
 
 
 class Opened:
@@ -43,8 +46,12 @@ class Opened:
 
     def preview(self, parameters: Parameters) -> None:
         """Show what `parameters` give, without keeping them."""
-        self.parameters = parameters
         self.labeling = self._labeling_under(parameters)
+        self.parameters = parameters
+
+    def fits_anew(self, parameters: Parameters) -> bool:
+        """Whether these parameters need another fit, which can take seconds."""
+        return any(getattr(parameters, n) != getattr(self.parameters, n) for n in _FIT)
 
     def keep_parameters(self) -> None:
         """Keep the parameters that are shown."""
@@ -70,18 +77,7 @@ class Opened:
 
     def _labeling_under(self, parameters: Parameters) -> Labeling:
         segmentation = self._segmenter.segment(parameters)
-        return label(segmentation, self.document.edits, self._describe)
-
-    def _describe(
-        self,
-        segmentation: Segmentation,
-        start_s: float,
-        end_s: float,
-        contact_at_start: bool,
-        contact_at_end: bool,
-    ) -> Segment:
-        del segmentation, contact_at_start
-        return self._segmenter.segment_between(start_s, end_s, contact_at_end)
+        return label(segmentation, self.document.edits, self._segmenter.segment_between)
 
     def summary(self) -> Recording:
         """The recording's line in the queue."""

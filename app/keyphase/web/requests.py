@@ -44,7 +44,7 @@ class Requests:
             case ask.Set():
                 self._set(request, page)
             case ask.Reset():
-                session.set_parameters(lambda _: Parameters(), held=False)
+                session.reset_parameters()
             case ask.Edit():
                 edit = edit_from_json(request.edit)
                 session.change(lambda opened: opened.apply(edit), _cause(request.event, page))
@@ -64,8 +64,12 @@ class Requests:
                 self._send_signals(request, page)
             case ask.Latency():
                 self.latencies_ms.append(request.milliseconds)
-            case _:
-                raise RequestError(f"Nothing is done with {type(request).__name__!r} yet.")
+            case ask.Export():
+                session.export(request.format)
+            case ask.Show():
+                session.show(request.what, request.visible)
+            case ask.Theme():
+                session.set_theme(request.dark)
 
     def _set(self, request: ask.Set, page: Page) -> None:
         self._session.set_parameters(

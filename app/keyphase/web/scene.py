@@ -23,16 +23,14 @@ from keyphase.web.path_geometry import (
     view_of,
 )
 from keyphase.web.playback import Playhead
-
-PARTS = ("path", "gaussians", "forces", "labels", "frame", "grid")
-"""What can be shown and hidden."""
+from keyphase.web.session import PARTS, View
 
 MOST_NAMES = 12
 """With more segments than this only the selected one is named in the scene."""
 
 
-class Scene:
-    """viser's scene for one session. All methods are called from one thread, clicks aside."""
+class Scene(View):
+    """viser's scene for one session."""
 
     def __init__(self, server: viser.ViserServer, on_click: Callable[[float], None]) -> None:
         self._server = server

@@ -10,12 +10,14 @@ from keyphase import __version__
 from keyphase.readers import find_recordings
 from keyphase.segmentation.parameters import RANGES
 from keyphase.web.access import Access, Grant
-from keyphase.web.one_port import serve, silent
+from keyphase.web.one_port import control_of, serve, silent
 from keyphase.web.opened import open_recording
+from keyphase.web.panel import Panel
 from keyphase.web.requests import Requests
 from keyphase.web.scene import Scene
 from keyphase.web.session import Opener, Session
 from keyphase.web.site import OurSite
+from keyphase.web.viser_controls import takes
 
 _log = logging.getLogger(__name__)
 
@@ -37,11 +39,13 @@ class PageServer:
         self.session.hear = self.requests.hear
         self.session.hello = _hello()
         self.access = Access(host)
-        self.site = OurSite(self.access, self.session.sockets, lambda _uuid, _value: True)
+        self.site = OurSite(self.access, self.session.sockets, self._accepts)
         self.viser = serve(self.site, host, port)
         self.port = self.viser.get_port()
         self.scene = Scene(self.viser, self.session.select_at)
+        self.panel = Panel(self.viser, self.session)
         self.session.add_view(self.scene)
+        self.session.add_view(self.panel)
         self._grant = Grant.LOOKING if read_only else Grant.EVERYTHING
         if self.session.recordings:
             self.session.open(self.session.recordings[0].id)
@@ -50,6 +54,9 @@ class PageServer:
     def link(self) -> str:
         """The link that opens the page."""
         return self.access.link(self.port, self._grant)
+
+    def _accepts(self, uuid: str, value: object) -> bool:
+        return takes(control_of(self.viser, uuid), value)
 
     def stop(self) -> None:
         """Stop serving and close the recordings."""

@@ -10,11 +10,12 @@ import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from keyphase.errors import KeyphaseError, RequestError
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web.document_message import ghosts
+from keyphase.web.exports import Format, export
 from keyphase.web.opened import Opened
 from keyphase.web.page_sockets import Page, PageSockets
 from keyphase.web.playback import Clock, Playhead
@@ -23,6 +24,9 @@ from keyphase.web.worker import Worker
 
 _log = logging.getLogger(__name__)
 
+PARTS = ("path", "gaussians", "forces", "labels", "frame", "grid")
+"""Parts of the scene that can be shown and hidden."""
+
 SETTLE_S = 0.4
 """A slider in the panel never says that it was let go; after this long without a change it was."""
 
@@ -30,20 +34,26 @@ Progress = Callable[[str, float | None], None]
 Opener = Callable[[Recording, Progress], Opened]
 
 
-class View(Protocol):
-    """Something beside the pages that shows the session."""
+class View:
+    """Something beside the pages that shows the session; each shows what concerns it.
+
+    All methods are called from one thread, after the pages have been told.
+    """
 
     def show_document(self, opened: Opened) -> None:
         """The document has changed, or another recording is the current one."""
-        ...
 
     def show_playhead(self, playhead: Playhead) -> None:
         """The playhead has moved."""
-        ...
 
     def show_selection(self, segment: int | None) -> None:
         """Another segment is selected."""
-        ...
+
+    def show_parts(self, hidden: frozenset[str]) -> None:
+        """Parts of the scene are shown or hidden."""
+
+    def show_theme(self, dark: bool) -> None:
+        """The page has become light or dark."""
 
 
 @dataclass(frozen=True)
@@ -66,6 +76,7 @@ class Session:
         self.selected: int | None = None
         self.hear: Callable[[Page, str | bytes], None] = lambda _page, _message: None
         self.hello: Mapping[str, Any] = {"type": "hello"}
+        self.hidden: frozenset[str] = frozenset()
         self._views: list[View] = []
         self._opener = opener
         self._revision = 0
@@ -116,7 +127,7 @@ class Session:
             self.update_recording(replace(recording, error=str(error)))
             raise
         finally:
-            self.broadcast({"type": "progress", "what": "", "fraction": None, "done": True})
+            self._progress_done()
         self._worker.submit(lambda: self._show(opened))
 
     def _progress(self, recording: Recording) -> Progress:
@@ -125,6 +136,9 @@ class Session:
             self.broadcast({"type": "progress", "what": text, "fraction": fraction, "done": False})
 
         return tell
+
+    def _progress_done(self) -> None:
+        self.broadcast({"type": "progress", "what": "", "fraction": None, "done": True})
 
     def _show(self, opened: Opened) -> None:
         with self.lock:
@@ -154,6 +168,10 @@ class Session:
             self._stop_settling()
         self._worker.submit(lambda: self._recompute(cause), "parameters")
 
+    def reset_parameters(self) -> None:
+        """Parameters back to automatic."""
+        self.set_parameters(lambda _: Parameters(), held=False)
+
     def settle_parameters(self) -> None:
         """Keep the parameters that are shown once they have not changed for a moment."""
         with self.lock:
@@ -175,7 +193,7 @@ class Session:
             self._let_go = False
         if opened is None or wanted is None:
             return
-        opened.preview(wanted)
+        self._preview(opened, wanted)
         coming = [] if let_go else ghosts(opened.kept_labeling, opened.labeling)
         with self.lock:
             self._document_changed(cause)
@@ -184,6 +202,22 @@ class Session:
             opened.keep_parameters()
             with self.lock:
                 self._document_changed(None)
+
+    def _preview(self, opened: Opened, wanted: Parameters) -> None:
+        """Show what parameters give; where they give nothing, go back to those before."""
+        slow = opened.fits_anew(wanted)
+        if slow:
+            self._progress(opened.recording)("segmenting", None)
+        try:
+            opened.preview(wanted)
+        except KeyphaseError:
+            with self.lock:
+                self._wanted = opened.parameters
+                self._document_changed(None)
+            raise
+        finally:
+            if slow:
+                self._progress_done()
 
     def change(self, action: Callable[[Opened], None], cause: Cause | None = None) -> None:
         """Apply an edit, undo or redo to the current document, after everything before it."""
@@ -199,6 +233,37 @@ class Session:
 
         self._worker.submit(run)
 
+    def export(self, kind: str) -> None:
+        """Write the segment file: `json` or `csv` of the current recording, or of `all`."""
+        if kind == "all":
+            self._reader.submit(self._export_all)
+        elif kind in ("json", "csv"):
+            self.change(lambda opened: self._export(opened, kind))
+        else:
+            raise RequestError(f"A segment file is json, csv or all, but not {kind!r}.")
+
+    def _export(self, opened: Opened, kind: Format) -> None:
+        path = export(opened.kept_labeling, opened.recording.path, kind)
+        self.broadcast({"type": "saved", "path": str(path)})
+
+    def _export_all(self) -> None:
+        """One after another; one that cannot be opened is passed over, its line says why."""
+        total = len(self.recordings)
+        for number, recording in enumerate(self.recordings):
+            self._progress(recording)("writing", number / total)
+            try:
+                opened = self._opened_for(recording)
+                self._export(opened, "json")
+            except KeyphaseError as error:
+                self.update_recording(replace(recording, error=str(error)))
+        self._progress_done()
+
+    def _opened_for(self, recording: Recording) -> Opened:
+        opened = self.opened
+        if opened is not None and opened.recording.id == recording.id:
+            return opened
+        return self._opener(recording, lambda _what, _fraction: None)
+
     def _document_changed(self, cause: Cause | None) -> None:
         """Tell the pages, then the views, what the document now is. Runs under the lock."""
         opened = self.opened
@@ -212,13 +277,24 @@ class Session:
         self._tell_views()
 
     def _tell_views(self) -> None:
-        opened, selected, playhead = self.opened, self.selected, self.playhead
-        if opened is None:
-            return
-        for view in self._views:
-            self._painter.submit(lambda view=view: view.show_document(opened), f"{id(view)} doc")
-            self._painter.submit(lambda view=view: view.show_selection(selected), f"{id(view)} sel")
-            self._painter.submit(lambda view=view: view.show_playhead(playhead), f"{id(view)} head")
+        opened = self.opened
+        if opened is not None:
+            self._paint("document", lambda view: view.show_document(opened))
+            self._paint_selection()
+            self._paint_playhead()
+
+    def _paint_selection(self) -> None:
+        selected = self.selected
+        self._paint("selection", lambda view: view.show_selection(selected))
+
+    def _paint_playhead(self) -> None:
+        playhead = self.playhead
+        self._paint("playhead", lambda view: view.show_playhead(playhead))
+
+    def _paint(self, kind: str, show: Callable[[View], None]) -> None:
+        """Show something in all views, unless something newer of its kind is waiting."""
+        for number, view in enumerate(self._views):
+            self._painter.submit(lambda view=view: show(view), f"{kind} in {number}")
 
     # -- selection and playback
 
@@ -230,10 +306,7 @@ class Session:
                 raise RequestError(f"There are {count} segments, so none has the index {segment}.")
             self.selected = segment
             self.broadcast({"type": "selection", "segment": segment})
-            for view in self._views:
-                self._painter.submit(
-                    lambda view=view: view.show_selection(segment), f"{id(view)} sel"
-                )
+            self._paint_selection()
 
     def select_at(self, time_s: float) -> None:
         """Select the segment around a time, as a click in the scene does."""
@@ -257,10 +330,24 @@ class Session:
             return self.playhead.playing
 
     def _tell_playhead(self, may_drop: bool) -> None:
-        playhead = self.playhead
         self.broadcast(self._playhead_message(), may_drop)
-        for view in self._views:
-            self._painter.submit(lambda view=view: view.show_playhead(playhead), f"{id(view)} head")
+        self._paint_playhead()
+
+    # -- the scene
+
+    def show(self, part: str, visible: bool) -> None:
+        """Show or hide a part of the scene."""
+        if part not in PARTS:
+            raise RequestError(f"The scene has the parts {', '.join(PARTS)}, but no {part!r}.")
+        with self.lock:
+            self.hidden = self.hidden - {part} if visible else self.hidden | {part}
+            hidden = self.hidden
+            self.broadcast(self._shown_message())
+            self._paint("parts", lambda view: view.show_parts(hidden))
+
+    def set_theme(self, dark: bool) -> None:
+        """Draw the scene light or dark."""
+        self._paint("theme", lambda view: view.show_theme(dark))
 
     # -- talking
 
@@ -292,6 +379,7 @@ class Session:
     def _greet(self, page: Page) -> None:
         with self.lock:
             page.send({**self.hello, "read_only": page.grant.name == "LOOKING"})
+            page.send(self._shown_message())
             page.send(recordings_message(self.recordings, self._current_id()))
             if self.opened is not None:
                 page.send(self._document_message(self.opened, None))
@@ -316,6 +404,9 @@ class Session:
             "selected": self.selected,
             **opened.message(),
         }
+
+    def _shown_message(self) -> dict[str, Any]:
+        return {"type": "shown", "parts": {part: part not in self.hidden for part in PARTS}}
 
     def _playhead_message(self) -> dict[str, Any]:
         return {
