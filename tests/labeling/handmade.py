@@ -1,10 +1,13 @@
 """Segmentations made by hand, so that labeling is tested without the segmentation's own choices."""
 
 import hashlib
+from itertools import pairwise
 
 import numpy as np
 
 from keyphase.demonstration import Demonstration, Source
+from keyphase.labeling.document import Document
+from keyphase.labeling.label import label
 from keyphase.segmentation.end_condition import ConfigurationEnd
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import Boundary, Segment, Segmentation
@@ -30,7 +33,7 @@ def segmentation(times=(2.0, 4.0, 6.0, 8.0), idle=(), made_from=None, parameters
     edges = [made_from.start_s, *times, made_from.end_s]
     segments = tuple(
         Segment(a, b, "idle" if i in idle else f"part {i + 1}", i in idle, ConfigurationEnd())
-        for i, (a, b) in enumerate(zip(edges, edges[1:], strict=False))
+        for i, (a, b) in enumerate(pairwise(edges))
     )
     boundaries = tuple(boundary(time) for time in times)
     return Segmentation(
@@ -41,16 +44,12 @@ def segmentation(times=(2.0, 4.0, 6.0, 8.0), idle=(), made_from=None, parameters
 class Person:
     """Makes edits one after another on one segmentation, as the page does."""
 
-    def __init__(self, segmentation, describe=None):
-        from keyphase.labeling.document import Document
-
+    def __init__(self, segmentation):
         self.segmentation = segmentation
         self.document = Document(segmentation.demonstration)
 
     @property
     def labeling(self):
-        from keyphase.labeling.label import label
-
         return label(self.segmentation, self.document.edits)
 
     def makes(self, *edits):

@@ -1,0 +1,42 @@
+"""One writer for each journal: a lock the system lets go of when its process ends, however."""
+
+import fcntl
+import os
+from pathlib import Path
+
+
+class JournalLock:
+    """A lock on a file, held until `release` or the end of the process, a kill included."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._descriptor: int | None = None
+
+    def acquire(self) -> bool:
+        """Take the lock; False where another holds it. Raises OSError where it cannot be made."""
+        descriptor = os.open(self._path, os.O_RDWR | os.O_CREAT, 0o644)
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            os.close(descriptor)
+            if isinstance(error, BlockingIOError):
+                return False
+            raise
+        os.ftruncate(descriptor, 0)
+        os.pwrite(descriptor, f"{os.getpid()}\n".encode(), 0)
+        self._descriptor = descriptor
+        return True
+
+    def holder(self) -> str:
+        """Who holds it, for people."""
+        try:
+            process = self._path.read_text("ascii").strip()
+        except (OSError, UnicodeDecodeError):
+            process = ""
+        return f"another keyphase (process {process})" if process.isdigit() else "another keyphase"
+
+    def release(self) -> None:
+        """Let go; the file stays, since removing it would race with another's taking it."""
+        if self._descriptor is not None:
+            os.close(self._descriptor)
+            self._descriptor = None

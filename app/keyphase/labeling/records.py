@@ -1,0 +1,53 @@
+"""Lines of a journal: one JSON object each, with a checksum, so that damage is seen."""
+
+import json
+import zlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+Record = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class ReadRecords:
+    """What could be read of a journal.
+
+    damaged     numbers, from 1, of lines that could not be read
+    torn        the last line is incomplete, as a crash while writing leaves it
+    clean       the file can be appended to as it is
+    """
+
+    records: tuple[Record, ...]
+    damaged: tuple[int, ...]
+    torn: bool
+    clean: bool
+
+
+def encode(record: Record) -> bytes:
+    """The line that holds a record: CRC-32 of the JSON in eight hexadecimal digits, the JSON."""
+    content = json.dumps(
+        record, ensure_ascii=False, allow_nan=False, separators=(",", ":")
+    ).encode()
+    return b"%08x %s\n" % (zlib.crc32(content), content)
+
+
+def decode(data: bytes) -> ReadRecords:
+    """All records of a journal that are whole; what is not is left out and counted."""
+    *lines, rest = data.split(b"\n")
+    read = [_decode_line(line) for line in lines]
+    damaged = tuple(i for i, record in enumerate(read, start=1) if record is None)
+    last = _decode_line(rest) if rest else None
+    records = tuple(record for record in (*read, last) if record is not None)
+    return ReadRecords(records, damaged, bool(rest) and last is None, not damaged and not rest)
+
+
+def _decode_line(line: bytes) -> Record | None:
+    checksum, _, content = line.partition(b" ")
+    if checksum != b"%08x" % zlib.crc32(content):
+        return None
+    try:
+        record = json.loads(content)
+    except (ValueError, RecursionError):
+        return None
+    return record if isinstance(record, dict) else None

@@ -1,0 +1,66 @@
+"""Where keyphase keeps what people did: beside the recordings, or with the user's own state."""
+
+import hashlib
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from keyphase.errors import JournalError
+
+NAME = ".keyphase"
+"""Folder beside the recordings that holds their journals and the folder's settings."""
+
+
+@dataclass(frozen=True)
+class StateFolder:
+    """The folder in use, whether it can be written, and what a person should know about it.
+
+    `original` is the folder beside the recordings where that one could not be used.
+    """
+
+    path: Path
+    writable: bool
+    original: Path | None = None
+    notice: str | None = None
+
+
+def state_folder(recordings: Path, *, create: bool = True) -> StateFolder:
+    """The state folder for the recordings in a folder.
+
+    It lies beside them. Where nothing can be written there, it lies in the user's state folder
+    (`$XDG_STATE_HOME` or ~/.local/state), under a name made from the recordings' absolute path.
+    Without `create` nothing is made or tried, and the first that exists is taken. Raises
+    JournalError where neither can be written.
+    """
+    beside = recordings / NAME
+    own = _own(recordings)
+    if not create:
+        return StateFolder(own if own.is_dir() and not beside.is_dir() else beside, writable=False)
+    if _usable(beside):
+        return StateFolder(beside, writable=True)
+    if _usable(own):
+        notice = f"{recordings} cannot be written, so edits are kept in {own}."
+        return StateFolder(own, writable=True, original=beside, notice=notice)
+    raise JournalError(
+        f"Edits can be kept neither in {beside} nor in {own}, because neither folder can be "
+        "written; make one of them writable or open with --read-only."
+    )
+
+
+def _own(recordings: Path) -> Path:
+    base = os.environ.get("XDG_STATE_HOME") or os.path.expanduser("~/.local/state")
+    absolute = Path(os.path.realpath(recordings))
+    digest = hashlib.sha256(os.fsencode(absolute)).hexdigest()[:12]
+    return Path(base, "keyphase", f"{absolute.name or 'root'}-{digest}")
+
+
+def _usable(folder: Path) -> bool:
+    """Whether a file can be made in the folder; permissions alone do not tell."""
+    probe = folder / f".probe-{os.getpid()}"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        probe.touch()
+        probe.unlink()
+    except OSError:
+        return False
+    return True
