@@ -5,7 +5,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from xml.etree import ElementTree
 
 import numpy as np
 import pinocchio  # pyright: ignore[reportMissingImports]
@@ -15,8 +14,7 @@ from yourdfpy import URDF
 from keyphase.demonstration import Array
 from keyphase.errors import RobotError
 from keyphase.robot.shapes import LinkShape, read_display, shapes_of
-
-_CHAIN_JOINTS = ("revolute", "continuous", "prismatic")
+from keyphase.robot.urdf import MOVING, refuse_bad_urdf
 
 
 @dataclass(frozen=True)
@@ -100,7 +98,7 @@ def load_description(path: str | Path, tool_frame: str) -> RobotDescription:
     where no joint moves the frame.
     """
     path = Path(path)
-    _refuse_not_urdf(path)
+    refuse_bad_urdf(path)
     display = read_display(path)
     model = _model(path)
     chain = _chain(model, display, tool_frame, path)
@@ -121,26 +119,6 @@ def load_description(path: str | Path, tool_frame: str) -> RobotDescription:
         rest=MappingProxyType(_rest(display, chain)),
         mimics=MappingProxyType(_mimics(display)),
     )
-
-
-def _refuse_not_urdf(path: Path) -> None:
-    if not path.is_file():
-        raise RobotError(
-            f"{path}: expected a robot description, but there is no such file; "
-            "give the path of a URDF."
-        )
-    try:
-        root = ElementTree.parse(path).getroot()
-    except (ElementTree.ParseError, UnicodeDecodeError, ValueError) as error:
-        raise RobotError(
-            f"{path}: expected a URDF, but it is no XML ({error}); "
-            "convert xacro files to URDF first."
-        ) from error
-    if root.tag != "robot":
-        raise RobotError(
-            f"{path}: expected a URDF with <robot> at its root, but found <{root.tag}>; "
-            "convert the description to URDF first."
-        )
 
 
 def _model(path: Path) -> pinocchio.Model:
@@ -169,13 +147,23 @@ def _chain(model: pinocchio.Model, display: URDF, tool_frame: str, path: Path) -
         )
     for name in chain:
         joint = display.joint_map[name]
-        if joint.type not in _CHAIN_JOINTS or joint.mimic is not None:
+        _refuse_locked(display, name, path)
+        if joint.type not in MOVING or joint.mimic is not None:
             kind = joint.type if joint.mimic is None else "mimic"
             raise RobotError(
-                f"{path}: expected only {', '.join(_CHAIN_JOINTS)} joints on the way to "
+                f"{path}: expected only {', '.join(MOVING)} joints on the way to "
                 f"'{tool_frame}', but '{name}' is a {kind} joint; choose another tool frame."
             )
     return chain
+
+
+def _refuse_locked(display: URDF, name: str, path: Path) -> None:
+    lower, upper, _ = _limits(display, (name,))
+    if lower[0] == upper[0]:
+        raise RobotError(
+            f"{path}: joint '{name}' moves the tool frame, so its <limit> must leave it a range, "
+            f"but lower and upper end are both {lower[0]:g}; correct them or make it fixed."
+        )
 
 
 def _limits(display: URDF, chain: tuple[str, ...]) -> tuple[Array, Array, Array]:
@@ -194,7 +182,7 @@ def _limits(display: URDF, chain: tuple[str, ...]) -> tuple[Array, Array, Array]
 def _rest(display: URDF, chain: tuple[str, ...]) -> dict[str, float]:
     rest = {}
     for name, joint in display.joint_map.items():
-        if joint.type in _CHAIN_JOINTS and joint.mimic is None and name not in chain:
+        if joint.type in MOVING and joint.mimic is None and name not in chain:
             lower, upper, _ = _limits(display, (name,))
             rest[name] = float(np.clip(0.0, lower[0], upper[0]))
     return rest
@@ -202,10 +190,16 @@ def _rest(display: URDF, chain: tuple[str, ...]) -> dict[str, float]:
 
 def _mimics(display: URDF) -> dict[str, Mimic]:
     return {
-        name: Mimic(joint.mimic.joint, joint.mimic.multiplier or 1.0, joint.mimic.offset or 0.0)
+        name: Mimic(
+            joint.mimic.joint, _or(joint.mimic.multiplier, 1.0), _or(joint.mimic.offset, 0.0)
+        )
         for name, joint in display.joint_map.items()
         if joint.mimic is not None
     }
+
+
+def _or(value: float | None, default: float) -> float:
+    return default if value is None else float(value)
 
 
 def _middle(lower: float, upper: float) -> float:

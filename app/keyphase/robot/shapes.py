@@ -39,7 +39,7 @@ def read_display(path: Path) -> URDF:
         return file
 
     try:
-        return URDF.load(str(path), filename_handler=found)
+        display = URDF.load(str(path), filename_handler=found)
     except RobotError:
         raise
     except Exception as error:
@@ -48,6 +48,21 @@ def read_display(path: Path) -> URDF:
             f"{path}: expected a valid URDF with readable meshes, but reading it gave "
             f"{type(error).__name__}: {error}; check the file with another URDF viewer."
         ) from error
+    _refuse_empty_meshes(path, display)
+    return display
+
+
+def _refuse_empty_meshes(path: Path, display: URDF) -> None:
+    # A mesh file that cannot be read gives an empty scene, silently.
+    graph = display.scene.graph
+    shown = {graph.transforms.parents[node] for node in graph.nodes_geometry}
+    for name, link in display.link_map.items():
+        files = [v.geometry.mesh.filename for v in link.visuals if v.geometry and v.geometry.mesh]
+        if files and name not in shown:
+            raise RobotError(
+                f"{path}: the mesh '{files[0]}' of link '{name}' must hold a surface, but nothing "
+                "could be read from it; export it again as STL, OBJ, DAE or GLB."
+            )
 
 
 def shapes_of(display: URDF) -> tuple[LinkShape, ...]:

@@ -1,9 +1,11 @@
 """The YuMi that comes with keyphase."""
 
+from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
 
+from keyphase.demonstration import Array
 from keyphase.robot.description import RobotDescription, load_description
 from keyphase.shipped import shipped
 
@@ -12,26 +14,26 @@ Side = Literal["r", "l"]
 AXES = ("1", "2", "7", "3", "4", "5", "6")
 """ABB's numbers of the axes in the order of the chain."""
 
-MIRRORED = np.array([-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
-"""Joint values of one arm times this mirror the other arm."""
-
-RIGHT_START_RAD = np.radians([77.0, -86.0, -76.0, 30.0, -138.0, 78.0, -131.0])
+RIGHT_START_DEG = (77.0, -86.0, -76.0, 30.0, -138.0, 78.0, -131.0)
 """Tool pointing down over the table, elbow out, far from limits and singularities."""
 
-LEFT_REST_RAD = np.radians([0.0, -130.0, 135.0, 30.0, 0.0, 40.0, 0.0])
-"""ABB's calibration posture of the left arm: both hands hang beside the body."""
+RIGHT_REST_DEG = (0.0, -130.0, -135.0, 30.0, 0.0, 40.0, 0.0)
+"""ABB's calibration posture: the hand hangs beside the body."""
 
 GRIPPER_OPEN_M = 0.018
 """How far each finger of a gripper is from the middle plane, for display."""
+
+_MIRRORED = (-1, 1, -1, 1, -1, 1, -1)
 
 
 def yumi(side: Side = "r") -> RobotDescription:
     """The YuMi, its right or left tool point to be moved; the other arm rests."""
     path = shipped("static_robots") / "yumi" / "yumi.urdf"
-    return load_description(path, f"tcp_{side}").starting_at(
-        RIGHT_START_RAD if side == "r" else RIGHT_START_RAD * MIRRORED,
-        _rest("l" if side == "r" else "r"),
-    )
+    other: Side = "l" if side == "r" else "r"
+    resting = dict(zip(joint_names(other), _rad(RIGHT_REST_DEG, other).tolist(), strict=True))
+    open_grippers = {f"gripper_{each}_joint": GRIPPER_OPEN_M for each in "rl"}
+    robot = load_description(path, f"tcp_{side}")
+    return robot.starting_at(_rad(RIGHT_START_DEG, side), {**resting, **open_grippers})
 
 
 def joint_names(side: Side) -> tuple[str, ...]:
@@ -39,7 +41,5 @@ def joint_names(side: Side) -> tuple[str, ...]:
     return tuple(f"yumi_joint_{axis}_{side}" for axis in AXES)
 
 
-def _rest(side: Side) -> dict[str, float]:
-    angles = LEFT_REST_RAD if side == "l" else LEFT_REST_RAD * MIRRORED
-    arm = dict(zip(joint_names(side), angles.tolist(), strict=True))
-    return {**arm, "gripper_r_joint": GRIPPER_OPEN_M, "gripper_l_joint": GRIPPER_OPEN_M}
+def _rad(right_deg: Sequence[float], side: Side) -> Array:
+    return np.radians(right_deg) * (1 if side == "r" else np.array(_MIRRORED))

@@ -1,0 +1,137 @@
+"""What makes a file a URDF that can be used, checked so that the answer names the culprit.
+
+The parsers behind yourdfpy and Pinocchio print their reasons where no user of a page sees them.
+"""
+
+from collections import Counter
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+
+from keyphase.errors import RobotError
+
+MOVING = ("revolute", "continuous", "prismatic")
+_TYPES = (*MOVING, "fixed", "floating", "planar")
+
+
+def refuse_bad_urdf(path: Path) -> None:
+    """Raise RobotError where `path` is no file, no XML, or no URDF with one tree of links."""
+    robot = _parsed(path)
+    names = [link.get("name", "") for link in robot.findall("link")]
+    joints = robot.findall("joint")
+    for kind, found in (("link", names), ("joint", [joint.get("name", "") for joint in joints])):
+        name, times = Counter(found).most_common(1)[0] if found else ("", 1)
+        if times > 1 or "" in found:
+            raise RobotError(
+                f"{path}: every {kind} must have a name of its own, but "
+                + (
+                    f"'{name}' is the name of {times}; rename them."
+                    if times > 1
+                    else "one has none."
+                )
+            )
+    independent = {joint.get("name", "") for joint in joints if joint.find("mimic") is None}
+    for joint in joints:
+        _refuse_bad_joint(path, joint, set(names))
+        _refuse_bad_mimic(path, joint, independent)
+    roots = sorted(set(names) - {_end(joint, "child") for joint in joints})
+    if len(roots) != 1:
+        raise RobotError(
+            f"{path}: expected links that form one tree with one root, but found "
+            f"{len(roots)} roots ({', '.join(roots) or 'all links form loops'}); "
+            "connect them by joints."
+        )
+
+
+def _parsed(path: Path) -> ElementTree.Element:
+    if not path.is_file():
+        raise RobotError(
+            f"{path}: expected a robot description, but there is no such file; "
+            "give the path of a URDF."
+        )
+    try:
+        robot = ElementTree.parse(path).getroot()
+    except (ElementTree.ParseError, ValueError) as error:
+        raise RobotError(
+            f"{path}: expected a URDF, but it is no XML ({error}); "
+            "give a URDF, which is an XML file."
+        ) from error
+    if robot.tag != "robot" or not robot.get("name") or robot.find("link") is None:
+        raise RobotError(
+            f'{path}: expected a URDF, <robot name="..."> with links in it, but found '
+            f"<{robot.tag}> with {len(robot.findall('link'))} links; "
+            "convert other formats (xacro, SDF, MJCF) to URDF first."
+        )
+    return robot
+
+
+def _refuse_bad_joint(path: Path, joint: ElementTree.Element, links: set[str]) -> None:
+    name, kind = joint.get("name"), joint.get("type")
+    if kind not in _TYPES:
+        raise RobotError(
+            f"{path}: joint '{name}' must be one of {', '.join(_TYPES)}, but its type is {kind!r}."
+        )
+    for end in ("parent", "child"):
+        if _end(joint, end) not in links:
+            raise RobotError(
+                f"{path}: joint '{name}' must connect two links of the robot, but its {end} is "
+                f"'{_end(joint, end)}'; add that link or correct the name."
+            )
+    if kind in ("revolute", "prismatic"):
+        _refuse_bad_range(path, joint)
+    axis = joint.find("axis")
+    if kind in MOVING and axis is not None and not np.any(_numbers(path, joint, axis, "xyz")):
+        raise RobotError(
+            f"{path}: joint '{name}' must move along an axis, but its axis is zero; correct it."
+        )
+
+
+def _refuse_bad_range(path: Path, joint: ElementTree.Element) -> None:
+    limit = joint.find("limit")
+    if limit is None:
+        raise RobotError(
+            f"{path}: joint '{joint.get('name')}' must have a <limit>, as its type is "
+            f"{joint.get('type')}, but has none; add it, or make the joint continuous or fixed."
+        )
+    lower = _numbers(path, joint, limit, "lower", "0")[0]
+    upper = _numbers(path, joint, limit, "upper", "0")[0]
+    if lower > upper:
+        raise RobotError(
+            f"{path}: joint '{joint.get('name')}' must have a <limit> whose lower end does not lie "
+            f"above its upper end, but has [{lower:g}, {upper:g}]; swap them."
+        )
+
+
+def _refuse_bad_mimic(path: Path, joint: ElementTree.Element, independent: set[str]) -> None:
+    mimic = joint.find("mimic")
+    if mimic is not None and mimic.get("joint") not in independent:
+        raise RobotError(
+            f"{path}: joint '{joint.get('name')}' must mimic a joint that moves by itself, but "
+            f"mimics '{mimic.get('joint')}'; name such a joint."
+        )
+
+
+def _numbers(
+    path: Path,
+    joint: ElementTree.Element,
+    element: ElementTree.Element,
+    key: str,
+    default: str = "",
+) -> list[float]:
+    text = element.get(key, default)
+    try:
+        numbers = [float(word) for word in text.split()]
+    except ValueError:
+        numbers = []
+    if not numbers or not np.all(np.isfinite(numbers)):
+        raise RobotError(
+            f"{path}: joint '{joint.get('name')}' must have numbers for {key} in "
+            f"<{element.tag}>, but has '{text}'; correct it."
+        )
+    return numbers
+
+
+def _end(joint: ElementTree.Element, which: str) -> str:
+    element = joint.find(which)
+    return "" if element is None else element.get("link", "")
