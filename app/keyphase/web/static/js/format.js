@@ -1,0 +1,47 @@
+/** Numbers as the page writes them: a true minus sign, tabular digits, no more than is known. */
+
+/**
+ * A value with its sign, for curves and steps: "+3.80", "−0.32".
+ * @param {number} value
+ * @param {number} digits
+ */
+export function signed(value, digits = 1) {
+  const text = Math.abs(value).toFixed(digits);
+  return (value < 0 && Number(text) !== 0 ? "−" : "+") + text;
+}
+
+/** A tick or a plain value. @param {number} value */
+export function plain(value) {
+  return String(Number(value.toPrecision(6))).replace("-", "−");
+}
+
+/** A time with milliseconds: "4.204". @param {number} seconds */
+export function time(seconds) {
+  return seconds.toFixed(3).replace("-", "−");
+}
+
+/** A duration in a segment: "1.40 s". @param {number} seconds */
+export function duration(seconds) {
+  return `${seconds.toFixed(2)} s`;
+}
+
+/**
+ * The height of a peak or a threshold, three digits: "465", "23.9", "1.20".
+ * @param {number} value
+ */
+export function height(value) {
+  if (!Number.isFinite(value)) return "";
+  if (value >= 1e5) return value.toExponential(1).replace("e+", "e");
+  return value >= 100 ? value.toFixed(0) : value >= 10 ? value.toFixed(1) : value.toFixed(2);
+}
+
+/** Half an interval: "± 8 ms" or "± 0.31 s". @param {[number, number]} interval */
+export function halfWidth([low, high]) {
+  const half = (high - low) / 2;
+  return half < 0.1 ? `± ${Math.max(1, Math.round(half * 1000))} ms` : `± ${half.toFixed(2)} s`;
+}
+
+/** One thing or several: plural(2, "edit") is "2 edits". @param {number} count @param {string} noun */
+export function plural(count, noun) {
+  return `${count} ${noun}${count === 1 ? "" : "s"}`;
+}

@@ -1,0 +1,64 @@
+/** The header: where am I, is it saved, what would undo undo. */
+
+import { byId, icon } from "./dom.js";
+import { plural } from "./format.js";
+
+/**
+ * @param {import("./store.js").Store} store
+ * @param {any} actions
+ * @param {{openPalette: (query?: string) => void, openKeys: () => void}} dialogs
+ */
+export function createHeader(store, actions, dialogs) {
+  const undo = /** @type {HTMLButtonElement} */ (byId("undo"));
+  const redo = /** @type {HTMLButtonElement} */ (byId("redo"));
+  byId("crumb").addEventListener("click", () => dialogs.openPalette("recording "));
+  byId("command-field").addEventListener("click", () => dialogs.openPalette());
+  byId("help").addEventListener("click", dialogs.openKeys);
+  byId("theme").addEventListener("click", actions.toggleTheme);
+  undo.addEventListener("click", actions.undo);
+  redo.addEventListener("click", actions.redo);
+
+  store.on(["document"], ({ document: doc, readOnly }) => {
+    document.title = doc ? `${doc.name} – keyphase` : "keyphase";
+    byId("folder").textContent = doc?.folder ?? "";
+    byId("folder").hidden = byId("folder-slash").hidden = !doc?.folder;
+    byId("name").textContent = doc?.file ?? doc?.name ?? "no recording";
+    byId("facts").textContent = doc ? facts(doc) : "";
+    setUndo(undo, doc?.undo, "Undo", "Ctrl Z", readOnly);
+    setUndo(redo, doc?.redo, "Redo", "Ctrl Shift Z", readOnly);
+    byId("undo-name").textContent = doc?.undo ?? "";
+  });
+  store.on(["document", "recordings"], ({ document: doc, recordings }) => {
+    const item = recordings.items.find(({ id }) => id === doc?.id);
+    const badge = byId("badge");
+    badge.hidden = !doc || !item;
+    if (!doc || !item) return;
+    badge.className = `badge ${item.state === "done" ? "done" : item.state === "automatic" ? "plain" : ""}`;
+    badge.textContent = doc.edits ? `${item.state} · ${plural(doc.edits, "edit")}` : item.state;
+  });
+  store.on(["document", "connected", "saving", "readOnly"], drawSaved);
+  store.on(["dark"], ({ dark }) => byId("theme").replaceChildren(icon(dark ? "moon" : "sun")));
+}
+
+function setUndo(button, name, verb, key, readOnly) {
+  button.disabled = !name || readOnly;
+  const what = name ? `${verb} “${name}” (${key})` : `Nothing to ${verb.toLowerCase()}`;
+  button.title = what;
+  button.setAttribute("aria-label", what);
+}
+
+function facts({ start_s: start, end_s: end, rate_hz: rate, channels }) {
+  const hertz = rate >= 1000 && rate % 1000 === 0 ? `${rate / 1000} kHz` : `${Number(rate.toPrecision(4))} Hz`;
+  const long = end - start;
+  const lasts = long >= 600 ? `${(long / 60).toFixed(1)} min` : `${long.toFixed(2)} s`;
+  return `${lasts} · ${hertz} · ${channels.join(", ")}`;
+}
+
+/** What became of the last edit; never "saved" before the server has said so. */
+function drawSaved({ document: doc, connected, saving, readOnly }) {
+  const node = byId("saved");
+  node.className = `saved ${connected ? (saving ? "waiting" : "") : "lost"}`;
+  const text = !connected ? "Not connected" : readOnly ? "Read only" : saving ? "Saving" : doc?.saved_at ? "Saved" : "No edits";
+  byId("saved-text").textContent = text;
+  byId("saved-at").textContent = connected && !saving && !readOnly ? (doc?.saved_at ?? "") : "";
+}

@@ -1,0 +1,46 @@
+/** Keys, in our page and in the scene's frame alike. */
+
+import { keyOf } from "./commands.js";
+
+/**
+ * @param {import("./store.js").Store} store
+ * @param {any} actions
+ * @param {import("./commands.js").Command[]} commands
+ * @param {() => boolean} escape gives up whatever is open; false if nothing was
+ * @returns {(event: KeyboardEvent) => void}
+ */
+export function createKeys(store, actions, commands, escape) {
+  const byKey = new Map(commands.flatMap((command) => command.keys.map((key) => [key, command])));
+
+  return function onKey(event) {
+    if (event.defaultPrevented || event.altKey || event.isComposing) return;
+    if (isTyping(event) || document.querySelector("dialog[open]")) return;
+    if (event.key === "Escape") {
+      if (escape()) event.preventDefault();
+      return;
+    }
+    if (isPressable(event)) return;
+    const key = keyOf(event);
+    const { document: doc } = store.state;
+    if (/^[1-9]$/.test(key)) {
+      if (doc) actions.labelByNumber(Number(key));
+      return;
+    }
+    const command = byKey.get(key);
+    if (!command || (!doc && !command.always)) return;
+    event.preventDefault();
+    command.run();
+  };
+}
+
+/** Whether the key belongs to a text field, ours or the panel's. */
+function isTyping({ target }) {
+  const field = /** @type {HTMLElement} */ (target)?.closest?.("input, textarea, select, [contenteditable]");
+  return Boolean(field) && field.getAttribute("type") !== "range";
+}
+
+/** Space and Enter press the button that has the focus. */
+function isPressable({ key, target }) {
+  const node = /** @type {HTMLElement} */ (target);
+  return (key === " " || key === "Enter") && Boolean(node?.closest?.("button, [role=tab], summary, a"));
+}

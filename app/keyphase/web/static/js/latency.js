@@ -1,0 +1,71 @@
+/**
+ * How long a person waits: from the input event that carried a value to the first frame of the
+ * timeline that shows what the value did. The threshold line's own drag carries its number to the
+ * server and back; a slider in viser's panel is matched by the value it showed when it was moved.
+ *
+ * @typedef {{event: number, milliseconds: number, source: "line"|"slider"|"edit"}} Measurement
+ */
+
+/** Sliders of the panel by parameter, as the panel labels them. */
+const FORGET_MS = 5000;
+const SAME = 2e-3;
+
+/**
+ * @param {import("./store.js").Store} store
+ * @param {(message: import("./types.js").Message) => boolean} send
+ */
+export function createLatency(store, send) {
+  /** @type {Measurement[]} */
+  const list = [];
+  /** @type {Map<number, {at: number, source: Measurement["source"]}>} */
+  const sent = new Map();
+  /** @type {{at: number, value: number, event: number}[]} */
+  let moved = [];
+  let number = 0;
+  let seen = { parameters: /** @type {Object<string, *>} */ ({}), id: "" };
+
+  function finish(event, at, source) {
+    store.afterFrame(() => {
+      const milliseconds = performance.now() - at;
+      list.push({ event, milliseconds, source });
+      send({ type: "latency", event, milliseconds });
+    });
+  }
+
+  /** The earliest input that carried this value and was not answered yet. */
+  function inputFor(value) {
+    const found = moved.find((input) => Math.abs(input.value - value) <= SAME * Math.max(1e-3, Math.abs(value)));
+    if (found) moved = moved.filter((input) => input.at > found.at);
+    return found;
+  }
+
+  return {
+    list,
+    /** Remembers an input of our own; its number travels with the message. */
+    began(timeStamp, source) {
+      number += 1;
+      sent.set(number, { at: timeStamp, source });
+      return number;
+    },
+    /** A slider of the panel showed a new value, on account of an input at `at`. */
+    slid(value, at) {
+      number += 1;
+      moved = moved.filter((input) => at - input.at < FORGET_MS);
+      moved.push({ at, value, event: number });
+    },
+    /** @param {import("./types.js").Doc} doc a document that is about to be drawn */
+    arrived(doc, isOurs) {
+      const { cause } = doc;
+      const own = cause && isOurs(cause) ? sent.get(cause.event) : undefined;
+      if (own) {
+        sent.delete(cause.event);
+        finish(cause.event, own.at, own.source);
+      } else if (!cause && doc.id === seen.id) {
+        const changed = Object.keys(doc.parameters).filter((name) => doc.parameters[name] !== seen.parameters[name]);
+        const input = changed.length === 1 ? inputFor(Number(doc.parameters[changed[0]])) : undefined;
+        if (input) finish(input.event, input.at, "slider");
+      }
+      seen = { parameters: doc.parameters, id: doc.id };
+    },
+  };
+}

@@ -1,0 +1,112 @@
+/** Puts the page together: state, socket, parts. */
+
+import { createActions } from "./actions.js";
+import { createCommands } from "./commands.js";
+import { placeIcons } from "./dom.js";
+import { createEmpty } from "./empty.js";
+import { createExplain } from "./explain.js";
+import { createHeader } from "./header.js";
+import { createKeys } from "./keys.js";
+import { createKeysSheet } from "./keys_sheet.js";
+import { createLatency } from "./latency.js";
+import { createMenu } from "./menu.js";
+import { createNotices } from "./notices.js";
+import { createPalette } from "./palette.js";
+import { createPlan } from "./plan.js";
+import { createPlayback } from "./playback.js";
+import { createQueue } from "./queue.js";
+import { createReceiver } from "./receive.js";
+import { createRename } from "./rename.js";
+import { createScene } from "./scene.js";
+import { createSignals } from "./signals.js";
+import { openSocket } from "./socket.js";
+import { createSplitter } from "./splitter.js";
+import { createStatus } from "./status.js";
+import { createStore } from "./store.js";
+import { createTheme, firstDark } from "./theme.js";
+import { createLens } from "./timeline/lens.js";
+import { attachPointer } from "./timeline/pointer.js";
+import { firstChoice, SMALL_BELOW_PX, tracksOf } from "./timeline/rows.js";
+import { createTimeline } from "./timeline/timeline.js";
+import { createTransport } from "./transport.js";
+
+const isSmall = () => innerWidth <= SMALL_BELOW_PX;
+
+const store = createStore({
+  connected: null, greeted: false, readOnly: false, labels: [], document: null, ghost: [],
+  recordings: { folder: "", current: null, items: [] }, progress: null, notice: null, saving: false,
+  view: null, plotWidth: 0, paneHeight: 0, paneWidth: 0, layout: null, whole: null, fine: null, lens: null,
+  clock: 0, playhead: { time_s: 0, playing: false, speed: 1, loop: false },
+  selected: null, hovered: null, current: null, explained: null, pointer: null, drag: null, range: null,
+  planDrag: null, renaming: null, heldThreshold: null,
+  small: isSmall(), dark: null, snap: null, logarithmic: true, leastCertainFirst: false, ...firstChoice(isSmall()),
+});
+
+/** @type {import("./socket.js").Socket|null} */
+let socket = null;
+const send = (message) => socket?.send(message) ?? false;
+const latency = createLatency(store, send);
+const signals = createSignals(store, send, () => wantedTracks(store.state));
+const actions = createActions(store, send, latency);
+const dialogs = { openPalette: (query) => palette.open(query), openKeys: () => keysSheet.open() };
+const commands = createCommands(actions, store, dialogs);
+const palette = createPalette(store, actions, () => commands);
+const keysSheet = createKeysSheet(() => commands);
+const menu = createMenu(store, actions);
+const notices = createNotices(store);
+const playback = createPlayback(store);
+
+/** The overview needs the error or the speed even where their tracks are hidden; so does snapping. */
+function wantedTracks(state) {
+  const channels = state.document?.channels ?? [];
+  const always = channels.includes("force") ? ["error", "speed", "force", "position"] : ["speed", "position"];
+  return [...new Set([...always, ...tracksOf(state).map(({ key }) => key)])];
+}
+
+placeIcons();
+createTheme(store, send);
+store.on(["small"], ({ small }) => (document.documentElement.dataset.size = small ? "small" : "large"));
+const timeline = createTimeline(document.getElementById("timeline"), store, actions);
+const pointer = attachPointer(store, timeline, Object.assign(actions, { menu: menu.forTimeline, openPalette: dialogs.openPalette }));
+createSplitter(store, timeline.naturalHeight);
+createHeader(store, actions, dialogs);
+createQueue(store, actions);
+createTransport(store, actions, menu);
+createPlan(store, actions);
+createStatus(store);
+createEmpty(store, actions);
+createExplain(store, timeline, actions);
+createRename(store, timeline, actions);
+createLens(store, timeline, signals);
+store.on(["document", "hidden"], () => signals.follow());
+store.on(["view", "plotWidth"], () => signals.follow());
+
+/** Escape gives up one thing at a time, the innermost first. */
+function escape() {
+  if (pointer.cancel() || menu.close()) return true;
+  const { explained, current, selected } = store.state;
+  if (explained !== null || current !== null) store.set({ explained: null, current: null });
+  else if (selected !== null) actions.select(null);
+  else return false;
+  return true;
+}
+
+const onKey = createKeys(store, actions, commands, escape);
+addEventListener("keydown", onKey);
+addEventListener("resize", () => {
+  const small = isSmall();
+  if (small === store.state.small) return;
+  store.set({ small, ...firstChoice(small) });
+});
+
+const receive = createReceiver(store, { latency, playback, notices, signals });
+socket = openSocket({
+  onMessage: receive,
+  onSignals: (frame) => signals.receive(frame),
+  onState: (connected) => store.set(connected ? { connected } : { connected, saving: false, greeted: store.state.document !== null }),
+});
+createScene(store, { onKey, onSlide: latency.slid });
+store.set({ dark: firstDark(), snap: true });
+
+/** For tests and for anyone who wants to know how fast it is. */
+window.keyphase = { latency: latency.list, state: store.state, actions, timeline };

@@ -1,0 +1,47 @@
+/** What the server says, put into the page's state. */
+
+/**
+ * @param {import("./store.js").Store} store
+ * @param {{latency: any, playback: any, notices: any, signals: any}} parts
+ * @returns {(message: import("./types.js").Message) => void}
+ */
+export function createReceiver(store, { latency, playback, notices, signals }) {
+  const { state } = store;
+  let client = "";
+
+  const hear = {
+    hello(message) {
+      client = message.client ?? "";
+      store.set({ greeted: true, readOnly: message.read_only, labels: message.labels });
+    },
+    recordings: (message) => store.set({ recordings: message }),
+    document(message) {
+      const before = state.document;
+      const other = before?.id !== message.id;
+      store.set({ document: message, selected: message.selected, saving: false, ...(other ? fresh(message) : {}) });
+      if (other) signals.refresh();
+      if (!other && message.boundaries.length !== before.boundaries.length) store.set({ hovered: null, explained: null, current: null });
+      latency.arrived(message, (cause) => !client || cause.client === client);
+    },
+    ghost: (message) => store.set({ ghost: message.boundaries }),
+    playhead: (message) => playback.receive(message),
+    selection: (message) => store.set({ selected: message.segment }),
+    progress: (message) => store.set({ progress: message.done ? null : message }),
+    labels: (message) => store.set({ labels: message.labels }),
+    notice(message) {
+      store.set({ saving: false });
+      notices.show(message);
+    },
+    saved: (message) => notices.show({ level: "info", text: `Written to ${message.path}` }),
+  };
+
+  return (message) => hear[message.type]?.(message);
+}
+
+/** What belongs to one recording only and begins anew with another. */
+function fresh(doc) {
+  return {
+    view: { from: doc.start_s, to: doc.end_s }, whole: null, fine: null, hovered: null, current: null,
+    explained: null, pointer: null, drag: null, range: null, ghost: [], heldThreshold: null, renaming: null,
+  };
+}

@@ -1,0 +1,90 @@
+/** Naming a segment where it stands, with the folder's labels to choose from. */
+
+import { byId, el } from "./dom.js";
+import { segmentFill } from "./timeline/band.js";
+
+const LEAST_WIDTH = 220;
+
+/**
+ * @param {import("./store.js").Store} store
+ * @param {any} timeline
+ * @param {any} actions
+ */
+export function createRename(store, timeline, actions) {
+  const form = byId("rename");
+  const input = /** @type {HTMLInputElement} */ (el("input", { type: "text", "aria-label": "Label of the segment", maxlength: 200, autocomplete: "off", spellcheck: "false" }));
+  const list = el("ul", { role: "listbox" });
+  form.append(input, list);
+  let choices = [];
+  let at = -1;
+  let typed = "";
+
+  function complete() {
+    const wanted = input.value.toLowerCase();
+    const { labels, document: doc } = store.state;
+    const known = labels.map(({ name, color }, k) => ({ name, color, number: k < 9 ? k + 1 : null }));
+    const used = doc.segments.filter((segment) => !known.some(({ name }) => name === segment.label))
+      .map(({ label, color }) => ({ name: label, color, number: null }));
+    const all = [...known, ...used.filter(({ name }, k) => used.findIndex((other) => other.name === name) === k)];
+    choices = all.filter(({ name }) => name.toLowerCase().includes(wanted) || wanted === typed.toLowerCase()).slice(0, 8);
+    choose(-1);
+  }
+
+  function choose(index) {
+    at = index;
+    list.hidden = !choices.length;
+    list.replaceChildren(...choices.map(({ name, color, number }, k) => el("li", {
+      class: k === at ? "on" : "", role: "option", "aria-selected": String(k === at),
+      on: { pointerdown: (event) => (event.preventDefault(), finish(name)) },
+    }, el("i", { style: { background: segmentFill({ color: color ?? 0 }) } }), el("span", { text: name }), number ? el("kbd", { text: number }) : "")));
+  }
+
+  function finish(label) {
+    const { renaming } = store.state;
+    if (renaming === null) return;
+    store.set({ renaming: null });
+    const text = label?.trim();
+    if (text) actions.label(text, renaming);
+  }
+
+  input.addEventListener("input", complete);
+  input.addEventListener("keydown", (event) => {
+    const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (by) choose(Math.min(Math.max(at + by, -1), choices.length - 1));
+    else if (event.key === "Enter") finish(choices[at]?.name ?? input.value);
+    else if (event.key === "Tab" && choices.length) input.value = choices[Math.max(at, 0)].name;
+    else if (event.key === "Escape") finish(null);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  });
+  input.addEventListener("blur", () => finish(null));
+  form.addEventListener("submit", (event) => event.preventDefault());
+
+  store.on(["renaming"], ({ renaming, document: doc }) => {
+    const segment = renaming === null ? null : doc?.segments[renaming];
+    const wasOpen = !form.hidden;
+    form.hidden = !segment;
+    if (!segment) return wasOpen && timeline.surface.focus({ preventScroll: true });
+    place(form, timeline, segment);
+    typed = segment.label;
+    input.value = segment.label;
+    complete();
+    input.focus();
+    input.select();
+    return undefined;
+  });
+}
+
+function place(form, timeline, segment) {
+  const box = timeline.surface.getBoundingClientRect();
+  const scale = timeline.scale();
+  const row = timeline.layout().rows.get("segments");
+  const left = Math.max(0, scale.x(segment.start_s));
+  const right = Math.min(scale.width, scale.x(segment.end_s));
+  const width = Math.max(LEAST_WIDTH, right - left);
+  const x = Math.min(box.left + left, innerWidth - width - 8);
+  form.style.setProperty("left", `${x}px`);
+  form.style.setProperty("top", `${box.top + row.y + (row.height - 30) / 2}px`);
+  form.style.setProperty("width", `${width}px`);
+}

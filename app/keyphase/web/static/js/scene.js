@@ -1,0 +1,62 @@
+/** viser's client in its frame, what lies over it, and the inputs inside it we have to know of. */
+
+import { byId, el, svg } from "./dom.js";
+import { time as timeText } from "./format.js";
+
+/**
+ * @param {import("./store.js").Store} store
+ * @param {{onKey: (event: KeyboardEvent) => void, onSlide: (value: number, at: number) => void}} handlers
+ */
+export function createScene(store, { onKey, onSlide }) {
+  const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
+  frame.addEventListener("load", () => {
+    const inside = frame.contentWindow;
+    // Keys pressed while the scene has the focus never reach our page by themselves.
+    inside.addEventListener("keydown", onKey);
+    watchSliders(frame.contentDocument, onSlide);
+  });
+  frame.src = "/viser/";
+
+  const hud = byId("hud");
+  store.on(["clock", "document"], ({ clock, document: doc }) => {
+    hud.replaceChildren(...(doc ? ["At ", el("b", { text: `${timeText(clock)} s` }), doc.channels.includes("orientation") ? " · tool frame" : ""] : []));
+  });
+  store.on(["document"], ({ document: doc }) => byId("legend").replaceChildren(...(doc ? legend(doc) : [])));
+}
+
+function legend(doc) {
+  const parts = [];
+  if (doc.gaussians.length) {
+    parts.push(el("span", {}, svg("svg", { width: 18, height: 10 }, svg("ellipse", { cx: 9, cy: 5, rx: 8.5, ry: 4, style: { fill: "var(--segment-0)", opacity: ".45" } })), "Gaussian, 1 σ"));
+  }
+  if (doc.channels.includes("force")) {
+    parts.push(el("span", {}, svg("svg", { width: 26, height: 8 },
+      svg("path", { d: "M0 4h20", "stroke-width": 3, style: { stroke: "var(--origin-force)" } }),
+      svg("path", { d: "M18 0l8 4-8 4z", style: { fill: "var(--origin-force)" } })), "force, 5 N"));
+  }
+  parts.push(el("span", {}, svg("svg", { width: 10, height: 10 }, svg("circle", { cx: 5, cy: 5, r: 4, style: { fill: "var(--idle)" } })), "idle"));
+  return parts;
+}
+
+const INPUTS = ["pointerdown", "pointermove", "keydown", "input", "change", "wheel"];
+
+/**
+ * Notes every value a slider or number field of the panel shows and the input event behind it,
+ * so that latency can be counted from the hand and not from the network.
+ * @param {Document} inside
+ * @param {(value: number, at: number) => void} onSlide
+ */
+function watchSliders(inside, onSlide) {
+  let inputAt = 0;
+  for (const type of INPUTS) inside.addEventListener(type, (event) => (inputAt = event.timeStamp), true);
+  // The frame's clock started at another moment than ours.
+  const shift = (inside.defaultView?.performance.timeOrigin ?? performance.timeOrigin) - performance.timeOrigin;
+  const notice = (mutations) => {
+    for (const { target } of mutations) {
+      const slider = /** @type {Element} */ (target);
+      const value = Number(slider.getAttribute("aria-valuenow"));
+      if (Number.isFinite(value) && inputAt) onSlide(value, inputAt + shift);
+    }
+  };
+  new MutationObserver(notice).observe(inside, { subtree: true, attributes: true, attributeFilter: ["aria-valuenow"] });
+}

@@ -1,0 +1,77 @@
+/**
+ * The page's one piece of state. Values are set by name; whoever named a value is called in the
+ * next animation frame, once, however many messages came in between: the page draws frames, not
+ * messages.
+ *
+ * @typedef {Object<string, *>} State
+ * @typedef {{state: State, set: (patch: State) => void,
+ *   on: (names: string[], draw: (state: State) => void) => void,
+ *   afterFrame: (done: () => void) => void}} Store
+ */
+
+/**
+ * @param {State} initial
+ * @returns {Store}
+ */
+export function createStore(initial) {
+  const state = { ...initial };
+  /** @type {{names: string[], draw: (state: State) => void}[]} */
+  const listeners = [];
+  const changed = new Set();
+  let frame = 0;
+  /** @type {(() => void)[]} */
+  let waiting = [];
+
+  function drawFrame() {
+    frame = 0;
+    // A draw may set further values (a view that has to follow): those join this very frame.
+    for (let round = 0; changed.size && round < 3; round++) {
+      const names = [...changed];
+      changed.clear();
+      for (const { names: wanted, draw } of listeners) {
+        if (wanted.some((name) => names.includes(name))) draw(state);
+      }
+    }
+    if (changed.size) schedule();
+    reportAfterFrame(waiting);
+    waiting = [];
+  }
+
+  function schedule() {
+    if (!frame) frame = requestAnimationFrame(drawFrame);
+  }
+
+  return {
+    state,
+    set(patch) {
+      for (const [name, value] of Object.entries(patch)) {
+        if (Object.is(state[name], value)) continue;
+        state[name] = value;
+        changed.add(name);
+      }
+      if (changed.size) schedule();
+    },
+    on(names, draw) {
+      listeners.push({ names, draw });
+    },
+    afterFrame(done) {
+      waiting.push(done);
+      schedule();
+    },
+  };
+}
+
+/**
+ * Calls each function once the frame just drawn has been handed to the compositor: a message
+ * posted inside an animation frame is delivered after that frame's style, layout and paint.
+ * @param {(() => void)[]} functions
+ */
+function reportAfterFrame(functions) {
+  if (!functions.length) return;
+  const channel = new MessageChannel();
+  channel.port1.onmessage = () => {
+    channel.port1.close();
+    for (const done of functions) done();
+  };
+  channel.port2.postMessage(null);
+}

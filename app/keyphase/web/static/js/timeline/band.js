@@ -1,0 +1,123 @@
+/**
+ * The band of segments: colour, number, label, how long, and how sure of its name. Labels give
+ * way to shorter ones where they do not fit; the number stays longest.
+ */
+
+import { svg } from "../dom.js";
+import { duration } from "../format.js";
+import { textWidth } from "./text_width.js";
+
+/** As many colours as the palette has before it repeats. */
+export const COLORS = 7;
+
+/** @param {{color: number|null}} segment */
+export function segmentFill({ color }) {
+  return color === null ? "var(--hatch-line)" : `var(--segment-${((color % COLORS) + COLORS) % COLORS})`;
+}
+
+/**
+ * The longest of the label and its short forms that fits, else "".
+ * @param {import("../types.js").Segment} segment
+ * @param {number} room px
+ * @param {string} font
+ */
+export function fittingLabel(segment, room, font) {
+  const forms = [segment.label, ...(segment.short ?? [])];
+  return forms.find((form) => textWidth(form, font) <= room) ?? "";
+}
+
+/**
+ * @param {import("../store.js").State} state
+ * @param {import("./scale.js").Scale} scale
+ * @param {import("./rows.js").Row} row
+ */
+export function drawBand(state, scale, row) {
+  const { document: doc, selected, range } = state;
+  const box = { top: row.y + 3, height: row.height - 6 };
+  const nodes = [svg("rect", { y: row.y, width: scale.width, height: row.height, class: "band-ground" })];
+  let ring = null;
+  doc.segments.forEach((segment, index) => {
+    const left = Math.max(scale.x(segment.start_s), 0) + 1;
+    const right = Math.min(scale.x(segment.end_s), scale.width) - 1;
+    if (right - left < 0.5) return;
+    const place = { ...box, left, width: Math.max(right - left, 1) };
+    nodes.push(drawSegment(segment, index, place));
+    if (index === selected) ring = drawRing(place);
+  });
+  if (ring) nodes.push(ring);
+  if (range) nodes.push(drawRange(doc, range, scale, box));
+  return nodes;
+}
+
+function drawSegment(segment, index, place) {
+  const { left, top, width, height } = place;
+  const dropped = !segment.kept;
+  const fill = dropped ? "url(#hatch)" : segmentFill(segment);
+  const group = svg("g", { class: `segment ${dropped ? "dropped" : "kept"}`, data: { segment: index } });
+  group.append(svg("rect", { x: left, y: top, width, height, rx: 3, style: { fill } }));
+  group.append(...(dropped ? droppedText(segment, index, place) : keptText(segment, index, place)));
+  return group;
+}
+
+/** Number and label, below it (where there is room) how long and by whom it was named. */
+function keptText(segment, index, { left, top, width, height }) {
+  const number = String(index + 1);
+  const numberWidth = textWidth(number, "700 12px");
+  if (width < numberWidth + 8) return [];
+  const textLeft = left + 9 + numberWidth + 7;
+  const room = left + width - textLeft - 6;
+  const label = fittingLabel(segment, room, "600 12px");
+  const two = height >= 30 && width > 70 && label !== "";
+  const base = two ? top + 15 : top + height / 2 + 4;
+  const numberX = label ? left + 9 : left + Math.min(9, (width - numberWidth) / 2);
+  const nodes = [svg("text", { x: numberX, y: base, class: "segment-number", text: number })];
+  if (!label) return nodes;
+  nodes.push(svg("text", { x: textLeft, y: base, class: "segment-label", text: label }));
+  if (segment.proposed) {
+    const under = Math.min(textWidth(label, "600 12px"), room);
+    nodes.push(svg("path", { d: `M${textLeft} ${base + 3.5}h${under}`, class: "segment-proposed" }));
+  }
+  if (two) nodes.push(...secondLine(segment, textLeft, top + 29, room));
+  return nodes;
+}
+
+function secondLine(segment, x, y, room) {
+  const long = duration(segment.end_s - segment.start_s);
+  const full = segment.proposed ? `${long} · proposed, Enter accepts` : `${long} · named by you`;
+  const text = [full, long].find((form) => textWidth(form, "10.5px") <= room);
+  return text ? [svg("text", { x, y, class: "segment-second", text })] : [];
+}
+
+/** Hatched, with the name on a plate so that it stays readable. */
+function droppedText(segment, index, { left, top, width, height }) {
+  const number = String(index + 1);
+  const middle = top + height / 2;
+  const numberWidth = textWidth(number, "11.5px");
+  if (width < numberWidth + 14) return [];
+  const label = fittingLabel(segment, width - numberWidth - 38, "11.5px");
+  const plate = label ? numberWidth + textWidth(label, "11.5px") + 24 : numberWidth + 12;
+  const at = left + Math.min(6, (width - plate) / 2);
+  const nodes = [
+    svg("rect", { x: at, y: middle - 9, width: plate, height: 18, rx: 3, class: "segment-plate" }),
+    svg("text", { x: at + 7, y: middle + 4, class: "segment-plate-number", text: number }),
+  ];
+  if (label) nodes.push(svg("text", { x: at + 14 + numberWidth, y: middle + 4, class: "segment-plate-label", text: label }));
+  if (height >= 30 && width > plate + 70) {
+    const text = duration(segment.end_s - segment.start_s);
+    nodes.push(svg("text", { x: left + width - 8, y: middle + 4, class: "segment-plate-second", "text-anchor": "end", text }));
+  }
+  return nodes;
+}
+
+function drawRing({ left, top, width, height }) {
+  return svg("g", { class: "segment-ring" },
+    svg("rect", { x: left - 0.5, y: top - 0.5, width: width + 1, height: height + 1, rx: 4, class: "ring-gap" }),
+    svg("rect", { x: left - 1, y: top - 1, width: width + 2, height: height + 2, rx: 4, class: "ring" }));
+}
+
+/** The segments dragged over, about to become one. */
+function drawRange(doc, [first, last], scale, { top, height }) {
+  const left = Math.max(scale.x(doc.segments[first].start_s), 0);
+  const right = Math.min(scale.x(doc.segments[last].end_s), scale.width);
+  return svg("rect", { x: left + 1, y: top, width: Math.max(1, right - left - 2), height, rx: 3, class: "band-range" });
+}

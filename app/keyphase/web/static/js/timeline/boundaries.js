@@ -1,0 +1,150 @@
+/** Boundaries: glyphs and times in their row, lines and uncertainty intervals over all tracks. */
+
+import { svg } from "../dom.js";
+import { time as timeText } from "../format.js";
+import { glyph, originColor } from "./glyphs.js";
+import { textWidth } from "./text_width.js";
+
+/** Confidence below which a boundary is unsure, as long as nobody accepted it. */
+export const UNSURE_BELOW = 0.75;
+
+/** @param {import("../types.js").Boundary} boundary */
+export function isUnsure(boundary) {
+  return !boundary.accepted && boundary.origin !== "user" && boundary.confidence < UNSURE_BELOW;
+}
+
+/** Numbers of the unsure boundaries, the least certain first. @param {import("../types.js").Doc|null} doc */
+export function unsureBoundaries(doc) {
+  if (!doc) return [];
+  const numbers = doc.boundaries.map((_, index) => index).filter((index) => isUnsure(doc.boundaries[index]));
+  return numbers.sort((a, b) => doc.boundaries[a].confidence - doc.boundaries[b].confidence);
+}
+
+/**
+ * Shaded bands where boundaries may lie, and the stretch of the selected segment; drawn below
+ * the curves.
+ */
+export function drawIntervals(state, scale, layout, bottom) {
+  const { document: doc, selected } = state;
+  const top = layout.rows.get("boundaries").y;
+  const bandBottom = layout.headHeight;
+  const nodes = [];
+  doc.boundaries.forEach((boundary) => {
+    const [low, high] = boundary.interval_s;
+    if (high < scale.from || low > scale.to) return;
+    const left = Math.max(scale.x(low), 0);
+    const right = Math.min(Math.max(scale.x(high), left + 3), scale.width);
+    nodes.push(svg("rect", { x: left, y: top, width: Math.max(0, right - left), height: bottom - top,
+      class: `interval ${boundary.origin}`, style: { fill: originColor(boundary.origin) } }));
+  });
+  const segment = doc.segments[selected];
+  if (segment) {
+    const left = Math.max(scale.x(segment.start_s), 0);
+    const right = Math.min(scale.x(segment.end_s), scale.width);
+    if (right > left) nodes.push(svg("rect", { x: left, y: bandBottom, width: right - left, height: bottom - bandBottom, class: "selected-stretch" }));
+  }
+  return nodes;
+}
+
+/** Lines over all tracks, ticks in the band, glyphs and times in the boundaries' own row. */
+export function drawBoundaries(state, scale, layout, bottom) {
+  const { document: doc, hovered, current, drag, folded } = state;
+  const row = layout.rows.get("boundaries");
+  const band = layout.rows.get("segments");
+  const lineBottom = folded.has("boundaries") ? layout.headHeight : bottom;
+  const texts = createTextRow(scale.width);
+  const nodes = [];
+  doc.boundaries.forEach((boundary, index) => {
+    const time = drag?.boundary === index ? drag.time : boundary.time_s;
+    if (boundary.was_s !== null || drag?.boundary === index) {
+      const was = drag?.boundary === index ? boundary.time_s : boundary.was_s;
+      nodes.push(...drawWas(scale, was, row, lineBottom));
+    }
+    const x = scale.x(time);
+    if (x < -6 || x > scale.width + 6) return;
+    const strong = index === hovered || index === current;
+    const color = originColor(boundary.origin);
+    const middle = row.y + row.height / 2;
+    const group = svg("g", { class: `boundary ${strong ? "strong" : ""}`, data: { boundary: index, origin: boundary.origin } });
+    group.append(
+      svg("path", { d: `M${x} ${middle}V${lineBottom}`, class: "boundary-line", style: { stroke: color } }),
+      svg("rect", { x: x - 1.5, y: band.y + 4, width: 3, height: band.height - 8, style: { fill: color } }),
+      strong ? svg("circle", { cx: x, cy: middle, r: 9, class: "halo", style: { fill: color } }) : "",
+      glyph(boundary.origin, { x, y: middle, filled: boundary.contact_change }),
+    );
+    nodes.push(group);
+    texts.add(boundary, time, x, middle + 3.6, strong);
+  });
+  return [...nodes, ...texts.draw()];
+}
+
+/** Where it was before a hand moved it. */
+function drawWas(scale, was, row, bottom) {
+  const x = scale.x(was);
+  if (x < 0 || x > scale.width) return [];
+  return [
+    svg("path", { d: `M${x} ${row.y + 4}V${bottom}`, class: "was-line" }),
+    svg("circle", { cx: x, cy: row.y + row.height / 2, r: 3, class: "was-mark" }),
+  ];
+}
+
+/**
+ * The times beside the glyphs. One that would run into its neighbour moves to the other side or
+ * is left out; strong and unsure ones come first.
+ */
+function createTextRow(width) {
+  /** @type {{left: number, right: number}[]} */
+  const taken = [];
+  const wanted = [];
+  return {
+    add(boundary, time, x, y, strong) {
+      taken.push({ left: x - 7, right: x + 7 });
+      wanted.push({ boundary, time, x, y, strong });
+    },
+    draw() {
+      const rank = ({ boundary, strong }) => (strong ? 0 : isUnsure(boundary) ? 1 : 2);
+      const nodes = [];
+      for (const text of wanted.sort((a, b) => rank(a) - rank(b))) {
+        const node = placeText(text, taken, width);
+        if (node) nodes.push(node);
+      }
+      return nodes;
+    },
+  };
+}
+
+function placeText({ boundary, time, x, y, strong }, taken, width) {
+  const main = timeText(time);
+  const doubt = isUnsure(boundary) ? ` ${boundary.confidence.toFixed(2)}` : "";
+  const wide = textWidth(main, strong ? "700 10.5px" : "500 10.5px") + (doubt ? textWidth(doubt, "700 10.5px") : 0);
+  const sides = [
+    { left: x + 11, right: x + 11 + wide, anchor: "start", at: x + 11 },
+    { left: x - 10 - wide, right: x - 10, anchor: "end", at: x - 10 },
+  ];
+  if (boundary.was_s !== null && boundary.was_s > time) sides.reverse();
+  const free = sides.find(({ left, right }) => left >= 0 && right <= width &&
+    taken.every((other) => right < other.left || left > other.right || isOwn(other, x)));
+  if (!free) return null;
+  taken.push({ left: free.left - 4, right: free.right + 4 });
+  const text = svg("text", { x: free.at, y, "text-anchor": free.anchor, class: `boundary-time ${strong ? "strong" : ""}`, text: main });
+  if (doubt) text.append(svg("tspan", { class: "unsure", text: doubt }));
+  return text;
+}
+
+const isOwn = ({ left, right }, x) => right - left === 14 && Math.abs(left + 7 - x) < 1e-6;
+
+/** Boundaries that would come or go if the held slider were let go now. */
+export function drawGhosts(state, scale, layout, bottom) {
+  const row = layout.rows.get("boundaries");
+  const nodes = [];
+  for (const { time_s: time, origin, fate } of state.ghost ?? []) {
+    const x = scale.x(time);
+    if (x < 0 || x > scale.width) continue;
+    const color = originColor(origin);
+    nodes.push(svg("g", { class: `ghost ${fate}`, data: { fate } },
+      svg("path", { d: `M${x} ${row.y + row.height / 2}V${bottom}`, style: { stroke: color } }),
+      svg("g", {}, glyph(origin, { x, y: row.y + row.height / 2, filled: false })),
+      svg("text", { x: x + 9, y: row.y + row.height / 2 + 3.6, class: "ghost-text", style: { fill: color }, text: fate === "comes" ? "+" : "−" })));
+  }
+  return nodes;
+}

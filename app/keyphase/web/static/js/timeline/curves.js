@@ -1,0 +1,185 @@
+/**
+ * One uPlot chart of a track: curves and grid lines only. Axis labels, marks and gestures are our
+ * overlay's, so that all rows share one time axis and one look.
+ */
+
+/* global uPlot */
+
+import { upperBound, valueAt } from "../signals.js";
+
+const PADDING_PX = { top: 7, bottom: 6 };
+const FOLDED_PADDING_PX = { top: 3, bottom: 3 };
+
+/**
+ * @typedef {{color: string, width: number, dash?: number[]}} Pen  color: a CSS variable's name
+ * @typedef {{low: number, high: number, ticks: number[], map: (value: number) => number}} Range
+ *   `map` takes a value to where it is drawn (identity, or a logarithm); low and high are mapped.
+ */
+
+/** The value of a CSS variable now. @param {string} name */
+export function cssColor(name) {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
+/**
+ * @param {HTMLElement} parent
+ * @param {Pen[]} pens one per series
+ * @param {(chart: any, box: Box) => void} [drawBelow] paints under the curves
+ * @typedef {{left: number, top: number, width: number, height: number, y: (value: number) => number}} Box
+ */
+export function createCurves(parent, pens, drawBelow) {
+  /** @type {Range} */
+  let range = { low: 0, high: 1, ticks: [], map: (value) => value };
+  let view = { from: 0, to: 1 };
+  let size = { width: 0, height: 0, folded: false };
+  let chart = null;
+  let data = null;
+  let shown = null;
+  let penColors = pens.map((pen) => cssColor(pen.color));
+  let gridColor = cssColor("--grid");
+
+  const padding = () => (size.folded ? FOLDED_PADDING_PX : PADDING_PX);
+  /** Pixels from the track's top to a value. */
+  const y = (value) => {
+    const { top, bottom } = padding();
+    const share = (range.map(value) - range.low) / (range.high - range.low);
+    return size.height - bottom - share * (size.height - top - bottom);
+  };
+
+  function paintGround(plot) {
+    const ratio = devicePixelRatio;
+    const { ctx, bbox } = plot;
+    ctx.save();
+    ctx.scale(ratio, ratio);
+    ctx.strokeStyle = gridColor;
+    ctx.lineWidth = 1;
+    ctx.beginPath();
+    for (const tick of size.folded ? [] : range.ticks) {
+      const level = Math.round(y(tick)) + 0.5;
+      ctx.moveTo(0, level);
+      ctx.lineTo(bbox.width / ratio, level);
+    }
+    ctx.stroke();
+    drawBelow?.(plot, { left: 0, top: 0, width: size.width, height: size.height, y });
+    ctx.restore();
+  }
+
+  function build() {
+    const { top, bottom } = padding();
+    chart = new uPlot({
+      width: size.width,
+      height: size.height,
+      padding: [top, 0, bottom, 0],
+      cursor: { show: false },
+      legend: { show: false },
+      select: { show: false },
+      scales: {
+        x: { time: false, auto: false, range: () => [view.from, view.to] },
+        y: { auto: false, range: () => [range.low, range.high] },
+      },
+      axes: [{ show: false }, { show: false }],
+      series: [{}, ...pens.map((pen, k) => ({
+        stroke: () => penColors[k],
+        width: pen.width,
+        dash: pen.dash,
+        spanGaps: true,
+        points: { show: false },
+      }))],
+      hooks: { drawClear: [paintGround] },
+    }, data, parent);
+  }
+
+  return {
+    y,
+    /** Where and how large; a change of padding needs a new chart. */
+    resize(width, height, folded) {
+      if (size.width === width && size.height === height && size.folded === folded) return;
+      const rebuild = size.folded !== folded;
+      size = { width, height, folded };
+      if (chart && rebuild) {
+        chart.destroy();
+        chart = null;
+      } else chart?.setSize({ width, height });
+    },
+    /**
+     * @param {import("../types.js").Series[]} series as many as pens
+     * @param {Range} nextRange
+     * @param {import("../types.js").View} nextView
+     */
+    draw(series, nextRange, nextView) {
+      if (size.width < 2 || size.height < 2) return;
+      const sameRange = range.low === nextRange.low && range.high === nextRange.high && range.map === nextRange.map;
+      range = nextRange;
+      view = nextView;
+      if (shown !== series || !sameRange) {
+        data = alignedData(series, range.map);
+        shown = series;
+        chart?.setData(data, false);
+      }
+      if (!chart) build();
+      chart.batch(() => {
+        chart.setScale("x", { min: view.from, max: view.to });
+        chart.setScale("y", { min: range.low, max: range.high });
+      });
+    },
+    /** Draws the same curves again: the threshold below them moved. */
+    repaint() {
+      chart?.redraw(false);
+    },
+    recolor() {
+      penColors = pens.map((pen) => cssColor(pen.color));
+      gridColor = cssColor("--grid");
+      chart?.redraw(false);
+    },
+  };
+}
+
+/**
+ * uPlot wants all series on one set of times; ours are decimated one by one.
+ * @param {import("../types.js").Series[]} series
+ * @param {(value: number) => number} map
+ */
+function alignedData(series, map) {
+  const tables = series.map(({ times, values }) => [times, Array.from(values, map)]);
+  if (tables.length === 1) return tables[0];
+  const [{ times: first }] = series;
+  const alike = series.every(({ times }) => times.length === first.length && times.every((t, k) => t === first[k]));
+  return alike ? [first, ...tables.map(([, values]) => values)] : uPlot.join(tables);
+}
+
+/**
+ * The length of a vector of series, on the times of its first: what a folded track shows.
+ * @param {import("../types.js").Series[]} series
+ * @returns {import("../types.js").Series}
+ */
+export function normOf(series) {
+  if (series.length === 1) return series[0];
+  const { times } = series[0];
+  const squares = Float64Array.from(times, (time, k) => {
+    const others = series.slice(1).reduce((sum, one) => sum + (valueAt(one, time) || 0) ** 2, 0);
+    return series[0].values[k] ** 2 + others;
+  });
+  return { key: "norm", times, values: squares.map(Math.sqrt) };
+}
+
+/** Least and greatest value of several series. @param {import("../types.js").Series[]} series */
+export function extent(series) {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const { values } of series) {
+    for (const value of values) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  return Number.isFinite(low) ? { low, high } : { low: 0, high: 1 };
+}
+
+/** Calls `visit` with every sample between two times and one beyond on either side. */
+export function eachSample({ times, values }, from, to, visit) {
+  const start = Math.max(0, upperBound(times, from) - 1);
+  for (let k = start; k < times.length; k++) {
+    visit(times[k], values[k]);
+    if (times[k] > to) return;
+  }
+}

@@ -1,0 +1,60 @@
+/** What lies under the pointer on the timeline. */
+
+const BOUNDARY_PX = 5;
+const THRESHOLD_PX = 4;
+const HANDLE_PX = 6;
+
+/**
+ * @typedef {{kind: "overview"|"overview-from"|"overview-to"|"ruler"|"boundary"|"segment"|
+ *   "threshold"|"track"|"none", boundary?: number, segment?: number}} Hit
+ */
+
+/**
+ * @param {import("../store.js").State} state
+ * @param {any} timeline
+ * @param {number} x px from the plot's left edge
+ * @param {number} y px from the timeline's top
+ * @returns {Hit}
+ */
+export function hitTest(state, timeline, x, y) {
+  const { document: doc } = state;
+  const layout = timeline.layout();
+  if (!doc || !layout.rows.size) return { kind: "none" };
+  const inRow = (key) => y >= layout.rows.get(key).y && y < layout.rows.get(key).y + layout.rows.get(key).height;
+  if (inRow("overview")) return overviewHit(state, x);
+  if (x > state.plotWidth) return nearThreshold(state, timeline, y, 9) ? { kind: "threshold" } : { kind: "none" };
+  if (inRow("ruler")) return { kind: "ruler" };
+  const boundary = boundaryAt(doc, timeline.scale(), x);
+  if (boundary >= 0) return { kind: "boundary", boundary };
+  if (inRow("segments")) return { kind: "segment", segment: segmentAt(doc, timeline.scale().time(x)) };
+  if (nearThreshold(state, timeline, y, THRESHOLD_PX)) return { kind: "threshold" };
+  return { kind: "track" };
+}
+
+function overviewHit({ document: doc, view, plotWidth }, x) {
+  const at = (time) => ((time - doc.start_s) / (doc.end_s - doc.start_s)) * plotWidth;
+  if (Math.abs(x - at(view.from)) <= HANDLE_PX) return { kind: "overview-from" };
+  if (Math.abs(x - at(view.to)) <= HANDLE_PX) return { kind: "overview-to" };
+  return { kind: "overview" };
+}
+
+function nearThreshold(state, timeline, y, reach) {
+  const at = timeline.thresholdY(state.heldThreshold ?? state.document.threshold);
+  return at !== null && Math.abs(at - y) <= reach;
+}
+
+function boundaryAt(doc, scale, x) {
+  let best = -1;
+  let distance = BOUNDARY_PX;
+  doc.boundaries.forEach(({ time_s: time }, index) => {
+    const away = Math.abs(scale.x(time) - x);
+    if (away <= distance) [best, distance] = [index, away];
+  });
+  return best;
+}
+
+/** Number of the segment around a time. @param {import("../types.js").Doc} doc @param {number} time */
+export function segmentAt(doc, time) {
+  const index = doc.segments.findIndex(({ end_s: end }) => time < end);
+  return index < 0 ? doc.segments.length - 1 : index;
+}

@@ -1,0 +1,54 @@
+/** The whole recording in one line: error curve, segments, the part in view, the playhead. */
+
+import { svg } from "../dom.js";
+import { curvesOf } from "../signals.js";
+import { segmentFill } from "./band.js";
+import { createScale } from "./scale.js";
+
+const LOWEST = 0.3;
+
+/**
+ * @param {import("../store.js").State} state
+ * @param {import("./rows.js").Row} row
+ * @param {number} width
+ */
+export function drawOverview(state, { y, height }, width) {
+  const { document: doc, view } = state;
+  const scale = createScale({ from: doc.start_s, to: doc.end_s }, width);
+  const strip = doc.segments.map((segment) => {
+    const x = scale.x(segment.start_s);
+    const wide = Math.max(1, scale.x(segment.end_s) - x - 1);
+    return svg("rect", { x: x + 0.5, y: y + height - 7, width: wide, height: 4, rx: 1,
+      style: { fill: segment.kept ? segmentFill(segment) : "var(--hatch-line)" } });
+  });
+  const from = scale.x(view.from);
+  const to = scale.x(view.to);
+  return [
+    svg("rect", { y, width, height, class: "overview-ground" }),
+    ...strip,
+    drawCurve(state, scale, y, height),
+    svg("rect", { y, width: Math.max(0, from), height, class: "overview-outside" }),
+    svg("rect", { x: to, y, width: Math.max(0, width - to), height, class: "overview-outside" }),
+    svg("rect", { x: from, y: y + 1.5, width: Math.max(2, to - from), height: height - 3, rx: 3, class: "overview-window" }),
+    ...[from, to].map((x) => svg("rect", { x: x - 3, y: y + height / 2 - 6, width: 6, height: 12, rx: 2, class: "overview-handle" })),
+  ];
+}
+
+/** The error over the whole recording, or the speed where no force was recorded. */
+function drawCurve(state, scale, y, height) {
+  const whole = { ...state, fine: null };
+  const error = curvesOf(whole, "error")?.series[0];
+  const series = error ?? curvesOf(whole, "speed")?.series[0];
+  if (!series) return null;
+  const { times, values } = series;
+  const top = values.reduce((most, value) => Math.max(most, value), 1e-9);
+  const share = error
+    ? (value) => Math.log10(Math.max(value, LOWEST) / LOWEST) / Math.log10(Math.max(top, 3) / LOWEST)
+    : (value) => value / top;
+  let d = "";
+  for (let k = 0; k < times.length; k++) {
+    const level = y + height - 9 - share(values[k]) * (height - 13);
+    d += `${k ? "L" : "M"}${scale.x(times[k]).toFixed(1)} ${level.toFixed(1)}`;
+  }
+  return svg("path", { d, class: "overview-curve" });
+}

@@ -1,0 +1,122 @@
+/** The pointer on the timeline: hovering, gestures, wheel, double click, context menu. */
+
+import { startGesture } from "./gestures.js";
+import { hitTest } from "./hit.js";
+import { clampView, zoomView } from "./scale.js";
+
+const CLICK_PX = 3;
+const CURSORS = {
+  "overview-from": "ew-resize", "overview-to": "ew-resize", overview: "grab", ruler: "ew-resize",
+  boundary: "ew-resize", segment: "pointer", threshold: "ns-resize", track: "crosshair",
+};
+const WHEEL_ZOOM = 0.0016;
+
+/**
+ * @param {import("../store.js").Store} store
+ * @param {any} timeline
+ * @param {any} actions
+ */
+export function attachPointer(store, timeline, actions) {
+  const { surface, scroller } = timeline;
+  /** @type {import("./gestures.js").Gesture|null} */
+  let gesture = null;
+  let start = { x: 0, y: 0 };
+  let moved = false;
+
+  const at = (event) => {
+    const box = surface.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top, event };
+  };
+
+  function hover(point) {
+    const { document: doc, plotWidth } = store.state;
+    if (!doc || !store.state.view) return;
+    const hit = hitTest(store.state, timeline, point.x, point.y);
+    const ruler = timeline.layout().rows.get("ruler");
+    const inTracks = point.y >= ruler.y && point.x <= plotWidth;
+    surface.style.cursor = CURSORS[hit.kind] ?? "default";
+    store.set({
+      hovered: hit.kind === "boundary" ? hit.boundary : null,
+      pointer: inTracks ? timeline.scale().time(point.x) : null,
+    });
+  }
+
+  surface.addEventListener("pointermove", (event) => {
+    const point = at(event);
+    if (!gesture) return hover(point);
+    moved ||= Math.hypot(point.x - start.x, point.y - start.y) > CLICK_PX;
+    if (!moved) return undefined;
+    store.set({ pointer: timeline.scale().time(point.x) });
+    return gesture.move(point);
+  });
+
+  surface.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0 || !store.state.document || !store.state.view) return;
+    start = at(event);
+    moved = false;
+    const hit = hitTest(store.state, timeline, start.x, start.y);
+    gesture = startGesture(store, timeline, actions, hit, start);
+    if (!gesture) return;
+    surface.setPointerCapture(event.pointerId);
+    surface.classList.add("held");
+    if (gesture.cursor) surface.style.cursor = gesture.cursor;
+    surface.focus({ preventScroll: true });
+  });
+
+  function finish(event) {
+    if (!gesture) return;
+    const ending = gesture;
+    gesture = null;
+    surface.classList.remove("held");
+    if (event.type === "pointerup") ending.end(at(event), moved);
+    else ending.cancel?.();
+    hover(at(event));
+  }
+  surface.addEventListener("pointerup", finish);
+  surface.addEventListener("pointercancel", finish);
+  surface.addEventListener("pointerleave", () => {
+    if (!gesture) store.set({ pointer: null, hovered: null });
+  });
+
+  surface.addEventListener("dblclick", (event) => {
+    const point = at(event);
+    const hit = hitTest(store.state, timeline, point.x, point.y);
+    if (hit.kind === "segment") actions.rename(hit.segment);
+    else if (hit.kind === "overview") actions.fit();
+    else if (hit.kind === "threshold") actions.automaticThreshold();
+  });
+
+  surface.addEventListener("contextmenu", (event) => {
+    event.preventDefault();
+    const point = at(event);
+    if (!store.state.document) return;
+    actions.menu(hitTest(store.state, timeline, point.x, point.y), timeline.scale().time(point.x), event);
+  });
+
+  surface.addEventListener("wheel", (event) => {
+    const { document: doc, view } = store.state;
+    if (!doc || !view) return;
+    event.preventDefault();
+    const sideways = event.shiftKey ? event.deltaY : event.deltaX;
+    if (event.altKey) {
+      scroller.scrollTop += event.deltaY;
+    } else if (Math.abs(sideways) > Math.abs(event.shiftKey ? 0 : event.deltaY)) {
+      const by = (sideways / store.state.plotWidth) * (view.to - view.from);
+      store.set({ view: clampView(view.from + by, view.to + by, doc) });
+    } else {
+      const anchor = timeline.scale().time(Math.min(Math.max(at(event).x, 0), store.state.plotWidth));
+      store.set({ view: zoomView(view, Math.exp(-event.deltaY * WHEEL_ZOOM), anchor, doc) });
+    }
+  }, { passive: false });
+
+  return {
+    /** Gives up what is being dragged. @returns {boolean} whether anything was */
+    cancel() {
+      if (!gesture) return false;
+      gesture.cancel?.();
+      gesture = null;
+      surface.classList.remove("held");
+      return true;
+    },
+  };
+}

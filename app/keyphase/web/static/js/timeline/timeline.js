@@ -1,0 +1,222 @@
+/**
+ * The timeline: rows on one time axis. This file owns the elements and says what is drawn anew
+ * when; every kind of row draws itself in a file of its own.
+ */
+
+import { el, svg } from "../dom.js";
+import { drawBand } from "./band.js";
+import { drawBoundaries, drawGhosts, drawIntervals } from "./boundaries.js";
+import { withDrag } from "./drag.js";
+import { createErrorTrack } from "./error_track.js";
+import { createGutter } from "./gutter.js";
+import { drawOverview } from "./overview.js";
+import { layOut, TRACKS, tracksOf } from "./rows.js";
+import { createPlayhead, drawRuler } from "./ruler.js";
+import { createScale } from "./scale.js";
+import { createTrack } from "./tracks.js";
+
+const MARGIN_PX = { large: 42, small: 34 };
+const GUTTER_PX = { large: 172, small: 132 };
+
+/**
+ * @param {HTMLElement} pane
+ * @param {import("../store.js").Store} store
+ * @param {{acceptNames: () => void}} actions
+ */
+export function createTimeline(pane, store, actions) {
+  const below = layer("below");
+  const scroller = el("div", { class: "tracks" });
+  const content = el("div", { class: "tracks-content" });
+  const above = layer("above");
+  const groups = {
+    intervals: svg("g"), overview: svg("g"), ruler: svg("g"), band: svg("g"), boundaries: svg("g"),
+    ghosts: svg("g"), pointer: svg("path", { class: "pointer-line" }), playhead: svg("g", { class: "playhead" }),
+    overviewPlayhead: svg("rect", { class: "overview-playhead", width: 1.5 }),
+  };
+  const { clips } = clipPaths();
+  below.append(clips, groups.intervals);
+  above.append(groups.overview, groups.overviewPlayhead, groups.ruler, groups.pointer, groups.band,
+    groups.boundaries, groups.ghosts, groups.playhead);
+  const surface = el("div", { class: "surface", tabindex: "-1" });
+  scroller.append(content);
+  pane.append(below, scroller, above, surface);
+
+  const gutters = createGutters(pane, store, actions);
+  const playhead = createPlayhead(groups.playhead);
+  /** @type {Map<string, any>} */
+  const tracks = new Map();
+  let layout = layOut(store.state);
+
+  function geometry() {
+    const size = store.state.small ? "small" : "large";
+    return { gutter: GUTTER_PX[size], margin: MARGIN_PX[size] };
+  }
+
+  const scale = () => createScale(store.state.view, store.state.plotWidth);
+  const bottom = () => pane.clientHeight;
+
+  /** Creates a track the first time it is shown; hidden ones keep their chart. */
+  function trackOf({ key, title, unit }) {
+    if (tracks.has(key)) return tracks.get(key);
+    const gutter = createGutter({ key, title, unit }, (name) => toggle(store, "folded", name));
+    const plot = el("div", { class: "plot", data: { track: key } });
+    const marks = svg("g", { data: { marks: key } });
+    const holder = svg("svg", { class: "marks" }, marks);
+    const row = el("div", { class: "track", data: { key } }, gutter.node, plot, holder);
+    content.append(row);
+    const parts = { plot, marks, gutter: gutter.body };
+    const drawn = key === "error" ? createErrorTrack(parts, store) : createTrack(key, parts);
+    const track = { ...drawn, row, gutter, holder };
+    tracks.set(key, track);
+    return track;
+  }
+
+  function arrange(state) {
+    if (!state.document) return;
+    const { gutter, margin } = geometry();
+    pane.style.setProperty("--gutter", `${gutter}px`);
+    pane.style.setProperty("--margin", `${margin}px`);
+    store.set({ plotWidth: Math.max(50, pane.clientWidth - gutter - margin) });
+    layout = layOut(state, state.paneHeight);
+    pane.style.setProperty("--head", `${layout.headHeight}px`);
+    content.style.setProperty("height", `${layout.height - layout.headHeight}px`);
+    for (const [key, gutterOf] of gutters) gutterOf.place(layout.rows.get(key));
+    const shown = tracksOf(state);
+    for (const { key } of TRACKS) if (tracks.has(key)) tracks.get(key).row.hidden = true;
+    for (const definition of shown) placeTrack(trackOf(definition), layout.rows.get(definition.key));
+    playhead.lay(layout, bottom());
+    store.set({ layout });
+  }
+
+  function placeTrack(track, row) {
+    track.row.hidden = false;
+    track.row.classList.toggle("short", row.height < 66);
+    track.row.style.setProperty("top", `${row.y - layout.headHeight}px`);
+    track.row.style.setProperty("height", `${row.height}px`);
+    track.gutter.place({ ...row, y: 0 });
+  }
+
+  function drawTracks(state) {
+    if (!isReady(state)) return;
+    for (const { key } of tracksOf(state)) {
+      if (layout.rows.has(key) && tracks.has(key)) tracks.get(key).draw(state, scale(), layout.rows.get(key));
+    }
+    readValues(state);
+  }
+
+  function drawError(state) {
+    if (isReady(state) && layout.rows.has("error")) tracks.get("error")?.draw(state, scale(), layout.rows.get("error"));
+  }
+
+  function drawSegments(plain) {
+    if (!isReady(plain)) return;
+    const state = { ...plain, document: withDrag(plain.document, plain.drag) };
+    const at = scale();
+    groups.intervals.replaceChildren(...drawIntervals(state, at, layout, bottom()));
+    groups.band.replaceChildren(...drawBand(state, at, layout.rows.get("segments")));
+    groups.boundaries.replaceChildren(...drawBoundaries(state, at, layout, bottom()));
+    groups.ghosts.replaceChildren(...drawGhosts(state, at, layout, bottom()));
+    gutters.get("segments").describe(state.document);
+    gutters.get("boundaries").small.textContent = String(state.document.boundaries.length);
+  }
+
+  function drawHead(state) {
+    if (!isReady(state)) return;
+    groups.ruler.replaceChildren(...drawRuler(scale(), layout.rows.get("ruler")));
+    const overview = drawOverview(state, layout.rows.get("overview"), state.plotWidth);
+    groups.overview.replaceChildren(...overview.filter(Boolean));
+  }
+
+  function drawPlayhead(state) {
+    if (!isReady(state)) return;
+    const { document: doc, clock } = state;
+    playhead.move(scale(), clock);
+    const row = layout.rows.get("overview");
+    const x = ((clock - doc.start_s) / (doc.end_s - doc.start_s)) * state.plotWidth;
+    groups.overviewPlayhead.setAttribute("x", (x - 0.75).toFixed(1));
+    groups.overviewPlayhead.setAttribute("y", String(row.y));
+    groups.overviewPlayhead.setAttribute("height", String(row.height));
+  }
+
+  function readValues(state) {
+    if (!isReady(state)) return;
+    const time = state.pointer ?? state.clock;
+    for (const { key } of tracksOf(state)) tracks.get(key)?.read(state, time);
+    const x = state.pointer === null ? -1 : scale().x(state.pointer);
+    const ruler = layout.rows.get("ruler");
+    groups.pointer.setAttribute("d", x < 0 || x > state.plotWidth ? "" : `M${Math.round(x) + 0.5} ${ruler.y + ruler.height}V${bottom()}`);
+  }
+
+  store.on(["document", "folded", "hidden", "small", "paneHeight", "paneWidth"], arrange);
+  store.on(["document", "view", "layout", "plotWidth", "whole"], drawHead);
+  store.on(["document", "view", "layout", "plotWidth", "selected", "hovered", "current", "drag", "range", "ghost", "folded"], drawSegments);
+  store.on(["view", "layout", "plotWidth", "whole", "fine", "folded"], drawTracks);
+  store.on(["document", "heldThreshold", "logarithmic"], drawError);
+  store.on(["clock", "view", "layout", "plotWidth", "document"], drawPlayhead);
+  store.on(["pointer", "clock", "fine", "whole"], readValues);
+  store.on(["dark"], (state) => {
+    for (const track of tracks.values()) track.recolor();
+    drawTracks(state);
+  });
+  new ResizeObserver(() => store.set({ paneWidth: pane.clientWidth, paneHeight: pane.clientHeight })).observe(pane);
+
+  return {
+    surface,
+    scroller,
+    scale,
+    layout: () => layout,
+    /** Height the timeline wants, all rows shown. */
+    naturalHeight: () => layOut(store.state).height,
+    /** The error at a height of the surface, and the threshold line's height there. */
+    errorAt: (y) => tracks.get("error")?.errorAt(y - layout.rows.get("error").y + scroller.scrollTop),
+    thresholdY(threshold) {
+      const row = layout.rows.get("error");
+      if (!row || row.folded || threshold === null) return null;
+      return Math.min(Math.max(tracks.get("error")?.y(threshold) ?? NaN, 2), row.height - 2) + row.y - scroller.scrollTop;
+    },
+  };
+}
+
+const isReady = ({ document: doc, view, plotWidth, layout }) => Boolean(doc && view && plotWidth && layout);
+
+function layer(name) {
+  return svg("svg", { class: `layer ${name}` });
+}
+
+/** The hatch of dropped segments. */
+function clipPaths() {
+  const hatch = svg("pattern", { id: "hatch", width: 6, height: 6, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" },
+    svg("rect", { width: 6, height: 6, style: { fill: "var(--hatch)" } }),
+    svg("rect", { width: 2.2, height: 6, style: { fill: "var(--hatch-line)" } }));
+  return { clips: svg("defs", {}, hatch) };
+}
+
+/** @param {import("../store.js").Store} store @param {"folded"|"hidden"} what @param {string} key */
+export function toggle(store, what, key) {
+  const next = new Set(store.state[what]);
+  if (!next.delete(key)) next.add(key);
+  store.set({ [what]: next });
+}
+
+function createGutters(pane, store, actions) {
+  const fold = (name) => toggle(store, "folded", name);
+  const rows = [
+    { key: "overview", title: "Whole recording", foldable: false },
+    { key: "ruler", title: "Time, s", foldable: false },
+    { key: "boundaries", title: "Boundaries" },
+    { key: "segments", title: "Segments" },
+  ];
+  const gutters = new Map(rows.map((row) => [row.key, createGutter(row, fold)]));
+  for (const { node } of gutters.values()) pane.append(node);
+  const segments = gutters.get("segments");
+  const accept = el("button", { type: "button", class: "link", on: { click: actions.acceptNames } });
+  segments.body.append(accept);
+  segments.describe = (doc) => {
+    const kept = doc.segments.filter((segment) => segment.kept).length;
+    segments.small.textContent = store.state.small ? String(doc.segments.length) : `${doc.segments.length}, ${kept} kept`;
+    const proposed = doc.segments.filter((segment) => segment.kept && segment.proposed).length;
+    accept.hidden = proposed === 0 || store.state.readOnly;
+    accept.textContent = `Accept ${proposed} ${proposed === 1 ? "name" : "names"}`;
+  };
+  return gutters;
+}

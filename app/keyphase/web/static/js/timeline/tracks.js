@@ -1,0 +1,123 @@
+/** The plain tracks: position, speed, force, torque, orientation. The error has its own file. */
+
+import { svg } from "../dom.js";
+import { plain, signed } from "../format.js";
+import { curvesOf, valueAt } from "../signals.js";
+import { createCurves, extent, normOf } from "./curves.js";
+import { createReadout } from "./gutter.js";
+import { multiples, tickStep } from "./scale.js";
+
+const AXES = [
+  { key: "x", color: "--axis-x" },
+  { key: "y", color: "--axis-y" },
+  { key: "z", color: "--axis-z" },
+];
+const PENS = {
+  position: { curves: AXES, width: 1.6, digits: 1 },
+  speed: { curves: [{ key: "speed", color: "--curve" }], width: 1.2, digits: 1 },
+  force: { curves: AXES, width: 1.1, digits: 2 },
+  torque: { curves: AXES, width: 1.1, digits: 3 },
+  orientation: { curves: AXES, width: 1.4, digits: 1 },
+};
+const TICK_EVERY_PX = 24;
+const identity = (value) => value;
+
+/** Decimals a track's values are written with. @param {string} key */
+export const digitsOf = (key) => PENS[key]?.digits ?? 1;
+
+/**
+ * @param {string} key
+ * @param {{plot: HTMLElement, marks: SVGElement, gutter: HTMLElement}} parts
+ */
+export function createTrack(key, { plot, marks, gutter }) {
+  const { curves, width, digits } = PENS[key];
+  const open = createCurves(plot, curves.map(({ color }) => ({ color, width })));
+  const folded = createCurves(plot, [{ color: "--text-3", width: 1 }]);
+  const readout = createReadout(gutter, curves);
+  const cache = createCache();
+
+  return {
+    /** @param {import("../store.js").State} state @param {import("./rows.js").Row} row */
+    draw(state, scale, row) {
+      const series = curvesOf(state, key)?.series;
+      plot.classList.toggle("folded", row.folded);
+      if (!series?.length) return marks.replaceChildren();
+      const whole = curvesOf({ ...state, fine: null }, key)?.series ?? series;
+      const active = row.folded ? folded : open;
+      const shown = row.folded ? cache("norm", series, () => [normOf(series)]) : series;
+      const wholeShown = row.folded ? cache("wholeNorm", whole, () => [normOf(whole)]) : whole;
+      const range = cache(`range ${row.height} ${row.folded}`, wholeShown, () => rangeOf(wholeShown, row.height));
+      active.resize(scale.width, row.height, row.folded);
+      active.draw(shown, range, state.view);
+      marks.replaceChildren(...(row.folded ? [] : [...tickLabels(range, active.y), ...endLetters(series, curves, scale, active.y, row.height)]));
+    },
+    /** @param {import("../store.js").State} state @param {number} time */
+    read(state, time) {
+      const series = curvesOf(state, key)?.series ?? [];
+      readout.show(curves.map((_, k) => valueText(series[k], time, digits)));
+    },
+    recolor() {
+      open.recolor();
+      folded.recolor();
+    },
+  };
+}
+
+/** A value with its sign, or a dash where nothing was recorded. */
+export function valueText(series, time, digits) {
+  const value = series ? valueAt(series, time) : NaN;
+  return Number.isNaN(value) ? "–" : signed(value, digits);
+}
+
+/** Keeps what was computed from an object until another object comes. */
+function createCache() {
+  const kept = new Map();
+  return (name, source, compute) => {
+    const known = kept.get(name);
+    if (known && known.source === source) return known.value;
+    const value = compute();
+    kept.set(name, { source, value });
+    return value;
+  };
+}
+
+/** A range with air above and below and ticks at round values. */
+function rangeOf(series, height) {
+  const { low, high } = extent(series);
+  const air = Math.max(0.06 * (high - low), 1e-9 + 1e-6 * Math.abs(high));
+  const bottom = low - air;
+  const top = high + air;
+  const step = tickStep(top - bottom, Math.max(1, height / TICK_EVERY_PX));
+  return { low: bottom, high: top, ticks: multiples(bottom, top, step), map: identity };
+}
+
+/** Tick labels stand in the gutter, at the right. */
+export function tickLabels({ ticks }, y) {
+  return ticks.map((tick) => svg("text", { x: -7, y: y(tick) + 3.5, class: "tick", "text-anchor": "end", text: plain(tick) }));
+}
+
+const LETTER_PX = 10;
+
+/** Every curve ends in its letter, so that colour never stands alone. */
+function endLetters(series, curves, scale, y, height) {
+  if (curves.length < 2) return [];
+  const letters = curves.map(({ key, color }, k) => {
+    const last = series[k]?.times.at(-1);
+    const value = series[k] ? valueAt(series[k], Math.min(scale.to, last)) : NaN;
+    return { key, color, level: y(value) + 3.5 };
+  }).filter(({ level }) => Number.isFinite(level)).sort((a, b) => a.level - b.level);
+  spread(letters, 9, height - 2);
+  return letters.map(({ key, color, level }) => svg("text", { x: scale.width + 6, y: level, class: "end-letter", style: { fill: `var(${color})` }, text: key }));
+}
+
+/** Moves letters that would overlap apart, within the track. */
+function spread(letters, top, bottom) {
+  letters.forEach((letter, k) => {
+    const least = k ? letters[k - 1].level + LETTER_PX : top;
+    letter.level = Math.max(letter.level, least);
+  });
+  for (let k = letters.length - 1; k >= 0; k--) {
+    const most = k === letters.length - 1 ? bottom : letters[k + 1].level - LETTER_PX;
+    letters[k].level = Math.min(letters[k].level, most);
+  }
+}

@@ -1,0 +1,87 @@
+/** The popover that says why a boundary is there: the evidence, the interval, the confidence. */
+
+import { el } from "../dom.js";
+import { halfWidth, signed, time as timeText } from "../format.js";
+import { glyphIcon, originColor } from "./glyphs.js";
+import { UNSURE_BELOW } from "./boundaries.js";
+
+const NAMES = { position: "position", force: "force", both: "position and force", user: "set by hand" };
+
+/**
+ * @param {HTMLElement} node the popover
+ * @param {Object<string, (boundary: number) => void>} actions accept, next, remove
+ */
+export function createWhy(node, actions) {
+  let shown = "";
+  return {
+    /** @param {import("../types.js").Doc} doc @param {number} index */
+    show(doc, index, readOnly) {
+      const key = `${doc.revision} ${index} ${document.documentElement.dataset.size}`;
+      node.hidden = false;
+      if (key === shown) return;
+      shown = key;
+      const boundary = doc.boundaries[index];
+      node.replaceChildren(
+        heading(boundary, index), tags(boundary),
+        ...boundary.why.sentences.map(sentence), evidence(boundary),
+        readOnly ? "" : buttons(boundary, index, actions));
+      node.dataset.boundary = String(index);
+    },
+    hide() {
+      node.hidden = true;
+      shown = "";
+    },
+  };
+}
+
+function heading(boundary, index) {
+  return el("h4", {}, glyphIcon(boundary.origin, boundary.contact_change), `Boundary ${index + 1}`,
+    el("span", { class: "space" }), el("span", { text: `${timeText(boundary.time_s)} s` }));
+}
+
+function tags({ origin, contact_change: contact, accepted }) {
+  const tag = (text, color) => el("span", { class: "tag", style: { "--tag": color }, text });
+  return el("p", { class: "tags" }, tag(NAMES[origin], originColor(origin)),
+    contact ? tag("contact change", "var(--origin-force)") : "",
+    accepted ? tag("accepted", "var(--good)") : "");
+}
+
+/** Numbers in a sentence stand out; everything stays text. */
+function sentence(text) {
+  const parts = text.split(/(\d[\d.,]*(?: ×)?)/);
+  return el("p", {}, ...parts.map((part, k) => (k % 2 ? el("b", { text: part }) : part)));
+}
+
+function evidence(boundary) {
+  const { why, confidence, interval_s: interval, origin } = boundary;
+  const grid = el("div", { class: "evidence" });
+  const largest = Math.max(...why.steps.map(({ value }) => Math.abs(value)), 1e-9);
+  for (const { name, value, unit, axis } of why.steps) {
+    const strongest = Math.abs(value) === largest;
+    const digits = unit === "N m" ? 3 : 1;
+    grid.append(el("span", { text: name, class: strongest ? "strongest" : "step" }),
+      bar(Math.abs(value) / largest, axis ? `var(--axis-${axis})` : "var(--curve)", strongest ? "strongest" : "step"),
+      el("span", { class: `amount ${strongest ? "strongest" : "step"}`, text: `${signed(value, digits)} ${unit}` }));
+  }
+  grid.append(el("span", { text: "Interval" }), whiskers(originColor(origin)), el("span", { class: "amount", text: halfWidth(interval) }));
+  const sure = confidence >= UNSURE_BELOW ? "var(--good)" : "var(--unsure)";
+  grid.append(el("span", { text: "Confidence" }), bar(confidence, sure, ""), el("span", { class: "amount", text: confidence.toFixed(2) }));
+  return grid;
+}
+
+function bar(share, color, name) {
+  return el("div", { class: `bar ${name}` },
+    el("i", { style: { width: `${Math.min(100, 100 * share).toFixed(1)}%`, background: color } }));
+}
+
+function whiskers(color) {
+  return el("div", { class: "whiskers", style: { color } });
+}
+
+function buttons(boundary, index, actions) {
+  const button = (text, key, run, style = "") => el("button", { type: "button", class: style, on: { click: () => run(index) } },
+    text, el("kbd", { text: key }));
+  return el("div", { class: "buttons" },
+    boundary.accepted ? "" : button("Accept", "↵", actions.accept, "primary"),
+    button("Next", "N", actions.next), button("Remove", "⌫", actions.remove));
+}
