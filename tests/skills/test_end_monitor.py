@@ -1,0 +1,157 @@
+"""How a skill that runs comes to its end."""
+
+import numpy as np
+import pytest
+from strokes import H, lowered, segment, turn
+
+from keyphase.segmentation.end_condition import ContactEnd
+from keyphase.skills import quaternions
+from keyphase.skills.end_monitor import start_monitor
+from keyphase.skills.library import skill_of
+from keyphase.skills.rollout import rollout
+
+NO_FORCE = np.zeros(3)
+UPRIGHT = np.array(quaternions.IDENTITY)
+
+
+@pytest.fixture(scope="module")
+def until_contact():
+    """Down 100 mm until the force along z has risen by 3 N."""
+    return skill_of(lowered(), segment(0.0, 1.2, ContactEnd((0.0, 0.0, 1.0), 3.0)))
+
+
+@pytest.fixture(scope="module")
+def until_configuration():
+    return skill_of(lowered(), segment(0.0, 1.2))
+
+
+def phases(skill, times_s):
+    return np.exp(-3.0 * times_s / skill.primitive.duration_s)
+
+
+def outcome_of(skill, force_at, shift_m=(0.0, 0.0, 0.0), run_s=None, position_at=None):
+    """Outcome and time when the skill follows its own rollout under `force_at(time, height)`."""
+    run_s = 1.1 * skill.timeout_s if run_s is None else run_s
+    motion = rollout(skill.primitive, H, run_s=run_s)
+    phase = phases(skill, motion.time_s)
+    monitor = start_monitor(skill, force_at(0.0, 0.3 + shift_m[2]), shift_m)
+    for k, time in enumerate(motion.time_s):
+        position = motion.position_m[k] if position_at is None else position_at(time)
+        position = position + np.asarray(shift_m)
+        force = np.asarray(force_at(time, position[2]), float)
+        monitor, outcome = monitor.step(position, UPRIGHT, force, phase[k], H)
+        if outcome:
+            return outcome, monitor.time_s
+    return None, run_s
+
+
+def table_at(height_m, stiffness=2000.0):
+    return lambda _, height: (0.0, 0.0, max(0.0, stiffness * (height_m - height)))
+
+
+def free(time, height):
+    return NO_FORCE
+
+
+def test_it_ends_at_the_contact(until_contact):
+    outcome, time_s = outcome_of(until_contact, table_at(0.2))
+    assert outcome == "contact"
+    assert time_s == pytest.approx(1.25, abs=0.06)
+
+
+@pytest.mark.parametrize("higher_m", [-0.01, -0.005, 0.01, 0.02])
+def test_it_ends_at_a_table_that_is_higher_or_lower(until_contact, higher_m):
+    outcome, _ = outcome_of(until_contact, table_at(0.2 + higher_m))
+    assert outcome == "contact"
+
+
+def test_it_ends_at_the_contact_when_everything_is_moved(until_contact):
+    moved = (0.1, -0.2, 0.15)
+    outcome, _ = outcome_of(until_contact, table_at(0.35), shift_m=moved)
+    assert outcome == "contact"
+
+
+def test_a_contact_that_is_already_there_does_not_count_again(until_contact):
+    outcome, _ = outcome_of(until_contact, lambda *_: (0.0, 0.0, 8.0))
+    assert outcome == "timeout"
+
+
+def test_friction_that_starts_with_the_motion_is_no_contact(until_contact):
+    outcome, time_s = outcome_of(
+        until_contact,
+        lambda time, height: (0.0, 0.0, 4.0 * (time > 0.1) + table_at(0.2)(time, height)[2]),
+    )
+    assert outcome == "contact"
+    assert time_s > 1.2
+
+
+def test_a_blip_shorter_than_the_debounce_is_no_contact(until_contact):
+    blip = outcome_of(until_contact, lambda time, _: (0.0, 0.0, 9.0 * (1.1 < time < 1.115)))
+    push = outcome_of(until_contact, lambda time, _: (0.0, 0.0, 9.0 * (1.1 < time < 1.15)))
+    assert blip[0] == "timeout"
+    assert push == ("contact", pytest.approx(1.124, abs=0.006))
+
+
+def test_forces_across_the_direction_are_no_contact(until_contact):
+    outcome, _ = outcome_of(until_contact, lambda time, _: (9.0 * (time > 1.0), 0.0, 0.0))
+    assert outcome == "timeout"
+
+
+def test_a_large_force_from_anywhere_is_unexpected(until_contact, until_configuration):
+    def bump(time, height):
+        return (20.0 * (time > 0.4), 0.0, 0.0)
+
+    for skill in (until_contact, until_configuration):
+        outcome, time_s = outcome_of(skill, bump)
+        assert outcome == "unexpected contact"
+        assert time_s == pytest.approx(0.42, abs=0.01)
+
+
+def test_without_contact_it_times_out_after_three_durations(until_contact):
+    outcome, time_s = outcome_of(until_contact, free)
+    assert outcome == "timeout"
+    assert time_s == pytest.approx(3.0 * until_contact.primitive.duration_s, abs=0.01)
+
+
+def test_further_than_offset_and_margin_is_too_far(until_contact):
+    outcome, time_s = outcome_of(
+        until_contact, free, position_at=lambda time: np.array([0.0, 0.0, 0.3 - 0.1 * time])
+    )
+    assert outcome == "too far"
+    assert time_s == pytest.approx(1.3, abs=0.02)
+
+
+def test_a_configuration_is_reached_within_its_tolerances(until_configuration):
+    outcome, time_s = outcome_of(until_configuration, free)
+    assert outcome == "reached"
+    assert 0.8 * 1.2 < time_s <= 1.21
+
+
+def test_a_configuration_in_the_wrong_orientation_is_not_reached(until_configuration):
+    monitor = start_monitor(until_configuration, NO_FORCE)
+    tilted = quaternions.from_rotation_vector(np.array([np.radians(4.0), 0.0, 0.0]))
+    end = until_configuration.end_position_m
+    assert monitor.step(end, tilted, NO_FORCE, 0.05, H)[1] is None
+    assert monitor.step(end, UPRIGHT, NO_FORCE, 0.05, H)[1] == "reached"
+    assert monitor.step(end, -UPRIGHT, NO_FORCE, 0.05, H)[1] == "reached"
+
+
+def test_a_path_that_starts_at_its_goal_is_not_reached_at_once(until_configuration):
+    monitor = start_monitor(until_configuration, NO_FORCE)
+    end = until_configuration.end_position_m
+    assert monitor.step(end, UPRIGHT, NO_FORCE, 1.0, H)[1] is None
+
+
+def test_where_no_orientation_was_recorded_none_is_asked_for():
+    bare = lowered()
+    bare = type(bare)("bare", bare.time_s, bare.position_m)
+    skill = skill_of(bare, segment(0.0, 1.2))
+    monitor = start_monitor(skill, NO_FORCE)
+    assert monitor.step(skill.end_position_m, turn(90.0)[-1], NO_FORCE, 0.05, H)[1] == "reached"
+
+
+def test_a_monitor_is_a_value(until_contact):
+    monitor = start_monitor(until_contact, NO_FORCE)
+    monitor.step(np.array([0.0, 0.0, 0.2]), UPRIGHT, np.array([0.0, 0.0, 9.0]), 0.1, H)
+    assert monitor.time_s == 0.0
+    assert not monitor.armed
