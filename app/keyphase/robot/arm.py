@@ -49,7 +49,9 @@ class Arm:
         q = self._configuration(np.asarray(joints_rad, dtype=np.float64))
         axes = pinocchio.LOCAL_WORLD_ALIGNED
         jacobian = pinocchio.computeFrameJacobian(self.model, data, q, self.frame, axes)
-        return pinocchio.updateFramePlacement(self.model, data, self.frame), jacobian
+        # For a single joint Pinocchio's array has lost its second axis.
+        columns = jacobian.reshape(6, -1)
+        return pinocchio.updateFramePlacement(self.model, data, self.frame), columns
 
     @cached_property
     def _all_are_angles(self) -> bool:
