@@ -166,6 +166,19 @@ def test_a_path_without_a_recording_is_refused(tmp_path: Path, name: str, reason
         read(tmp_path / name)
 
 
+@pytest.mark.parametrize("name", ["n" * 300, "no\0name", "blocked/recording.csv"])
+def test_a_path_that_cannot_be_looked_at_is_refused(tmp_path: Path, name: str) -> None:
+    (tmp_path / "blocked").mkdir(mode=0)
+    with pytest.raises(DemonstrationError, match="no such file"):
+        read(tmp_path / name)
+
+
+def test_the_longest_possible_name_is_read_and_saved(tmp_path: Path) -> None:
+    path = tmp_path / f"{'n' * 251}.csv"
+    save_csv(read(write(tmp_path, HEADER, *ROWS)), path)
+    assert len(read(path)) == 3
+
+
 def test_forces_read_as_forces(tmp_path: Path) -> None:
     demonstration = read(write(tmp_path, FORCES, "0,1,2,3,4,5,6", "1,1,2,3,4,5,6"))
     assert demonstration.force_N is not None

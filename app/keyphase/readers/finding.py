@@ -35,7 +35,7 @@ def find_recordings(
     """
     found: dict[str, Found] = {}
     for path in map(Path, paths):
-        inside = _in_folder(path, recipe) if path.is_dir() else [Found(path, Path(path.name))]
+        inside = _in_folder(path, recipe) if os.path.isdir(path) else [Found(path, Path(path.name))]
         for recording in inside:
             found.setdefault(os.path.abspath(recording.path), recording)
     return tuple(found.values())
@@ -44,13 +44,13 @@ def find_recordings(
 def own_recipe(path: Path) -> Path | None:
     """The recipe of the one table at `path`, `<file>.recipe.toml`, where it is there."""
     recipe = path.with_name(path.name + RECIPE_SUFFIX)
-    return recipe if recipe.is_file() else None
+    return recipe if os.path.isfile(recipe) else None
 
 
 def folder_recipe(path: Path) -> Path | None:
     """The recipe of all tables in the folder of `path`, `recipe.toml`, where it is there."""
     recipe = path.with_name(FOLDER_RECIPE)
-    return recipe if recipe.is_file() else None
+    return recipe if os.path.isfile(recipe) else None
 
 
 def begins_native(path: Path) -> bool:
@@ -68,7 +68,7 @@ def _in_folder(folder: Path, recipe: Path | str | None) -> Iterator[Found]:
         folders[:] = [name for name in folders if not name.startswith(".")]
         paths += [Path(parent, name) for name in files if not name.startswith(".")]
     for path in sorted(paths, key=lambda path: path.relative_to(folder).parts):
-        if path.is_file() and _is_recording(path, recipe is not None):
+        if os.path.isfile(path) and _is_recording(path, recipe is not None):
             yield Found(path, path.relative_to(folder))
 
 

@@ -31,11 +31,11 @@ def read_whole(path: Path, limit_bytes: int) -> WholeFile:
 
     Raises DemonstrationError where there is none, or it is empty, too large or unreadable.
     """
-    if path.is_dir():
+    if os.path.isdir(path):
         raise DemonstrationError(
             f"{path}: expected a recording, but this is a folder; name a file in it."
         )
-    if not path.is_file():
+    if not os.path.isfile(path):
         raise DemonstrationError(
             f"{path}: expected a recording, but there is no such file; check the path."
         )
@@ -71,7 +71,7 @@ def write_whole(path: Path, data: bytes) -> None:
 
 
 def _replace(path: Path, data: bytes) -> None:
-    temporary = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
+    temporary = path.with_name(f".keyphase-{secrets.token_hex(8)}")
     try:
         with temporary.open("xb") as file:
             file.write(data)
