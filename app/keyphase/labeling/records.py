@@ -26,9 +26,9 @@ class ReadRecords:
 
 def encode(record: Record) -> bytes:
     """The line that holds a record: CRC-32 of the JSON in eight hexadecimal digits, the JSON."""
-    content = json.dumps(
-        record, ensure_ascii=False, allow_nan=False, separators=(",", ":")
-    ).encode()
+    text = json.dumps(record, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    # A file name that is no valid UTF-8 holds lone surrogates; as escapes they are valid JSON.
+    content = text.encode(errors="backslashreplace")
     return b"%08x %s\n" % (zlib.crc32(content), content)
 
 

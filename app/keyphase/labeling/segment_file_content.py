@@ -59,7 +59,8 @@ def segment_file_content(labeling: Labeling, path: Path) -> dict[str, Any]:
 def as_json(content: dict[str, Any]) -> bytes:
     """The bytes of a segment file."""
     text = json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False)
-    return f"{text}\n".encode()
+    # A file name that is no valid UTF-8 holds lone surrogates; as escapes they are valid JSON.
+    return f"{text}\n".encode(errors="backslashreplace")
 
 
 def as_csv(content: dict[str, Any]) -> bytes:
@@ -68,7 +69,7 @@ def as_csv(content: dict[str, Any]) -> bytes:
     writer = csv.DictWriter(text, _COLUMNS, lineterminator="\n")
     writer.writeheader()
     writer.writerows(_row(segment, content["plan"]) for segment in content["segments"])
-    return text.getvalue().encode()
+    return text.getvalue().encode(errors="backslashreplace")
 
 
 def relative_path(recording: Path, segment_file: Path) -> str:
