@@ -11,6 +11,9 @@ from keyphase.simulation.impedance import RATE_HZ, Reference
 _STEP_S = 1.0 / RATE_HZ
 X, Y, Z = np.eye(3)
 
+UNTIL_CONTACT = "until contact"
+"""How the names of phases end that wait for a contact change."""
+
 
 @dataclass(frozen=True)
 class Habits:

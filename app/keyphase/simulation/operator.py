@@ -34,14 +34,14 @@ def _setup1(path: HandPath, simulation: Simulation, random: np.random.Generator)
     mating = _mating_pose(simulation)
     seen = random.normal(size=3) * 0.5e-3 * (X + Y)
     above = mating + seen + random.uniform(0.075, 0.095) * Z
-    path.stroke("forward", above, random.uniform(1.2, 1.9))
+    path.stroke("forward", above, random.uniform(1.4, 2.0))
     path.pause("idle", random.uniform(0.6, 1.2))
     pressed = random.uniform(2.4e-3, 3.2e-3)
     path.stroke("down until contact", mating + seen - pressed * Z, random.uniform(1.2, 1.8))
     eased = random.uniform(0.45, 0.6) * pressed
     path.pause("idle", random.uniform(0.7, 1.2), eased * Z)
     gap = WALL_FACE_Y_M - HOUSING_M[1] / 2 - simulation.part_poses()["housing"][0][1]
-    beyond = path.here_m + (gap + random.uniform(3e-3, 5e-3)) * Y
+    beyond = path.here_m + (gap + random.uniform(4e-3, 6e-3)) * Y
     path.stroke("sideways until contact", beyond, random.uniform(1.8, 2.6), on_table=True)
 
 

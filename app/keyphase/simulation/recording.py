@@ -1,26 +1,24 @@
-# MuJoCo tells no types.
-# pyright: reportAttributeAccessIssue=false
 """Record a demonstration: a scripted operator leads the robot through a workcell's task."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
-import mujoco
 import numpy as np
 
-from keyphase import __version__
 from keyphase.demonstration import Demonstration
 from keyphase.errors import SimulationError
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
-from keyphase.simulation.hand_path import HandPath
+from keyphase.simulation.hand_path import UNTIL_CONTACT, HandPath
 from keyphase.simulation.impedance import Reference
 from keyphase.simulation.operator import hand_path
-from keyphase.simulation.robot_scene import ARM_JOINTS
+from keyphase.simulation.samples import (
+    ONSET_FORCE_N,
+    as_demonstration,
+    ground_truth,
+    provenance,
+)
 from keyphase.simulation.simulation import Sample, Simulation
 from keyphase.simulation.workcell import Workcell, workcell
-
-ONSET_FORCE_N = 0.2
-"""Normal force from which two parts count as touching, in the simulator's own view."""
 
 _SETTLING_TICKS = 200
 _START_SPREAD_M = 0.008
@@ -44,43 +42,7 @@ def record(
     path = hand_path(simulation, _settled(simulation, random), random)
     samples = _led(simulation, path)
     _refuse_unless_done(simulation, seed)
-    return as_demonstration(
-        samples, f"{cell.name}", _metadata(simulation, samples, path, seed, disturbance)
-    )
-
-
-def as_demonstration(
-    samples: Sequence[Sample], name: str, metadata: Mapping[str, Any]
-) -> Demonstration:
-    """The samples of one recording, time counted from its first one."""
-
-    def column(channel: str) -> np.ndarray:
-        return np.array([getattr(sample, channel) for sample in samples])
-
-    time = column("time_s")
-    return Demonstration(
-        name=name,
-        # Rounded to whole nanoseconds, so that equal steps are written equal.
-        time_s=np.round(time - time[0], 9),
-        position_m=column("position_m"),
-        orientation_wxyz=column("orientation_wxyz"),
-        force_N=column("force_N"),
-        torque_Nm=column("torque_Nm"),
-        joints_rad=column("joints_rad"),
-        metadata=metadata,
-    )
-
-
-def onsets_s(samples: Sequence[Sample], names: Sequence[str]) -> dict[str, float]:
-    """First time, from the recording's start, at which each pair of parts touched."""
-    force = np.array([sample.contact_N for sample in samples])
-    touching = force > ONSET_FORCE_N
-    start = samples[0].time_s
-    return {
-        name: round(samples[int(np.argmax(touching[:, index]))].time_s - start, 9)
-        for index, name in enumerate(names)
-        if touching[:, index].any()
-    }
+    return as_demonstration(samples, cell.name, _metadata(simulation, samples, path, seed))
 
 
 def _settled(simulation: Simulation, random: np.random.Generator) -> Reference:
@@ -118,37 +80,27 @@ def _refuse_unless_done(simulation: Simulation, seed: int) -> None:
 
 
 def _metadata(
-    simulation: Simulation,
-    samples: Sequence[Sample],
-    path: HandPath,
-    seed: int,
-    disturbance: Disturbance,
+    simulation: Simulation, samples: Sequence[Sample], path: HandPath, seed: int
 ) -> dict[str, Any]:
-    cell = simulation.workcell
-    contacts = onsets_s(samples, simulation.contacts.names)
-    return {
-        "recorder": f"keyphase {__version__}",
-        "simulator": f"MuJoCo {mujoco.__version__}",
-        "operator": "scripted",
-        "workcell": cell.name,
-        "seed": seed,
-        "disturbance": disturbance.as_json(),
-        "joint_names": list(ARM_JOINTS),
-        "ground_truth": {
-            "contact_onsets_s": contacts,
-            "contact_changes_s": [contacts[name] for name in cell.onsets],
-            "phases": _phases(path, samples[-1].time_s - samples[0].time_s),
-        },
-    }
+    origin = provenance(simulation, "scripted") | {"seed": seed}
+    truth = ground_truth(samples, origin)
+    duration_s = samples[-1].time_s - samples[0].time_s
+    phases = _phases(path, truth["contact_changes_s"], duration_s)
+    return origin | {"ground_truth": truth | {"phases": phases}}
 
 
-def _phases(path: HandPath, end_s: float) -> list[dict[str, Any]]:
-    """What the operator did, each phase up to the start of the next or the contact that ended it.
+def _phases(path: HandPath, changes_s: Sequence[float], end_s: float) -> list[dict[str, Any]]:
+    """What the operator did, in the order it was done.
 
-    Pauses without a name are the hand's own and belong to the phase before.
+    A phase lasts until the contact change it was waiting for, others until the next begins.
     """
-    named = [phase for phase in path.phases if phase.name and phase.start_s < end_s]
-    return [
-        {"name": phase.name, "start_s": round(phase.start_s, 9), "end_s": round(later, 9)}
-        for phase, later in zip(named, [*(p.start_s for p in named[1:]), end_s], strict=True)
-    ]
+    contact = iter(changes_s)
+    phases: list[dict[str, Any]] = []
+    start_s = 0.0
+    followers = [*(phase.start_s for phase in path.phases[1:]), end_s]
+    for phase, next_s in zip(path.phases, followers, strict=True):
+        ends_s = next(contact) if phase.name.endswith(UNTIL_CONTACT) else next_s
+        phases.append({"name": phase.name, "start_s": start_s, "end_s": round(ends_s, 9)})
+        start_s = round(ends_s, 9)
+    phases[-1]["end_s"] = round(end_s, 9)
+    return phases

@@ -104,7 +104,7 @@ SETUP1 = Workcell(
     title="Snap the button together, slide it to the wall",
     start_joints_rad=(0.995802, -1.677143, -1.37282, 0.860193, -2.490649, 1.350952, 0.804149),
     furnish=_furnish,
-    parts=("held", "housing", "plunger"),
+    parts=("table", "held", "housing", "plunger"),
     pairs={
         "touch": (("cap",), ("plunger",)),
         "snap": (("cap",), ("housing_top",)),

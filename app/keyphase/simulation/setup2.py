@@ -92,7 +92,7 @@ SETUP2 = Workcell(
     title="Turn the cap, seat it, push the others along",
     start_joints_rad=(1.205051, -1.348127, -1.249897, 0.320995, -2.144437, 1.156503, -0.321195),
     furnish=_furnish,
-    parts=("held", "housing", *BUTTONS),
+    parts=("table", "held", "housing", *BUTTONS),
     pairs={
         "contact": (("cap",), ("housing_top",)),
         "others": (

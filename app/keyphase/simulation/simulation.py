@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 
 import mujoco
 import numpy as np
+from numpy.typing import ArrayLike
 
 from keyphase.demonstration import Array
 from keyphase.errors import SimulationError
 from keyphase.simulation.contacts import Contacts
 from keyphase.simulation.disturbance import Disturbance
 from keyphase.simulation.impedance import RATE_HZ, CartesianImpedance, Gains, Reference
-from keyphase.simulation.robot_scene import ARM_JOINTS, SENSOR_SITE, TOOL_SITE
+from keyphase.simulation.robot_scene import ARM_JOINTS, SENSOR_SITE, TOOL_BODY, TOOL_SITE
 from keyphase.simulation.wrist_sensor import (
     Load,
     SensorModel,
@@ -61,6 +62,8 @@ class Simulation:
         self._tool, self._wrist = model.site(TOOL_SITE).id, model.site(SENSOR_SITE).id
         self._reading = int(model.sensor("wrist_force").adr[0])
         self._substeps = round(1.0 / (RATE_HZ * model.opt.timestep))
+        bodies = (model.body(index).name for index in range(1, model.nbody))
+        self._links = tuple(name for name in bodies if name not in workcell.parts)
         self.controller = CartesianImpedance(model, self._tool, joints, Gains())
         self.contacts = Contacts(model, workcell.pairs)
         self.sensor = WristSensor(
@@ -100,6 +103,20 @@ class Simulation:
             contact_N=contact_N,
         )
 
+    def push(self, body: str, force_N: ArrayLike) -> None:
+        """Push a body at its centre of mass with a force, base frame, until told otherwise.
+
+        Pushed above the wrist the sensor does not feel it, below it does. Raises SimulationError
+        for a body the workcell does not have.
+        """
+        index = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, body)
+        if index < 0:
+            raise SimulationError(
+                f"A body to push must be in {self.workcell.name}, but '{body}' is not; "
+                f"push one of {', '.join((*self.workcell.parts, TOOL_BODY))}."
+            )
+        self.data.xfrc_applied[index, :3] = force_N
+
     def tool_pose(self) -> tuple[Array, Array]:
         """Position (3,) and orientation (4,), w x y z, of the tool point in the base frame."""
         wxyz = np.empty(4)
@@ -122,6 +139,10 @@ class Simulation:
         """Position (3,) and orientation (4,), w x y z, of the bodies named, in the base frame."""
         bodies = ((name, self.data.body(name)) for name in names)
         return {name: (body.xpos.copy(), body.xquat.copy()) for name, body in bodies}
+
+    def link_poses(self) -> Mapping[str, tuple[Array, Array]]:
+        """Position and orientation of every body that is no part: the robot's links, by name."""
+        return self.body_poses(self._links)
 
     def contact_forces(self) -> Mapping[str, float]:
         """The simulator's normal force of each pair of parts, by name."""

@@ -21,7 +21,7 @@ class Workcell:
     name, title       for files and for people
     start_joints_rad  where the right arm starts, in the order of ARM_JOINTS
     furnish           adds table and parts to the robot's specification
-    parts             bodies worth showing and logging; "held" is in the gripper
+    parts             all bodies but the robot's; "held" is in the gripper
     pairs             contacts the simulator reports, by name
     onsets            which of these are contact changes of the task, in the order they happen
     ends_at_contact   whether the task is over at the last of them
