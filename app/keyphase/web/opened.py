@@ -1,24 +1,19 @@
 """One open recording: its document, what was found in it, and what a person made of that."""
 
-from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
+from datetime import datetime
 from typing import Any
 
 from keyphase.demonstration import Demonstration
 from keyphase.labeling.document import Document
 from keyphase.labeling.edits import Edit
+from keyphase.labeling.journal import Journal
 from keyphase.labeling.label import label
 from keyphase.labeling.labeling import Labeling
-from keyphase.readers import Recipe, read
 from keyphase.segmentation import Parameters, Segmenter
 from keyphase.web.document_message import document_message, least_confidence, strip
 from keyphase.web.recordings import Recording, State, printable
 from keyphase.web.signals import SignalTracks
-
-SURE = 0.75
-"""A boundary at least this certain need not be looked at."""
-
 
 _FIT = ("gaussians", "variant", "seed", "engine", "process_noise_ratio", "measurement_noise")
 
@@ -26,36 +21,49 @@ _FIT = ("gaussians", "variant", "seed", "engine", "process_noise_ratio", "measur
 class Opened:
     """One open recording; changed only in the session's worker.
 
-    document        what is kept
+    journal         where every change is before anyone is told of it
     labeling        what is shown, possibly under parameters that are still being dragged
     kept_labeling   what is shown without those
     """
 
-    def __init__(self, recording: Recording, document: Document) -> None:
+    def __init__(self, recording: Recording, journal: Journal) -> None:
         self.recording = recording
-        self.document = document
-        self._segmenter = Segmenter(document.demonstration)
-        self.parameters = document.parameters
+        self.journal = journal
+        self._segmenter = Segmenter(self.demonstration)
+        self._saved_at: datetime | None = None
+        self.parameters = self.document.parameters
         self.labeling = self.kept_labeling = self._labeling_under(self.parameters)
-        self.tracks = SignalTracks(document.demonstration, self.labeling.segmentation.curve)
+        self.tracks = SignalTracks(self.demonstration, self.labeling.segmentation.curve)
+
+    @property
+    def document(self) -> Document:
+        """The document as it is on disk."""
+        return self.journal.document
 
     @property
     def demonstration(self) -> Demonstration:
         """The recording itself."""
         return self.document.demonstration
 
+    def fits_anew(self, parameters: Parameters) -> bool:
+        """Whether these parameters need another fit, which can take seconds."""
+        return any(getattr(parameters, n) != getattr(self.parameters, n) for n in _FIT)
+
     def preview(self, parameters: Parameters) -> None:
         """Show what `parameters` give, without keeping them."""
         self.labeling = self._labeling_under(parameters)
         self.parameters = parameters
 
-    def fits_anew(self, parameters: Parameters) -> bool:
-        """Whether these parameters need another fit, which can take seconds."""
-        return any(getattr(parameters, n) != getattr(self.parameters, n) for n in _FIT)
-
     def keep_parameters(self) -> None:
-        """Keep the parameters that are shown."""
-        self._keep(self.document.set_parameters(self.parameters))
+        """Keep the parameters that are shown. Raises JournalError where they cannot be kept."""
+        if self.parameters != self.document.parameters:
+            self._keep(self.document.set_parameters(self.parameters))
+        else:
+            self.kept_labeling = self.labeling
+
+    def reset_parameters(self) -> None:
+        """Back to the folder's parameters. Raises JournalError where that cannot be kept."""
+        self._keep(self.document.reset_parameters())
 
     def apply(self, edit: Edit) -> None:
         """Apply one edit. Raises LabelingError where it cannot be made."""
@@ -70,14 +78,19 @@ class Opened:
         """Make the next step again. Raises LabelingError where there is none."""
         self._keep(self.document.redo())
 
-    def _keep(self, document: Document) -> None:
-        self.document = document
-        self.parameters = document.parameters
-        self.labeling = self.kept_labeling = self._labeling_under(self.parameters)
+    def mark_done(self, done: bool) -> None:
+        """Say that this recording is, or is not, finished."""
+        self.journal.mark_done(done)
+        self._saved_at = datetime.now()
 
-    def _labeling_under(self, parameters: Parameters) -> Labeling:
-        segmentation = self._segmenter.segment(parameters)
-        return label(segmentation, self.document.edits, self._segmenter.segment_between)
+    def keep_labels(self) -> None:
+        """Agree to the recording as it now is, though it was labeled as another."""
+        self.journal.keep_labels()
+        self._saved_at = datetime.now()
+
+    def close(self) -> None:
+        """Let another server edit this recording."""
+        self.journal.close()
 
     def summary(self) -> Recording:
         """The recording's line in the queue."""
@@ -85,42 +98,40 @@ class Opened:
             self.recording,
             state=self._state(),
             confidence=least_confidence(self.kept_labeling),
-            strip=tuple(strip(self.labeling)),
+            strip=tuple(strip(self.kept_labeling)),
             error=None,
         )
 
-    def _state(self) -> State:
-        """Done is a recording a person has touched and in which nothing is left to decide."""
-        if not self.document.history.done:
-            return "automatic"
-        labeling = self.kept_labeling
-        unsure = (least_confidence(labeling) or 1.0) < SURE
-        unnamed = any(segment.kept and segment.proposed for segment in labeling.segments)
-        return "touched" if unsure or unnamed or labeling.proposed_drops else "done"
-
     def message(self) -> dict[str, Any]:
         """The `document` message without what belongs to the session."""
+        message = document_message(self.labeling)
         return {
+            **message,
             "id": self.recording.id,
             "folder": printable(self.recording.path.parent.name),
-            **document_message(self.labeling),
+            "notices": [*message["notices"], *self.journal.notices],
+            "state": self._state(),
+            "locked": self.journal.read_only,
+            "changed": self.journal.changed,
             "edits": len(self.document.edits),
             "undo": self.document.undo_name,
             "redo": self.document.redo_name,
-            "saved_at": None,
+            "saved_at": self._saved_at.strftime("%H:%M:%S") if self._saved_at else None,
         }
 
+    def _keep(self, document: Document) -> None:
+        """Put a document on disk, then show it; nothing changes where the disk refuses."""
+        if document is not self.document:
+            self.journal.save(document)
+            self._saved_at = datetime.now()
+        self.parameters = document.parameters
+        self.labeling = self.kept_labeling = self._labeling_under(self.parameters)
 
-def open_recording(
-    recording: Recording,
-    progress: Callable[[str, float | None], None],
-    recipe: Recipe | Path | None = None,
-) -> Opened:
-    """Read a recording and segment it.
+    def _labeling_under(self, parameters: Parameters) -> Labeling:
+        segmentation = self._segmenter.segment(parameters)
+        return label(segmentation, self.document.edits, self._segmenter.segment_between)
 
-    Raises DemonstrationError for a file that cannot be read.
-    """
-    progress("reading", None)
-    demonstration = read(recording.path, recipe)
-    progress("segmenting", None)
-    return Opened(recording, Document(demonstration))
+    def _state(self) -> State:
+        if self.journal.done:
+            return "done"
+        return "touched" if self.document.history.done else "automatic"

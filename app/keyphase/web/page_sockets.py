@@ -35,6 +35,11 @@ class Page:
     connection: ServerConnection
     loop: asyncio.AbstractEventLoop
 
+    @property
+    def is_looking(self) -> bool:
+        """Whether it was opened by the link for looking only."""
+        return self.grant is Grant.LOOKING
+
     def send(self, message: Mapping[str, Any] | bytes) -> None:
         """Send a message from any thread."""
         data = message if isinstance(message, bytes) else encode(message)

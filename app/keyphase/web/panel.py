@@ -14,7 +14,8 @@ import viser
 from keyphase.segmentation.parameters import Estimator, Parameters, Variant
 from keyphase.web.opened import Opened
 from keyphase.web.requests import with_parameter
-from keyphase.web.session import SETTLE_S, Session, View
+from keyphase.web.session import SETTLE_S, Session
+from keyphase.web.views import View
 
 AUTOMATIC = "automatic"
 MOST_GAUSSIANS = 15
@@ -119,7 +120,7 @@ class Panel(View):
         try:
             act()
         except Exception as error:
-            self._session.report(error)
+            self._session.telling.report(error)
 
     # -- building
 
@@ -138,7 +139,7 @@ class Panel(View):
             for name in _SHOWN:
                 self._add_shown(name)
         reset = self._gui.add_button("Reset to automatic", hint="All parameters as they were.")
-        self._on_click(reset, self._session.reset_parameters)
+        self._on_click(reset, lambda: self._session.change(Opened.reset_parameters))
 
     def _add_threshold(self) -> None:
         """A slider in decades, for errors span many, and its value as a number below."""

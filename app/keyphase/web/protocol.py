@@ -58,6 +58,16 @@ class Redo(_Request, tag="redo", frozen=True):
     """Do again what was taken back."""
 
 
+class Done(_Request, tag="done", frozen=True):
+    """This recording is, or is not, finished."""
+
+    done: bool
+
+
+class KeepLabels(_Request, tag="keep_labels", frozen=True):
+    """The recording has changed since it was labeled, and the labels are to be kept."""
+
+
 class Select(_Request, tag="select", frozen=True):
     """Select a segment, or none."""
 
@@ -121,6 +131,8 @@ Request = (
     | Edit
     | Undo
     | Redo
+    | Done
+    | KeepLabels
     | Select
     | Seek
     | Play

@@ -1,97 +1,91 @@
 """What a page's requests do to the session."""
 
-from collections import deque
 from dataclasses import replace
 
 from keyphase.errors import KeyphaseError, RequestError
 from keyphase.labeling.edits import edit_from_json
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web import protocol as ask
-from keyphase.web.access import Grant
 from keyphase.web.opened import Opened
 from keyphase.web.page_sockets import Page
 from keyphase.web.session import Cause, Session
 from keyphase.web.signals import signals_frame
 
 
-class Requests:
-    """Hears the pages of a session.
+def hear(session: Session, page: Page, message: str | bytes) -> None:
+    """Do what a page asks, or answer it why not; nothing it sends can end the server."""
+    try:
+        request = ask.parse(message)
+        if page.is_looking and not isinstance(request, ask.LOOKING_REQUESTS):
+            raise RequestError("This page was opened by the link for looking only.")
+        _do(session, request, page)
+    except KeyphaseError as error:
+        page.send({"type": "notice", "level": "warning", "text": str(error)})
+    except Exception as error:
+        session.telling.report(error)
 
-    latencies_ms   how long pages say it took from an input event to the frame that shows it
-    """
 
-    def __init__(self, session: Session) -> None:
-        self._session = session
-        self.latencies_ms: deque[float] = deque(maxlen=1000)
+def _do(session: Session, request: ask.Request, page: Page) -> None:
+    match request:
+        case ask.Open():
+            session.queue.open(request.id)
+        case ask.Set():
+            _set(session, request, page)
+        case ask.Reset():
+            session.change(Opened.reset_parameters)
+        case ask.Edit():
+            edit = edit_from_json(request.edit)
+            session.change(lambda opened: opened.apply(edit), _cause(request.event, page))
+        case ask.Undo():
+            session.change(Opened.undo)
+        case ask.Redo():
+            session.change(Opened.redo)
+        case ask.Done():
+            session.change(lambda opened: opened.mark_done(request.done))
+        case ask.KeepLabels():
+            session.change(Opened.keep_labels)
+        case ask.Select():
+            session.select(request.segment)
+        case ask.Seek():
+            session.move_playhead(lambda playhead: playhead.at(request.time_s))
+        case ask.Play():
+            session.move_playhead(
+                lambda head: head.played(request.playing, request.speed, request.loop)
+            )
+        case ask.Signals():
+            _send_signals(session, request, page)
+        case ask.Export():
+            session.export(request.format)
+        case ask.Show():
+            session.show(request.what, request.visible)
+        case ask.Theme():
+            session.set_theme(request.dark)
+        case ask.Latency():
+            session.latencies_ms.append(request.milliseconds)
 
-    def hear(self, page: Page, message: str | bytes) -> None:
-        """Do what a page asks, or answer it why not; nothing it sends can end the server."""
-        try:
-            request = ask.parse(message)
-            if page.grant is Grant.LOOKING and not isinstance(request, ask.LOOKING_REQUESTS):
-                raise RequestError("This page was opened by the link for looking only.")
-            self._do(request, page)
-        except KeyphaseError as error:
-            page.send({"type": "notice", "level": "warning", "text": str(error)})
-        except Exception as error:
-            self._session.report(error)
 
-    def _do(self, request: ask.Request, page: Page) -> None:
-        session = self._session
-        match request:
-            case ask.Open():
-                session.open(request.id)
-            case ask.Set():
-                self._set(request, page)
-            case ask.Reset():
-                session.reset_parameters()
-            case ask.Edit():
-                edit = edit_from_json(request.edit)
-                session.change(lambda opened: opened.apply(edit), _cause(request.event, page))
-            case ask.Undo():
-                session.change(Opened.undo)
-            case ask.Redo():
-                session.change(Opened.redo)
-            case ask.Select():
-                session.select(request.segment)
-            case ask.Seek():
-                session.move_playhead(lambda playhead: playhead.at(request.time_s))
-            case ask.Play():
-                session.move_playhead(
-                    lambda head: head.played(request.playing, request.speed, request.loop)
-                )
-            case ask.Signals():
-                self._send_signals(request, page)
-            case ask.Latency():
-                self.latencies_ms.append(request.milliseconds)
-            case ask.Export():
-                session.export(request.format)
-            case ask.Show():
-                session.show(request.what, request.visible)
-            case ask.Theme():
-                session.set_theme(request.dark)
+def _set(session: Session, request: ask.Set, page: Page) -> None:
+    session.set_parameters(
+        lambda parameters: with_parameter(parameters, request.parameter, request.value),
+        held=request.held,
+        cause=_cause(request.event, page),
+    )
 
-    def _set(self, request: ask.Set, page: Page) -> None:
-        self._session.set_parameters(
-            lambda parameters: with_parameter(parameters, request.parameter, request.value),
-            held=request.held,
-            cause=_cause(request.event, page),
-        )
 
-    def _send_signals(self, request: ask.Signals, page: Page) -> None:
-        opened = self._session.opened
-        if opened is None:
-            raise RequestError("Open a recording before asking for its signals.")
-        frame = signals_frame(
-            opened.tracks,
-            request=request.request,
-            recording=opened.recording.id,
-            names=request.tracks,
-            from_s=request.from_s,
-            to_s=request.to_s,
-            width=request.width,
-        )
-        page.send(frame)
+def _send_signals(session: Session, request: ask.Signals, page: Page) -> None:
+    opened = session.opened
+    if opened is None:
+        raise RequestError("Open a recording before asking for its signals.")
+    frame = signals_frame(
+        opened.tracks,
+        request=request.request,
+        recording=opened.recording.id,
+        names=request.tracks,
+        from_s=request.from_s,
+        to_s=request.to_s,
+        width=request.width,
+    )
+    page.send(frame)
 
 
 def with_parameter(parameters: Parameters, name: str, value: float | str | None) -> Parameters:

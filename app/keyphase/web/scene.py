@@ -23,7 +23,8 @@ from keyphase.web.path_geometry import (
     view_of,
 )
 from keyphase.web.playback import Playhead
-from keyphase.web.session import PARTS, View
+from keyphase.web.session import PARTS
+from keyphase.web.views import View
 
 MOST_NAMES = 12
 """With more segments than this only the selected one is named in the scene."""

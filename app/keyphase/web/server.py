@@ -1,25 +1,23 @@
 """Open the page: build the session, put it behind one port, print the link, wait."""
 
-import logging
 import threading
 import webbrowser
 from collections.abc import Sequence
 from pathlib import Path
 
 from keyphase import __version__
+from keyphase.errors import KeyphaseError
 from keyphase.readers import find_recordings
 from keyphase.segmentation.parameters import RANGES
 from keyphase.web.access import Access, Grant
+from keyphase.web.library import Library
 from keyphase.web.one_port import control_of, serve, silent
-from keyphase.web.opened import open_recording
 from keyphase.web.panel import Panel
-from keyphase.web.requests import Requests
+from keyphase.web.requests import hear
 from keyphase.web.scene import Scene
-from keyphase.web.session import Opener, Session
+from keyphase.web.session import Session
 from keyphase.web.site import OurSite
 from keyphase.web.viser_controls import takes
-
-_log = logging.getLogger(__name__)
 
 
 class PageServer:
@@ -28,27 +26,29 @@ class PageServer:
     def __init__(
         self,
         paths: Sequence[Path],
-        opener: Opener,
         *,
+        recipe: Path | None = None,
         host: str = "127.0.0.1",
         port: int = 0,
         read_only: bool = False,
     ) -> None:
-        self.session = Session(paths, opener)
-        self.requests = Requests(self.session)
-        self.session.hear = self.requests.hear
-        self.session.hello = _hello()
+        library = Library(recipe, read_only=read_only)
+        self.session = Session(paths, library, _hello(), hear)
         self.access = Access(host)
-        self.site = OurSite(self.access, self.session.sockets, self._accepts)
-        self.viser = serve(self.site, host, port)
+        self._grant = Grant.LOOKING if read_only else Grant.EVERYTHING
+        site = OurSite(self.access, self.session.sockets, self._accepts)
+        try:
+            self.viser = serve(site, host, port)
+        except KeyphaseError:
+            self.session.close()
+            raise
         self.port = self.viser.get_port()
         self.scene = Scene(self.viser, self.session.select_at)
         self.panel = Panel(self.viser, self.session)
-        self.session.add_view(self.scene)
-        self.session.add_view(self.panel)
-        self._grant = Grant.LOOKING if read_only else Grant.EVERYTHING
-        if self.session.recordings:
-            self.session.open(self.session.recordings[0].id)
+        self.session.views.add(self.scene)
+        self.session.views.add(self.panel)
+        if self.session.queue.recordings:
+            self.session.queue.open(self.session.queue.recordings[0].id)
 
     @property
     def link(self) -> str:
@@ -84,7 +84,7 @@ def open_page(
     found = find_recordings(paths, recipe)
     server = PageServer(
         [one.path for one in found],
-        lambda recording, progress: open_recording(recording, progress, recipe),
+        recipe=recipe,
         host=host,
         port=port,
         read_only=read_only,

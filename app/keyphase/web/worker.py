@@ -45,6 +45,11 @@ class Worker:
             self._waiting.clear()
             self._changed.notify_all()
 
+    def join(self) -> None:
+        """Wait until what runs has finished, after `stop`."""
+        if threading.current_thread() is not self._thread:
+            self._thread.join()
+
     def _run(self) -> None:
         while (job := self._next()) is not None:
             try:

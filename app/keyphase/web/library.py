@@ -1,0 +1,61 @@
+"""Recordings on disk: opened for editing, or only looked at for the queue."""
+
+from collections import OrderedDict
+from pathlib import Path
+
+from keyphase.labeling.journal import Journal
+from keyphase.readers import Recipe, load_recipe, read
+from keyphase.segmentation import Parameters
+from keyphase.web.opened import Opened
+from keyphase.web.recordings import Recording
+from keyphase.web.telling import Progress
+
+KEPT_OPEN = 3
+"""So many recordings stay open, so that going back to one is quick."""
+
+
+class Library:
+    """Opens recordings. Not for use by several threads at once.
+
+    recipe      how to read tables that are not in keyphase's own form
+    read_only   journals are opened for looking only
+    """
+
+    def __init__(self, recipe: Path | None = None, *, read_only: bool = False) -> None:
+        self._recipe: Recipe | None = load_recipe(recipe) if recipe else None
+        self._read_only = read_only
+        self._shared = Parameters()
+        self._open: OrderedDict[str, Opened] = OrderedDict()
+
+    def open(self, recording: Recording, progress: Progress) -> Opened:
+        """The recording for editing, read and segmented.
+
+        Raises DemonstrationError, RecipeError or JournalError for what cannot be opened.
+        """
+        if recording.id not in self._open:
+            self._open[recording.id] = self._opened(recording, progress, self._read_only)
+        self._open.move_to_end(recording.id)
+        while len(self._open) > KEPT_OPEN:
+            self._open.popitem(last=False)[1].close()
+        return self._open[recording.id]
+
+    def look(self, recording: Recording) -> Opened:
+        """The recording as it stands on disk, which is not kept open; close it after use."""
+        return self._opened(recording, lambda _what, _fraction: None, read_only=True)
+
+    def close(self) -> None:
+        """Let other servers edit what was open."""
+        for opened in self._open.values():
+            opened.close()
+        self._open.clear()
+
+    def _opened(self, recording: Recording, progress: Progress, read_only: bool) -> Opened:
+        progress("reading", None)
+        demonstration = read(recording.path, self._recipe)
+        journal = Journal(demonstration, self._shared, read_only=read_only)
+        progress("segmenting", None)
+        try:
+            return Opened(recording, journal)
+        except BaseException:
+            journal.close()
+            raise

@@ -1,0 +1,122 @@
+"""The queue of recordings at work: opening them, looking at the others meanwhile, exporting all."""
+
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from keyphase.errors import KeyphaseError, RequestError
+from keyphase.web.exports import export
+from keyphase.web.library import Library
+from keyphase.web.opened import Opened
+from keyphase.web.recordings import Recording, queue, recordings_message
+from keyphase.web.telling import Progress, Telling
+from keyphase.web.worker import Worker
+
+
+class RecordingQueue:
+    """The recordings of one server; everything slow happens in one thread of its own.
+
+    `on_open` is told of each recording that was opened.
+    """
+
+    def __init__(
+        self,
+        paths: Sequence[Path],
+        library: Library,
+        telling: Telling,
+        on_open: Callable[[Opened], None],
+    ) -> None:
+        self.recordings = queue(paths)
+        self.current: str | None = None
+        self._library = library
+        self._telling = telling
+        self._on_open = on_open
+        self._lock = threading.RLock()
+        self._worker = Worker(telling.report)
+        self._looking = iter(self.recordings)
+
+    def find(self, recording_id: str) -> Recording:
+        """The line with that id. Raises RequestError where there is none."""
+        for recording in self.recordings:
+            if recording.id == recording_id:
+                return recording
+        raise RequestError("There is no such recording in this list; reload the page.")
+
+    def open(self, recording_id: str) -> None:
+        """Open a recording in the background; a later call overtakes one that waits."""
+        recording = self.find(recording_id)
+        self._worker.submit(lambda: self._read(recording), "open")
+
+    def look_at_all(self) -> None:
+        """Find out about every recording, one by one, whenever nothing else is to be done."""
+        self._worker.submit(self._look_at_next, "look")
+
+    def export_all(self) -> None:
+        """Write a segment file for every recording; what cannot be opened says so in its line."""
+        self._worker.submit(self._export_all)
+
+    def update(self, changed: Recording) -> None:
+        """Put a changed line into the list and tell the pages."""
+        with self._lock:
+            if changed not in self.recordings:
+                self.recordings = tuple(
+                    changed if recording.id == changed.id else recording
+                    for recording in self.recordings
+                )
+                self.tell()
+
+    def tell(self) -> None:
+        """Tell the pages the list."""
+        self._telling.all(recordings_message(self.recordings, self.current))
+
+    def stop(self) -> None:
+        """Do no more, and close what is open."""
+        self._worker.stop()
+        self._worker.join()
+        self._library.close()
+
+    def _read(self, recording: Recording) -> None:
+        try:
+            opened = self._library.open(recording, self._progress(recording))
+        except KeyphaseError as error:
+            self.update(replace(recording, error=str(error)))
+            raise
+        finally:
+            self._telling.progress_done()
+        self._on_open(opened)
+        self.look_at_all()
+
+    def _look_at_next(self) -> None:
+        recording = next(self._looking, None)
+        if recording is None:
+            return
+        if recording.id != self.current:
+            self.update(self._looked_at(recording))
+        self.look_at_all()
+
+    def _looked_at(self, recording: Recording) -> Recording:
+        try:
+            opened = self._library.look(recording)
+        except KeyphaseError as error:
+            return replace(recording, error=str(error))
+        opened.close()
+        return opened.summary()
+
+    def _export_all(self) -> None:
+        total = len(self.recordings)
+        written = 0
+        for number, recording in enumerate(self.recordings):
+            self._telling.progress(f"{recording.name}: writing", number / total)
+            try:
+                opened = self._library.look(recording)
+                opened.close()
+                export(opened.kept_labeling, recording.path, "json")
+                written += 1
+            except KeyphaseError as error:
+                self.update(replace(recording, error=str(error)))
+        self._telling.progress_done()
+        self._telling.notice("info", f"{written} of {total} segment files were written.")
+
+    def _progress(self, recording: Recording) -> Progress:
+        return lambda what, fraction: self._telling.progress(f"{recording.name}: {what}", fraction)
