@@ -212,7 +212,10 @@ def _smoothed(values: Array) -> Array:
 
 
 def bundled_setup1() -> Demonstration:
-    """The demonstration of data/synthetic_setup1.npz: Setup 1 with both contacts held."""
+    """The demonstration of data/synthetic_setup1.npz: Setup 1 with both contacts held.
+
+    On the way forward the tool is bumped for a moment, which is no contact change.
+    """
     rng = np.random.default_rng(2013)
     durations = np.array([1.56, 1.24, 1.40, 1.29, 1.48, 0.70])
     edges = np.concatenate([[0.0], np.cumsum(durations)])
@@ -229,6 +232,8 @@ def bundled_setup1() -> Demonstration:
     position += rng.normal(size=position.shape) * 5e-5
     meets = [(edges[3], np.array([0.0, 0.0, 1.0])), (edges[5], np.array([0.0, -1.0, 0.0]))]
     force = _contact_force(2013, time, position, meets)
+    bump = 2.5 * np.exp(-0.5 * ((time - 0.78) / 0.025) ** 2)
+    force += bump[:, None] * np.array([-0.8, 0.5, 0.33])
     wobble = in_band(rng, len(time), 0.1, 2.0, 4e-3)
     pointing_down = Rotation.from_euler("x", np.pi)
     orientation = Rotation.from_rotvec(wobble) * pointing_down

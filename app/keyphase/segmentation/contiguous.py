@@ -7,9 +7,11 @@ samples of a motion are correlated, and counting them all would split without en
 """
 
 import itertools
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
@@ -17,69 +19,103 @@ from keyphase.segmentation.bins import Indices
 EFFECTIVE_HZ = 15.0
 """Independent samples a second of hand-guided motion is worth."""
 
-_PAIRS_AT_ONCE = 60_000
+_PAIRS_AT_ONCE = 8192
+_COLUMNS = 32
 
 
 @dataclass(frozen=True, eq=False)
 class Moments:
-    """Running sums of samples (n, d), from which any stretch's Gaussian follows at once.
+    """Running sums of samples (n, d) over their floor, from which any stretch's Gaussian follows.
 
-    first (n + 1, d), second (n + 1, d, d); floor (d,) standard deviations added to each axis.
+    The floor (d,) is the standard deviation added to each axis; counted in floors it is the
+    identity. first (d, n + 1), second (d, d, n + 1) below and on its diagonal; log_floor is the
+    sum of the floors' logarithms.
     """
 
     first: Array
     second: Array
-    floor: Array
+    log_floor: float
 
     @classmethod
     def of(cls, samples: Array, floor: Array) -> "Moments":
         """Sums over `samples`, centred first so that no digits are lost."""
-        centred = samples - samples.mean(axis=0)
-        products = centred[:, :, None] * centred[:, None, :]
-        return cls(_running_sum(centred), _running_sum(products), floor)
+        scaled = ((samples - samples.mean(axis=0)) / floor).T
+        d, n = scaled.shape
+        first, second = np.zeros((d, n + 1)), np.zeros((d, d, n + 1))
+        np.cumsum(scaled, axis=1, out=first[:, 1:])
+        for r in range(d):
+            np.cumsum(scaled[r] * scaled[: r + 1], axis=1, out=second[r, : r + 1, 1:])
+        return cls(first, second, float(np.log(floor).sum()))
 
     def __len__(self) -> int:
-        return len(self.first) - 1
+        return self.first.shape[1] - 1
 
-    def costs(self, begin: Indices, end: Indices) -> Array:
-        """Negative log-likelihood of the stretches [begin, end) (P,), mixing weight included.
+    def costs(self, begin: Indices, end: Indices, least: int = 1) -> Array:
+        """Negative log-likelihood (B, E) of the stretches [begin, end), mixing weight included.
 
         m/2 (ln det(V + F) + tr((V + F)^-1 V) + d ln 2 pi) - m ln(m / n) for m of n samples with
-        covariance V and floor F.
+        covariance V and floor F; infinite for stretches of fewer than `least` samples.
         """
-        count = (end - begin).astype(float)
-        mean = ((self.first[end] - self.first[begin]) / count[:, None]).T
-        square = np.moveaxis((self.second[end] - self.second[begin]), 0, -1) / count
-        log_det, trace = _log_det_and_trace(square - mean[:, None] * mean[None], self.floor**2)
-        fit = log_det + trace + len(self.floor) * np.log(2 * np.pi)
-        return 0.5 * count * fit - count * np.log(count / len(self))
+        length = (end[None, :] - begin[:, None]).astype(float)
+        too_short = length < least
+        count = np.where(too_short, 1.0, length)
+        log_det, trace = _log_det_and_trace(self._covariances(begin, end, 1.0 / count))
+        constant = 2.0 * self.log_floor + len(self.first) * (1.0 + np.log(2.0 * np.pi))
+        cost = count * (0.5 * (log_det - trace + constant) - np.log(count / len(self)))
+        cost[too_short] = np.inf
+        return cost
+
+    def _covariances(self, begin: Indices, end: Indices, share: Array) -> list[list[Array]]:
+        """Lower rows of V, each entry (B, E); `share` is one over the stretches' lengths."""
+        mean = [(sums[end] - sums[begin][:, None]) * share for sums in self.first]
+        rows: list[list[Array]] = []
+        for r, products in enumerate(self.second):
+            rows.append([])
+            for c in range(r + 1):
+                entry = products[c, end] - products[c, begin][:, None]
+                entry *= share
+                entry -= mean[r] * mean[c]
+                rows[r].append(entry)
+        return rows
 
 
-def _running_sum(values: Array) -> Array:
-    sums = np.zeros((len(values) + 1, *values.shape[1:]))
-    np.cumsum(values, axis=0, out=sums[1:])
-    return sums
+def _log_det_and_trace(covariance: list[list[Array]]) -> tuple[Array, Array]:
+    """ln det(V + I) and tr((V + I)^-1) of many V at once, given by their lower rows.
 
-
-def _log_det_and_trace(covariance: Array, floor2: Array) -> tuple[Array, Array]:
-    """ln det(V + F) and tr((V + F)^-1 V) of V (d, d, P) and diagonal F, by one Cholesky for all.
-
-    Written over the P matrices at once, which is twenty times faster than one call for each.
+    One factorisation L D Lᵀ and one inverse of L, written over all matrices: calling linear
+    algebra for each would take ten times as long.
     """
-    d = len(floor2)
-    lower = np.zeros_like(covariance)
-    inverse = np.zeros_like(covariance)
-    log_det = np.zeros(covariance.shape[-1])
-    for c in range(d):
-        column = covariance[c:, c] - np.einsum("rkp,kp->rp", lower[c:, :c], lower[c, :c])
-        pivot = np.maximum(column[0] + floor2[c], 1e-3 * floor2[c])
-        root = np.sqrt(pivot)
-        lower[c, c] = root
-        lower[c + 1 :, c] = column[1:] / root
-        log_det += np.log(pivot)
-        inverse[c, :c] = -np.einsum("kp,kcp->cp", lower[c, :c], inverse[:c, :c]) / root
-        inverse[c, c] = 1.0 / root
-    return log_det, d - np.einsum("rcp,rcp,c->p", inverse, inverse, floor2)
+    lower: list[list[Array]] = []
+    inverse: list[list[Array]] = []
+    det = trace = np.ones(1)
+    pivots: list[Array] = []
+    for r, row in enumerate(covariance):
+        scaled = list(row[:r])
+        pivot = row[r] + 1.0
+        for c in range(r):
+            for k in range(c):
+                scaled[c] -= scaled[k] * lower[c][k]
+        lower.append([entry / pivots[c] for c, entry in enumerate(scaled)])
+        for entry, factor in zip(scaled, lower[r], strict=True):
+            pivot -= entry * factor
+        # Below one only by rounding.
+        pivots.append(np.maximum(pivot, 1.0))
+        inverse.append(_inverse_row(lower[r], inverse))
+        squares = sum((entry * entry for entry in inverse[r]), np.ones(1))
+        det = det * pivots[r]
+        trace = trace + squares / pivots[r]
+    return np.log(det), trace - 1.0
+
+
+def _inverse_row(row: list[Array], above: list[list[Array]]) -> list[Array]:
+    """The next row of the inverse of a unit lower matrix, left of its diagonal."""
+    found: list[Array] = []
+    for c, entry in enumerate(row):
+        total = entry.copy()
+        for k in range(c + 1, len(row)):
+            total += row[k] * above[k][c]
+        found.append(np.negative(total, out=total))
+    return found
 
 
 def parameters_per_gaussian(dimensions: int) -> int:
@@ -94,31 +130,75 @@ def best_cut(moments: Moments, grid: Indices, least: int, effective: float) -> I
     same number for each stretch, so one pass over the grid finds the best cut of any number of
     stretches, each of at least `least` samples. `grid` begins with 0 and ends with n.
     """
-    penalty = parameters_per_gaussian(moments.first.shape[1]) * np.log(max(effective, 2.0))
+    penalty = parameters_per_gaussian(len(moments.first)) * np.log(max(effective, 2.0))
     weight = 2.0 * effective / len(moments)
     best = np.full(len(grid), np.inf)
     best[0] = 0.0
     came_from = np.zeros(len(grid), dtype=np.intp)
-    for i, reach, costs in _rows(moments, grid, least):
-        total = best[i] + weight * costs + penalty
-        better = total < best[reach:]
-        best[reach:][better] = total[better]
-        came_from[reach:][better] = i
+    alive = np.zeros(1, dtype=np.intp)
+    for top in range(1, len(grid), _COLUMNS):
+        block = np.arange(top, min(top + _COLUMNS, len(grid)))
+        costs = weight * moments.costs(grid[alive], grid[block], least) + penalty
+        total = best[alive][:, None] + costs
+        came_from[block] = alive[total.argmin(axis=0)]
+        best[block] = total.min(axis=0)
+        _within(
+            block,
+            weight * moments.costs(grid[block], grid[block], least) + penalty,
+            best,
+            came_from,
+        )
+        starts = np.concatenate([alive, block])
+        alive = starts[_still_useful(moments, grid, starts, best, (weight, least, block[-1] + 1))]
     return _walk_back(grid, came_from)
 
 
-def _rows(moments: Moments, grid: Indices, least: int):
-    """For each grid point: its index, the first index in reach, and the costs from there on."""
+def _within(block: Indices, costs: Array, best: Array, came_from: Indices) -> None:
+    """Let stretches that begin and end in one block of the grid improve what is best there."""
+    for row, start in enumerate(block):
+        total = best[start] + costs[row]
+        better = total < best[block]
+        best[block[better]] = total[better]
+        came_from[block[better]] = start
+
+
+def _still_useful(
+    moments: Moments,
+    grid: Indices,
+    starts: Indices,
+    best: Array,
+    limits: tuple[float, int, int],
+) -> NDArray[np.bool_]:
+    """Which starts can begin an optimal stretch that ends at or after grid point `following`.
+
+    Without its mixing weights a stretch costs at least as much as its two parts. So where, at
+    some point `cut` on the way, beginning anew is cheaper by more than what the weights
+    -m ln m can gain by joining the longest possible second part, it stays cheaper for good.
+    """
+    weight, least, following = limits
+    if following >= len(grid):
+        return np.ones(len(starts), dtype=bool)
+    cut = int(np.searchsorted(grid, grid[following] - least, side="right")) - 1
+    earlier = starts < cut
+    part = (grid[cut] - grid[starts[earlier]]).astype(float)
+    rest = float(len(moments) - grid[cut])
+    gain = (part + rest) * np.log(part + rest) - part * np.log(part) - rest * np.log(rest)
+    cost = moments.costs(grid[starts[earlier]], grid[cut : cut + 1])[:, 0]
+    useful = np.ones(len(starts), dtype=bool)
+    useful[earlier] = best[starts[earlier]] + weight * (cost - gain) <= best[cut]
+    return useful
+
+
+def _rows(moments: Moments, grid: Indices, least: int) -> Iterator[tuple[int, Array]]:
+    """For each grid point: its index, and the costs of the stretches from it to later points."""
     size = len(grid)
-    rows = max(1, _PAIRS_AT_ONCE // size)
-    reach = np.searchsorted(grid, grid + least)
-    for top in range(0, size - 1, rows):
-        block = np.arange(top, min(top + rows, size - 1))
-        lengths = size - reach[block]
-        begin = np.repeat(grid[block], lengths)
-        end = np.concatenate([grid[reach[i] :] for i in block])
-        costs = np.split(moments.costs(begin, end), np.cumsum(lengths)[:-1])
-        yield from zip(block.tolist(), reach[block].tolist(), costs, strict=True)
+    top = 0
+    while top < size - 1:
+        bottom = min(top + max(1, _PAIRS_AT_ONCE // (size - top)), size - 1)
+        costs = moments.costs(grid[top:bottom], grid[top + 1 :], least)
+        for i in range(top, bottom):
+            yield i, costs[i - top, i - top :]
+        top = bottom
 
 
 def _walk_back(grid: Indices, came_from: Indices) -> Indices:
@@ -137,8 +217,8 @@ def best_cut_into(moments: Moments, grid: Indices, least: int, count: int) -> In
     """
     size = len(grid)
     cost = np.full((size, size), np.inf)
-    for i, reach, costs in _rows(moments, grid, least):
-        cost[i, reach:] = costs
+    for i, costs in _rows(moments, grid, least):
+        cost[i, i + 1 :] = costs
     best = cost[0]
     came_from = []
     for _ in range(count - 1):
@@ -165,7 +245,7 @@ def refine_cuts(moments: Moments, cuts: Indices, reach: int, least: int) -> Indi
     best = np.zeros(1)
     came_from = []
     for before, after in itertools.pairwise(choices):
-        total = best[:, None] + _costs_between(moments, before, after, least)
+        total = best[:, None] + moments.costs(before, after, min(least, len(moments)))
         came_from.append(total.argmin(axis=0))
         best = total.min(axis=0)
     refined = []
@@ -174,11 +254,3 @@ def refine_cuts(moments: Moments, cuts: Indices, reach: int, least: int) -> Indi
         at = step[at]
         refined.append(options[at])
     return np.array(refined[::-1], dtype=np.intp) if np.isfinite(best[0]) else cuts
-
-
-def _costs_between(moments: Moments, before: Indices, after: Indices, least: int) -> Array:
-    begin, end = np.broadcast_arrays(before[:, None], after[None, :])
-    cost = np.full(begin.shape, np.inf)
-    long_enough = end - begin >= min(least, len(moments))
-    cost[long_enough] = moments.costs(begin[long_enough], end[long_enough])
-    return cost
