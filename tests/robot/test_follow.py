@@ -1,12 +1,15 @@
 """An arm along a whole demonstration."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
 from keyphase.demonstration import Demonstration
 from keyphase.robot.arm import Arm
-from keyphase.robot.follow import follow, tool_poses
+from keyphase.robot.description import load_description
+from keyphase.robot.follow import JointPath, Unreached, follow, tool_poses
 from keyphase.robot.pose import Placement
 from keyphase.robot.yumi import yumi
 
@@ -49,8 +52,8 @@ def partly(arm, beyond):
     return follow(arm, beyond)
 
 
-def fastest(path) -> np.ndarray:
-    return np.max(np.abs(np.diff(path.joints_rad, axis=0)), axis=0) * RATE_HZ
+def fastest(path, rate_hz=RATE_HZ) -> np.ndarray:
+    return np.max(np.abs(np.diff(path.joints_rad, axis=0)), axis=0) * rate_hz
 
 
 def test_every_sample_within_reach_is_met_within_two_micrometres(arm, within, followed):
@@ -68,12 +71,13 @@ def test_the_path_is_continuous(robot, followed):
 
 
 @pytest.mark.parametrize("fixture", ["followed", "partly"])
-def test_limits_of_position_and_speed_are_never_passed(robot, fixture, request):
+def test_joint_limits_are_never_passed_and_no_step_is_a_jump(robot, fixture, request):
     path = request.getfixturevalue(fixture)
 
     assert (path.joints_rad >= robot.lower_rad).all()
     assert (path.joints_rad <= robot.upper_rad).all()
-    assert (fastest(path) <= robot.speed_rad_s * (1 + 1e-9)).all()
+    allowed = np.maximum(robot.speed_rad_s, 0.02 * RATE_HZ)
+    assert (fastest(path) <= allowed * (1 + 1e-9)).all()
 
 
 def test_stretches_out_of_reach_are_reported_with_time_and_distance(arm, beyond, partly):
@@ -92,6 +96,30 @@ def test_stretches_out_of_reach_are_reported_with_time_and_distance(arm, beyond,
         assert stretch.distance_m > 0.01
     assert 0.5 < partly.reached.mean() < 1
     assert (partly.distance_m[partly.reached] <= 2e-6).all()
+
+
+def test_missed_samples_close_in_time_are_one_stretch():
+    time = np.arange(10) * 0.04
+    distance = np.array([0, 0.3, 0, 0.1, 0.2, 0, 0, 0, 0.4, 0])
+    path = JointPath(time, np.zeros((10, 7)), distance, np.zeros(10))
+
+    assert path.unreached == (Unreached(0.04, 0.16, 0.3, 0.0), Unreached(0.32, 0.32, 0.4, 0.0))
+
+
+def test_an_arm_that_is_too_slow_lags_behind_and_says_so(urdf):
+    hinge = Arm(load_description(urdf(), "tool"))
+    time = np.arange(0, 0.5, 0.02)
+    angles = np.clip(6.0 * time, 0, 1.5)
+    half = angles / 2
+    wxyz = np.column_stack([np.cos(half), 0 * half, np.sin(half), 0 * half])
+    fast = Demonstration("fast", time, np.tile([0.0, 0, 1], (len(time), 1)), wxyz)
+
+    path = follow(hinge, fast)
+
+    assert fastest(path, 50) == pytest.approx([3.0])
+    (late,) = path.unreached
+    assert late.angle_rad == pytest.approx(0.75, abs=0.1)
+    assert path.joints_rad[-1] == pytest.approx([1.5], abs=0.2)
 
 
 def test_where_nothing_can_be_reached_all_of_it_is_reported(arm):
@@ -156,6 +184,30 @@ def test_a_given_posture_is_started_from(arm, within, followed):
 
     assert path.reached.all()
     assert np.abs(path.joints_rad[0] - followed.joints_rad[0]).max() > 0.05
+
+
+def test_recorded_joints_are_started_from(arm, within, followed):
+    other = followed.joints_rad[0] + [0.4, 0.1, 0.1, 0, 0, 0.2, 0.3]
+    recorded = replace(within, joints_rad=np.tile(other, (len(within), 1)))
+
+    path = follow(arm, recorded)
+
+    assert path.joints_rad.tobytes() == follow(arm, within, start_rad=other).joints_rad.tobytes()
+    assert path.joints_rad.tobytes() != followed.joints_rad.tobytes()
+
+
+def test_recorded_joints_of_another_robot_are_ignored(arm, within, followed):
+    six_axes = replace(within, joints_rad=np.zeros((len(within), 6)))
+
+    assert follow(arm, six_axes).joints_rad.tobytes() == followed.joints_rad.tobytes()
+
+
+def test_the_noise_of_a_recording_is_followed(arm, within):
+    noise = np.random.default_rng(0).normal(0, 0.001, within.position_m.shape)
+
+    path = follow(arm, replace(within, position_m=within.position_m + noise))
+
+    assert path.reached.all()
 
 
 def test_progress_is_heard_from_none_to_all(arm, within):

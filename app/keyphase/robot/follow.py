@@ -24,6 +24,12 @@ from keyphase.robot.pose import TOOL_DOWN_WXYZ, Placement, matrices
 POSTURE_LENGTH_M = 0.3
 """Way of the tool over which the posture is drawn back to the start posture by 63 %."""
 
+SMALL_STEP_RAD = 0.02
+"""A step a joint may always make: the noise of a recording is not taken for fast motion."""
+
+SAME_STRETCH_S = 0.1
+"""Samples the arm could not follow that are no further apart than this are reported together."""
+
 PREVIEW_HZ = 20.0
 """Rate at which ways to start are compared before the best is followed in full."""
 
@@ -66,16 +72,17 @@ class JointPath:
 
     @cached_property
     def unreached(self) -> tuple[Unreached, ...]:
-        """The stretches that were not reached, in order."""
-        edges = np.flatnonzero(np.diff(np.concatenate([[True], self.reached, [True]])))
-        return tuple(
-            Unreached(
-                float(self.time_s[first]),
-                float(self.time_s[end - 1]),
-                float(self.distance_m[first:end].max()),
-                float(self.angle_rad[first:end].max()),
-            )
-            for first, end in zip(edges[::2], edges[1::2], strict=True)
+        """The stretches that were not reached, in order; those less than 0.1 s apart as one."""
+        missed = np.flatnonzero(~self.reached)
+        breaks = np.flatnonzero(np.diff(self.time_s[missed]) > SAME_STRETCH_S) + 1
+        return tuple(self._stretch(rows) for rows in np.split(missed, breaks) if len(rows))
+
+    def _stretch(self, rows: np.ndarray) -> Unreached:
+        return Unreached(
+            float(self.time_s[rows[0]]),
+            float(self.time_s[rows[-1]]),
+            float(self.distance_m[rows].max()),
+            float(self.angle_rad[rows].max()),
         )
 
 
@@ -89,10 +96,13 @@ def follow(
 ) -> JointPath:
     """Joints that move the tool frame along the placed demonstration.
 
-    Of several postures to start from (`start_rad`, the arm's own, random ones of `seed`) the one
-    is taken from which most of the path is reached. A demonstration without orientation is
-    followed with the tool pointing down. `progress` hears the share that is done.
+    Of several postures to start from (`start_rad`, by default that of recorded joints if they are
+    as many as the arm's; the arm's own; random ones of `seed`) the first is taken from which all
+    of the path is reached, or else the one that reaches most. A demonstration without orientation
+    is followed with the tool pointing down. `progress` hears the share that is done.
     """
+    if start_rad is None:
+        start_rad = _recorded_start(arm, demonstration)
     poses = (placement or Placement()).apply(tool_poses(demonstration))
     goals = [pinocchio.SE3(pose) for pose in poses]
     time = demonstration.time_s
@@ -107,6 +117,13 @@ def tool_poses(demonstration: Demonstration) -> Array:
     if orientation is None:
         orientation = np.tile(TOOL_DOWN_WXYZ, (len(demonstration), 1))
     return matrices(demonstration.position_m, orientation)
+
+
+def _recorded_start(arm: Arm, demonstration: Demonstration) -> Array | None:
+    joints = demonstration.joints_rad
+    if joints is None or joints.shape[1] != len(arm.robot.joint_names):
+        return None
+    return joints[0]
 
 
 def _best_start(
@@ -157,7 +174,8 @@ def _followed(
     solutions = [solution]
     for number, (before, goal) in enumerate(pairwise(goals), start=1):
         joints = solution.joints_rad
-        reach = robot.speed_rad_s * (time[number] - time[number - 1])
+        seconds = time[number] - time[number - 1]
+        reach = np.maximum(robot.speed_rad_s * seconds, SMALL_STEP_RAD)
         lower = np.maximum(robot.lower_rad, joints - reach)
         upper = np.minimum(robot.upper_rad, joints + reach)
         drawn = joints + _towards_start_posture(arm, joints, before, goal, data)
