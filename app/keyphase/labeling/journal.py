@@ -128,14 +128,16 @@ class Journal:
     def _open(self, demonstration: Demonstration, shared: Parameters, folder: StateFolder) -> None:
         if folder.writable:
             self._take_lock()
-        data = _read(self._path, folder, self._source.path)
+        found = folder.newest(self._path.name)
+        data = _read(found) if found else b""
         read = decode(data)
         state = replay(read.records)
         torn = read.torn and self.read_only is None
-        self._notices += _notices(read, state, self._path, torn)
-        if self.read_only is None and _needs_rewriting(read, state):
-            keep_old = bool(read.damaged) or state.refused > 0
-            self._rewrite(data, state, opening(demonstration), keep_old)
+        self._notices += _notices(read, state, found or self._path, torn)
+        elsewhere = found is not None and found != self._path
+        if self.read_only is None and (elsewhere or _needs_rewriting(read, state)):
+            keep_old = elsewhere or bool(read.damaged) or state.refused > 0
+            self._rewrite(state, opening(demonstration), keep_old)
         self._document = Document(demonstration, shared, state.history, state.next_number)
         self._done = state.done
         self._labeled_sha256 = state.sha256
@@ -151,10 +153,10 @@ class Journal:
             self.read_only = f"{self._path.parent} takes no locks ({error.strerror})"
         self._notices.append(f"Opened for looking only: {self.read_only}.")
 
-    def _rewrite(self, data: bytes, state: Journaled, first: Record, keep_old: bool) -> None:
+    def _rewrite(self, state: Journaled, first: Record, keep_old: bool) -> None:
         try:
-            if keep_old:
-                write_whole(_free_name(self._path), data)
+            if keep_old and self._path.exists():
+                write_whole(_free_name(self._path), _read(self._path))
             write_whole(self._path, b"".join(map(encode, compact(state, first))))
         except KeyphaseError as error:
             raise JournalError(str(error)) from error
@@ -213,10 +215,11 @@ def summarize(recording: Path) -> JournalSummary:
     A journal that cannot be read counts as none; opening it says what is wrong.
     """
     folder = state_folder(recording.parent, create=False)
+    path = folder.newest(journal_path(recording, folder.path).name)
     try:
-        state = replay(decode(journal_path(recording, folder.path).read_bytes()).records)
-    except (OSError, JournalError):
-        return JournalSummary(touched=False, done=False)
+        state = replay(decode(_read(path)).records) if path else Journaled()
+    except JournalError:
+        state = Journaled()
     return JournalSummary(touched=bool(state.history.done), done=state.done)
 
 
@@ -234,21 +237,13 @@ def _source(demonstration: Demonstration) -> Source:
     return demonstration.source
 
 
-def _read(path: Path, folder: StateFolder, recording: Path) -> bytes:
-    """The journal's bytes; edits made where it could still be written come along elsewhere."""
-    original = folder.original and journal_path(recording, folder.original)
-    for candidate in (path, original):
-        try:
-            if candidate is not None:
-                return candidate.read_bytes()
-        except (FileNotFoundError, NotADirectoryError):
-            continue
-        except OSError as error:
-            raise JournalError(
-                f"{candidate}: the journal cannot be read ({error.strerror}); check its "
-                "permissions."
-            ) from error
-    return b""
+def _read(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise JournalError(
+            f"{path}: the journal cannot be read ({error.strerror}); check its permissions."
+        ) from error
 
 
 def _needs_rewriting(read: ReadRecords, state: Journaled) -> bool:
@@ -274,8 +269,8 @@ def _notices(read: ReadRecords, state: Journaled, path: Path, torn: bool) -> lis
 
 
 def _free_name(path: Path) -> Path:
-    """Where a damaged journal is kept as it was."""
-    names = (path.with_suffix(f".damaged-{i}") for i in range(1, 1_000_000))
+    """Where a journal that is replaced is kept as it was."""
+    names = (path.with_suffix(f".old-{i}") for i in range(1, 1_000_000))
     return next(name for name in names if not name.exists())
 
 

@@ -15,13 +15,19 @@ NAME = ".keyphase"
 class StateFolder:
     """The folder in use, whether it can be written, and what a person should know about it.
 
-    `original` is the folder beside the recordings where that one could not be used.
+    `other` is the second of the two places; what was written there while this one could not be
+    is not forgotten.
     """
 
     path: Path
+    other: Path
     writable: bool
-    original: Path | None = None
     notice: str | None = None
+
+    def newest(self, name: str) -> Path | None:
+        """The file of that name, from whichever of the two places it was last written in."""
+        files = [folder / name for folder in (self.path, self.other) if (folder / name).is_file()]
+        return max(files, key=lambda file: file.stat().st_mtime_ns, default=None)
 
 
 def state_folder(recordings: Path, *, create: bool = True) -> StateFolder:
@@ -29,18 +35,17 @@ def state_folder(recordings: Path, *, create: bool = True) -> StateFolder:
 
     It lies beside them. Where nothing can be written there, it lies in the user's state folder
     (`$XDG_STATE_HOME` or ~/.local/state), under a name made from the recordings' absolute path.
-    Without `create` nothing is made or tried, and the first that exists is taken. Raises
-    JournalError where neither can be written.
+    Without `create` nothing is made or tried. Raises JournalError where neither can be written.
     """
     beside = recordings / NAME
     own = _own(recordings)
     if not create:
-        return StateFolder(own if own.is_dir() and not beside.is_dir() else beside, writable=False)
+        return StateFolder(beside, own, writable=False)
     if _usable(beside):
-        return StateFolder(beside, writable=True)
+        return StateFolder(beside, own, writable=True)
     if _usable(own):
         notice = f"{recordings} cannot be written, so edits are kept in {own}."
-        return StateFolder(own, writable=True, original=beside, notice=notice)
+        return StateFolder(own, beside, writable=True, notice=notice)
     raise JournalError(
         f"Edits can be kept neither in {beside} nor in {own}, because neither folder can be "
         "written; make one of them writable or open with --read-only."

@@ -1,0 +1,102 @@
+"""Edits come from browsers and journals as JSON, and nothing else gets through."""
+
+import json
+
+import pytest
+
+from keyphase.errors import LabelingError
+from keyphase.labeling.edits import (
+    LONGEST_PLAN,
+    Accept,
+    AcceptLabels,
+    Add,
+    BringBack,
+    Contact,
+    DropIdle,
+    Forget,
+    Keep,
+    Label,
+    Merge,
+    Move,
+    Plan,
+    Remove,
+    Reset,
+    edit_as_json,
+    edit_from_json,
+)
+
+EVERY_KIND = [
+    Add(1.5),
+    Add(1.5, True),
+    Remove(2.0),
+    Move(1.0, 2.0),
+    Label(1.0, "insert “peg” <b>"),
+    Label(1.0, "", (0.5, 1.5)),
+    Keep(1.0, False, (0.5, 1.5)),
+    Contact(1.0, True),
+    Accept(1.0),
+    Merge(1.0, 2.0),
+    Plan((1.0, 2.0, 1.0)),
+    Plan((1.0,), ((0.5, 1.5),), ((2.0, 3.0),)),
+    DropIdle(),
+    AcceptLabels(),
+    AcceptLabels((Label(1.0, "a", (0.5, 1.5)),)),
+    BringBack(3),
+    Forget(0),
+    Reset(),
+]
+
+
+@pytest.mark.parametrize("edit", EVERY_KIND, ids=repr)
+def test_every_edit_survives_json(edit):
+    assert edit_from_json(json.loads(json.dumps(edit_as_json(edit)))) == edit
+
+
+def test_whole_numbers_are_times_too():
+    assert edit_from_json({"kind": "add", "time_s": 2}) == Add(2.0)
+
+
+def test_spaces_around_a_label_are_not_part_of_it():
+    assert edit_from_json({"kind": "label", "time_s": 1, "label": "  a b "}) == Label(1.0, "a b")
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        None,
+        [],
+        "add",
+        {},
+        {"kind": None},
+        {"kind": "format_disk"},
+        {"kind": "add"},
+        {"kind": "add", "time_s": "1"},
+        {"kind": "add", "time_s": True},
+        {"kind": "add", "time_s": None},
+        {"kind": "add", "time_s": float("nan")},
+        {"kind": "add", "time_s": float("inf")},
+        {"kind": "add", "time_s": 1e300},
+        {"kind": "add", "time_s": 10**400},
+        {"kind": "add", "time_s": 1.0, "__class__": "x"},
+        {"kind": "add", "time_s": 1.0, "contact_change": 1},
+        {"kind": "keep", "time_s": 1.0, "kept": "yes"},
+        {"kind": "label", "time_s": 1.0, "label": 3},
+        {"kind": "label", "time_s": 1.0, "label": "x" * 201},
+        {"kind": "label", "time_s": 1.0, "label": "a\nb"},
+        {"kind": "label", "time_s": 1.0, "label": "\ud800"},
+        {"kind": "label", "time_s": 1.0, "label": "a", "span_s": [1.0]},
+        {"kind": "accept_labels", "labels": [{"time_s": 1.0, "label": "a\x00"}]},
+        {"kind": "plan", "order": "1"},
+        {"kind": "plan", "order": [1.0, None]},
+        {"kind": "plan", "order": [float("nan")]},
+        {"kind": "plan", "order": [1.0], "spans_s": []},
+        {"kind": "plan", "order": [1.0] * (LONGEST_PLAN + 1)},
+        {"kind": "bring_back", "edit": -1},
+        {"kind": "bring_back", "edit": 1.5},
+        {"kind": "reset", "time_s": 1.0},
+    ],
+    ids=lambda content: repr(content)[:60],
+)
+def test_anything_else_is_refused_with_a_reason(content):
+    with pytest.raises(LabelingError, match=r"\w+ \w+"):
+        edit_from_json(content)
