@@ -10,6 +10,7 @@ from keyphase.segmentation.end_condition import (
     ConfigurationEnd,
     ContactEnd,
     end_condition_at,
+    ends_in_contact,
 )
 
 
@@ -56,9 +57,28 @@ def test_where_the_force_does_not_change_the_configuration_decides():
     assert end_condition_at(still, 1.0, 2.0, contact_change=True) == ConfigurationEnd()
 
 
-def test_the_end_of_the_recording_is_a_configuration():
-    pressed = pressed_at(2.0, (0.0, 0.0, 5.0))
-    assert end_condition_at(pressed, 1.0, pressed.end_s, True) == ConfigurationEnd()
+def test_a_recording_that_breaks_off_in_a_contact_ends_in_it():
+    """The wall is met 90 ms before the recording stops: too late for any boundary."""
+    pressed = pressed_at(3.91, (0.0, -4.0, 0.0), noise_N=0.1)
+    assert ends_in_contact(pressed, 2.0)
+    end = end_condition_at(pressed, 2.0, pressed.end_s, contact_change=True)
+    assert isinstance(end, ContactEnd)
+    assert_allclose(end.direction, (0.0, -1.0, 0.0), atol=0.05)
+    assert end.threshold_N == pytest.approx(2.0, rel=0.1)
+
+
+def test_a_recording_that_ends_under_a_steady_force_does_not_end_in_a_contact():
+    assert not ends_in_contact(pressed_at(2.0, (0.0, 0.0, 5.0), noise_N=0.1), 2.0)
+
+
+def test_a_contact_that_the_last_segment_starts_with_is_not_its_end():
+    pressed = pressed_at(3.7, (0.0, 0.0, 5.0), noise_N=0.1)
+    assert not ends_in_contact(pressed, 3.72)
+
+
+def test_a_recording_without_force_does_not_end_in_a_contact():
+    time = np.arange(100) / 50
+    assert not ends_in_contact(Demonstration("free", time, np.zeros((100, 3))), 0.0)
 
 
 def test_the_force_of_the_segment_before_does_not_count():
