@@ -48,7 +48,8 @@ SHOULDERS: Mapping[str, tuple[Triple, Triple]] = {
 mean, mirrored.
 """
 
-SHOULDER_RANGE = Joint("1", (0, 0, 0), (0, 0, 0), (-168.5, 168.5), 180, 30)
+SHOULDER = Joint("1", (0, 0, 0), (0, 0, 0), (-168.5, 168.5), 180, 30)
+"""Its origin differs between the arms."""
 CHAIN = (
     Joint("2", (0.03, 0.0, 0.1), (QUARTER, 0, 0), (-143.5, 43.5), 180, 30),
     Joint("7", (-0.03, 0.17283, 0.0), (-QUARTER, 0, 0), (-168.5, 168.5), 180, 20),

@@ -1,9 +1,9 @@
 """Write shells/*.glb, the robot's visible surfaces; needs the extra `shells`.
 
-python static_robots/yumi/generate_shells.py [NAME ...]
+python static_robots/yumi/generate_shells.py [NAME ...] [--to FOLDER]
 """
 
-import sys
+import argparse
 from pathlib import Path
 
 import numpy as np
@@ -21,14 +21,19 @@ MATERIALS = {
 """Colours, sRGB."""
 
 
-def main(names: list[str]) -> None:
+def main() -> None:
     """Write the named shells, or all of them, and say how large they are."""
-    FOLDER.mkdir(exist_ok=True)
-    for name in names or list(SHELLS):
-        path = FOLDER / f"{name}.glb"
+    parser = argparse.ArgumentParser(description="Write the YuMi's shells as GLB files.")
+    parser.add_argument("names", nargs="*", choices=[*SHELLS, []], metavar="NAME")
+    parser.add_argument("--to", type=Path, default=FOLDER, metavar="FOLDER")
+    asked = parser.parse_args()
+    asked.to.mkdir(exist_ok=True)
+    for name in asked.names or SHELLS:
+        path = asked.to / f"{name}.glb"
         path.write_bytes(glb(name, SHELLS[name]()))
         print(f"{path.name:12s} {path.stat().st_size / 1e3:7.1f} kB")
-    print(f"together     {sum(f.stat().st_size for f in FOLDER.glob('*.glb')) / 1e3:7.1f} kB")
+    together = sum(file.stat().st_size for file in asked.to.glob("*.glb"))
+    print(f"together     {together / 1e3:7.1f} kB")
 
 
 def glb(name: str, pieces: list[Piece]) -> bytes:
@@ -55,4 +60,4 @@ def _linear(colour: tuple[int, int, int]) -> list[int]:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main()

@@ -1,9 +1,11 @@
 """Write yumi.urdf from figures.py and the shells (whose hulls give the inertias).
 
-python static_robots/yumi/generate_urdf.py
+python static_robots/yumi/generate_urdf.py [--to FILE]
 """
 
+import argparse
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -19,7 +21,7 @@ from figures import (
     MASS_KG,
     SENSOR_HEIGHT_M,
     SENSOR_MASS_KG,
-    SHOULDER_RANGE,
+    SHOULDER,
     SHOULDERS,
     TOOL_POINT_M,
     Joint,
@@ -34,7 +36,14 @@ Element = ElementTree.Element
 
 
 def main() -> None:
-    """Write the description beside this script."""
+    """Write the description, by default beside this script."""
+    parser = argparse.ArgumentParser(description="Write the YuMi's URDF.")
+    parser.add_argument("--to", type=Path, default=FOLDER / "yumi.urdf", metavar="FILE")
+    parser.parse_args().to.write_text(urdf(), encoding="utf-8")
+
+
+def urdf() -> str:
+    """The whole robot as XML."""
     robot = Element("robot", name="yumi")
     # MuJoCo reads no GLB, and would merge the sensor and tool frames into the hand.
     mujoco = ElementTree.SubElement(robot, "mujoco")
@@ -46,21 +55,14 @@ def main() -> None:
         robot.extend(arm(side))
         robot.extend(hand(side))
     ElementTree.indent(robot)
-    text = ElementTree.tostring(robot, encoding="unicode", xml_declaration=True)
-    (FOLDER / "yumi.urdf").write_text(text + "\n", encoding="utf-8")
+    text = ElementTree.tostring(robot, encoding="unicode")
+    return f'<?xml version="1.0" encoding="utf-8"?>\n{text}\n'
 
 
 def arm(side: str) -> Iterator[Element]:
     """Seven joints and links from the body to the flange."""
     xyz, rpy = SHOULDERS[side]
-    first = Joint(
-        "1",
-        xyz,
-        rpy,
-        SHOULDER_RANGE.range_deg,
-        SHOULDER_RANGE.speed_deg_s,
-        SHOULDER_RANGE.torque_Nm,
-    )
+    first = replace(SHOULDER, xyz_m=xyz, rpy_rad=rpy)
     parent = "yumi_body"
     for number, joint in enumerate((first, *CHAIN), start=1):
         name = f"yumi_link_{number}_{side}"

@@ -3,7 +3,7 @@
 Modelled by eye after photographs and the published joint origins; no manufacturer's geometry.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -253,7 +253,7 @@ _REST = [
     (0.111, -0.032), (0.059, -0.038),
 ]  # fmt: skip
 
-SHELLS: Mapping[str, object] = {
+SHELLS: Mapping[str, Callable[[], list[Piece]]] = {
     "body": body,
     "link_1": link_1,
     "link_2": link_2,
