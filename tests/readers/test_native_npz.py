@@ -65,6 +65,12 @@ def test_the_same_demonstration_gives_the_same_bytes(
         assert {info.date_time for info in one.infolist()} == {(1980, 1, 1, 0, 0, 0)}
 
 
+def test_the_order_of_metadata_does_not_change_the_bytes(tmp_path: Path) -> None:
+    for name, metadata in (("one", {"a": 1, "b": 2}), ("other", {"b": 2, "a": 1})):
+        save_npz(Demonstration(name, [0, 1], np.zeros((2, 3)), metadata=metadata), tmp_path / name)
+    assert (tmp_path / "one").read_bytes() == (tmp_path / "other").read_bytes()
+
+
 def test_numpy_opens_what_is_saved(tmp_path: Path, archive: Archive) -> None:
     save_npz(read(archive()), tmp_path / "saved.npz")
     with np.load(tmp_path / "saved.npz", allow_pickle=False) as arrays:
