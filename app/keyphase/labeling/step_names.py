@@ -70,6 +70,11 @@ def parameters_name(changes: Mapping[str, object]) -> str:
     if len(changes) != 1:
         return f"Change {len(changes)} parameters"
     ((name, value),) = changes.items()
+    return parameter_text(name, value)
+
+
+def parameter_text(name: str, value: object) -> str:
+    """A parameter and its value, such as "Gaussians 5" or "Threshold automatic"."""
     shown = "automatic" if value is None else f"{value:.4g}" if isinstance(value, float) else value
     return f"{_PARAMETERS.get(name, name)} {shown}"
 

@@ -1,0 +1,90 @@
+"""The labels people use in a folder, each with its colour."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from keyphase.errors import LabelingError
+from keyphase.labeling.edits import check_label
+
+COLORS = ("#58A2F2", "#EFB63A", "#26C397", "#CA71B6", "#A7A425", "#8FDDE8", "#B98A63")
+"""The colours of segments, in the order in which they are given out."""
+
+MOST_LABELS = 500
+
+_COLOR = re.compile(r"#[0-9A-Fa-f]{6}")
+
+
+@dataclass(frozen=True)
+class VocabularyLabel:
+    """A label and its colour, as `#rrggbb`. Raises LabelingError for another form of either."""
+
+    name: str
+    color: str
+
+    def __post_init__(self) -> None:
+        if not self.name or check_label(self.name) != self.name:
+            raise LabelingError("A label of the vocabulary must not be empty or padded.")
+        if not _COLOR.fullmatch(self.color):
+            raise LabelingError(
+                f"Expected a colour such as {COLORS[0]} for “{self.name}”, "
+                f"but got {self.color[:20]!r}."
+            )
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """The labels of a folder in the order of their number keys, each name once."""
+
+    labels: tuple[VocabularyLabel, ...] = ()
+
+    def __post_init__(self) -> None:
+        if len({label.name for label in self.labels}) < len(self.labels):
+            raise LabelingError("Each label stands in the vocabulary once.")
+        if len(self.labels) > MOST_LABELS:
+            raise LabelingError(f"A vocabulary has at most {MOST_LABELS} labels.")
+
+    def color(self, name: str) -> str | None:
+        """The colour of a label, None for one that is not in the vocabulary."""
+        return next((label.color for label in self.labels if label.name == name), None)
+
+    def with_label(self, name: str) -> "Vocabulary":
+        """With one label more, in the colour least used; the same if it is there already."""
+        name = check_label(name)
+        if not name or self.color(name) is not None or len(self.labels) == MOST_LABELS:
+            return self
+        used = [label.color.upper() for label in self.labels]
+        color = min(COLORS, key=used.count)
+        return replace(self, labels=(*self.labels, VocabularyLabel(name, color)))
+
+    def without_label(self, name: str) -> "Vocabulary":
+        """Without a label; segments that have it keep it."""
+        return replace(self, labels=tuple(label for label in self.labels if label.name != name))
+
+    def completions(self, beginning: str) -> tuple[str, ...]:
+        """Labels that begin with what was typed, then those that hold it elsewhere."""
+        typed = beginning.strip().casefold()
+        names = [label.name for label in self.labels]
+        first = [name for name in names if name.casefold().startswith(typed)]
+        later = [name for name in names if typed in name.casefold() and name not in first]
+        return (*first, *later)
+
+    def as_json(self) -> list[dict[str, Any]]:
+        """As JSON values."""
+        return [{"name": label.name, "color": label.color} for label in self.labels]
+
+
+def vocabulary_from_json(content: Any) -> Vocabulary:
+    """The vocabulary that JSON values describe. Raises LabelingError where they do not."""
+    if not isinstance(content, list):
+        raise LabelingError("Expected a list of labels, each with name and color.")
+    return Vocabulary(tuple(_label(item) for item in content))
+
+
+def _label(item: Any) -> VocabularyLabel:
+    if not isinstance(item, Mapping) or not all(isinstance(v, str) for v in item.values()):
+        raise LabelingError("Expected a label with name and color, both text.")
+    if set(item) != {"name", "color"}:
+        raise LabelingError("Expected a label with name and color, and nothing else.")
+    return VocabularyLabel(item["name"], item["color"])
