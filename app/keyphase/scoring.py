@@ -173,6 +173,9 @@ def read_truth(path: Path) -> dict[str, Truth]:
         raise ScoreError(f"{path}: expected JSON, but it cannot be parsed ({error}).") from error
     if not isinstance(content, dict) or not content:
         raise ScoreError(f"{path}: expected a JSON object with an entry for each recording.")
+    for key in content:
+        if Path(key).is_absolute() or ".." in Path(key).parts:
+            raise ScoreError(f"{path}: expected keys such as set/name, but got {key!r}.")
     return {key: _truth(path, key, entry) for key, entry in content.items()}
 
 
