@@ -19,6 +19,9 @@ class Theme(NamedTuple):
     origins: dict[str, Rgb]
 
 
+PAINT_GAMMA = 1.7
+
+
 def _rgb(code: str) -> Rgb:
     return int(code[1:3], 16), int(code[3:5], 16), int(code[5:7], 16)
 
@@ -65,8 +68,14 @@ DARK = Theme(
 
 
 def segment_color(color: int, kept: bool) -> Rgb:
-    """Colour of a segment by its number."""
+    """Colour of a segment by its number, as it is to be seen."""
     if not kept:
         return IDLE
     red, green, blue = SEGMENT_COLORS[color % len(SEGMENT_COLORS)].tolist()
+    return red, green, blue
+
+
+def painted(color: Rgb) -> Rgb:
+    """The paint that looks like `color` in the scene, whose tone mapping takes colour away."""
+    red, green, blue = (round(255 * (value / 255) ** PAINT_GAMMA) for value in color)
     return red, green, blue

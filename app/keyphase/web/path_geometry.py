@@ -1,6 +1,6 @@
-"""Shapes of the scene as plain arrays: the path in pieces, ellipsoids, arrows, where to look from.
+"""Shapes of the scene as plain arrays: the path in pieces, ellipsoids, arrows.
 
-Everything here is numbers; `scene` hands it to viser.
+Everything here is numbers; the parts of the scene hand it to viser.
 """
 
 from collections.abc import Sequence
@@ -13,67 +13,98 @@ from scipy.spatial.transform import Rotation
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.segmentation import Gaussian
 
-MOST_PIECES = 1500
-"""So many pieces draw any path; a longer recording has longer ones."""
+MOST_PIECES = 3000
+"""So many pieces draw any path; a longer one has longer pieces."""
 
 METRES_PER_NEWTON = 0.01
 """Length of a force arrow."""
 
-_SIDES = 10
-_TIME_SHARE = 0.2
+_MOST_SAMPLES = 20_000
+_SIDES = 12
 
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """A path as straight pieces between M + 1 of its samples.
+    """A path as M straight pieces, each from one kept sample to the next.
 
-    time_s    (M,)   middle of each piece
-    middle_m  (M, 3) where its middle is
-    wxyz      (M, 4) turns z along it
-    length_m  (M,)
-    size_m           the longest side of the box around the whole path
+    position_m (M + 1, 3) the kept samples
+    time_s     (M,)   when the piece was passed: a rest before it belongs to what is before
+    wxyz       (M, 4) turns z along it
+    length_m   (M,)
+    low_m, high_m     (3,) the box around the whole path
     """
 
+    position_m: Array
     time_s: Array
-    middle_m: Array
     wxyz: Array
     length_m: Array
-    size_m: float
+    low_m: Array
+    high_m: Array
+
+    @property
+    def size_m(self) -> float:
+        """The diagonal of the box, at least 2 cm."""
+        return max(float(np.linalg.norm(self.high_m - self.low_m)), 0.02)
 
     @property
     def radius_m(self) -> float:
-        """How thick it is drawn: to be seen beside the whole."""
-        return float(np.clip(0.011 * self.size_m, 0.001, 0.012))
+        """How thick the path is drawn: to be seen beside the whole."""
+        return _radius_m(self.size_m)
+
+    @property
+    def middle_m(self) -> Array:
+        """(M, 3) the middle of each piece."""
+        return 0.5 * (self.position_m[1:] + self.position_m[:-1])
 
 
 def path_of(demonstration: Demonstration) -> Path:
-    """The path of the tool, in at most MOST_PIECES pieces."""
-    kept = _spread_samples(demonstration)
-    time, position = demonstration.time_s[kept], demonstration.position_m[kept]
-    steps = np.diff(position, axis=0)
-    length = np.linalg.norm(steps, axis=1)
-    box = np.ptp(demonstration.position_m, axis=0)
+    """The path of the tool, in at most MOST_PIECES pieces about as long as it is thick."""
+    stride = -(-len(demonstration) // _MOST_SAMPLES)
+    time, position = demonstration.time_s[::stride], demonstration.position_m[::stride]
+    low, high = position.min(axis=0), position.max(axis=0)
+    spacing = _radius_m(max(float(np.linalg.norm(high - low)), 0.02))
+    kept = _apart(position, spacing)
+    while len(kept) > MOST_PIECES + 1:
+        spacing *= 1.5
+        kept = _apart(position, spacing)
+    points = _smoothed(position[kept])
+    steps = np.diff(points, axis=0)
     return Path(
-        time_s=0.5 * (time[1:] + time[:-1]),
-        middle_m=0.5 * (position[1:] + position[:-1]),
+        position_m=points,
+        time_s=time[kept[1:]],
         wxyz=turns_of_z(steps),
-        length_m=length,
-        size_m=max(float(box.max()), 0.02),
+        length_m=np.linalg.norm(steps, axis=1),
+        low_m=low,
+        high_m=high,
     )
 
 
-def _spread_samples(demonstration: Demonstration) -> NDArray[np.intp]:
-    """Samples evenly spread over the way and, less so, over time, so that rests keep a few."""
-    way = np.concatenate([[0.0], np.cumsum(_step_lengths(demonstration.position_m))])
-    elapsed = demonstration.time_s - demonstration.start_s
-    progress = (1 - _TIME_SHARE) * way / max(way[-1], 1e-9) + _TIME_SHARE * elapsed / elapsed[-1]
-    count = min(len(demonstration), MOST_PIECES + 1)
-    found = np.searchsorted(progress, np.linspace(0.0, progress[-1], count))
-    return np.unique(np.concatenate([[0], found.clip(0, len(demonstration) - 1)]))
+def _smoothed(points: Array) -> Array:
+    """Without the zigzag of measurement noise, which is as wide as the path is thick."""
+    if len(points) < 5:
+        return points
+    padded = np.pad(points, ((2, 2), (0, 0)), mode="edge")
+    weights = np.array([1.0, 4.0, 6.0, 4.0, 1.0]) / 16.0
+    return np.sum([w * padded[i : i + len(points)] for i, w in enumerate(weights)], axis=0)
 
 
-def _step_lengths(position_m: Array) -> Array:
-    return np.linalg.norm(np.diff(position_m, axis=0), axis=1)
+def _radius_m(size_m: float) -> float:
+    return float(np.clip(0.009 * size_m, 0.0008, 0.012))
+
+
+def _apart(position_m: Array, spacing_m: float) -> NDArray[np.intp]:
+    """Indices of samples of which each is `spacing_m` from the one before; the last one always."""
+    kept = [0]
+    points = position_m.tolist()
+    x, y, z = points[0]
+    limit = spacing_m**2
+    for index, (u, v, w) in enumerate(points):
+        if (u - x) ** 2 + (v - y) ** 2 + (w - z) ** 2 >= limit:
+            kept.append(index)
+            x, y, z = u, v, w
+    if len(kept) == 1 or kept[-1] != len(points) - 1:
+        kept.append(len(points) - 1)
+    return np.array(kept)
 
 
 def turns_of_z(directions: Array) -> Array:
@@ -84,8 +115,7 @@ def turns_of_z(directions: Array) -> Array:
     norms = np.linalg.norm(directions, axis=1, keepdims=True)
     unit = np.where(norms > 0, directions / np.maximum(norms, 1e-300), [0.0, 0.0, 1.0])
     wxyz = np.stack([1 + unit[:, 2], -unit[:, 1], unit[:, 0], np.zeros(len(unit))], axis=1)
-    opposite = unit[:, 2] < -1 + 1e-9
-    wxyz[opposite] = [0.0, 1.0, 0.0, 0.0]
+    wxyz[unit[:, 2] < -1 + 1e-9] = [0.0, 1.0, 0.0, 0.0]
     return wxyz / np.linalg.norm(wxyz, axis=1, keepdims=True)
 
 
@@ -101,14 +131,6 @@ def tube() -> tuple[Array, NDArray[np.uint32]]:
         [np.stack([i, j, j + _SIDES], axis=1), np.stack([i, j + _SIDES, i + _SIDES], axis=1)]
     )
     return np.concatenate([low, high]), faces.astype(np.uint32)
-
-
-def piece_scales(path: Path, segment_of_piece: NDArray[np.intp], selected: int | None) -> Array:
-    """(M, 3) scale of each piece; the selected segment is thicker, and pieces overlap a little."""
-    radius = np.full(len(path.length_m), path.radius_m)
-    if selected is not None:
-        radius[segment_of_piece == selected] *= 1.6
-    return np.stack([radius, radius, path.length_m + 0.5 * radius], axis=1)
 
 
 def ellipsoids(gaussians: Sequence[Gaussian], least_m: float) -> tuple[Array, Array, Array]:
@@ -134,12 +156,3 @@ def arrow(
         return None
     length = float(np.clip(METRES_PER_NEWTON * size, shortest_m, longest_m))
     return position_m, position_m + force / size * length
-
-
-def view_of(position_m: Array) -> tuple[Array, Array]:
-    """Where to look from and at, so that the whole path is in view, from the front and above."""
-    low, high = position_m.min(axis=0), position_m.max(axis=0)
-    middle = 0.5 * (low + high)
-    distance = max(1.5 * float(np.linalg.norm(high - low)), 0.08)
-    direction = np.array([0.75, 0.55, 0.45])
-    return middle + direction / np.linalg.norm(direction) * distance, middle

@@ -1,0 +1,105 @@
+"""Where the scene is looked at from, and where names stand so that they do not cover each other."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.web.path_geometry import Path
+
+FIELD_OF_VIEW_RAD = 0.7
+"""Vertical; a longer lens than viser's own keeps straight things straight."""
+
+_ELEVATION_RAD = 0.42
+_ROOM = 1.15
+_LINE = 0.062
+
+
+@dataclass(frozen=True, eq=False)
+class Viewpoint:
+    """A camera: where it is, what it looks at, and the directions of its picture."""
+
+    position_m: Array
+    look_at_m: Array
+    right: Array
+    up: Array
+
+    @property
+    def height_m(self) -> float:
+        """How much of the plane through what is looked at the picture shows, top to bottom."""
+        distance = float(np.linalg.norm(self.position_m - self.look_at_m))
+        return 2 * distance * float(np.tan(0.5 * FIELD_OF_VIEW_RAD))
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedName:
+    """A name in the scene: what it says, what it is about, where and on which side it stands."""
+
+    text: str
+    about_m: Array
+    at_m: Array
+    side: Literal["left", "right"]
+
+
+def viewpoint_of(path: Path) -> Viewpoint:
+    """Look across the direction in which the path extends most, from the front and above."""
+    middle = 0.5 * (path.low_m + path.high_m)
+    azimuth = _across(path.position_m)
+    towards = np.array(
+        [
+            np.cos(azimuth) * np.cos(_ELEVATION_RAD),
+            np.sin(azimuth) * np.cos(_ELEVATION_RAD),
+            np.sin(_ELEVATION_RAD),
+        ]
+    )
+    distance = _ROOM * 0.5 * path.size_m / np.tan(0.5 * FIELD_OF_VIEW_RAD)
+    right = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
+    return Viewpoint(middle + distance * towards, middle, right, np.cross(towards, right))
+
+
+def placed(names: Sequence[tuple[str, Array]], view: Viewpoint) -> list[PlacedName]:
+    """Names beside what they are about, in a column on either side, one line apart."""
+    across = [float((at_m - view.look_at_m) @ view.right) for _, at_m in names]
+    reach = max(map(abs, across), default=0.0) + 0.1 * view.height_m
+    sides = [(name, a >= 0) for name, a in zip(names, across, strict=True)]
+    left = [name for name, is_right in sides if not is_right]
+    right = [name for name, is_right in sides if is_right]
+    return [*_column(left, "left", -reach, view), *_column(right, "right", reach, view)]
+
+
+def _column(
+    names: Sequence[tuple[str, Array]],
+    side: Literal["left", "right"],
+    across_m: float,
+    view: Viewpoint,
+) -> list[PlacedName]:
+    heights = np.array([(at_m - view.look_at_m) @ view.up for _, at_m in names])
+    order = np.argsort(-heights)
+    spread = _one_line_apart(heights[order], _LINE * view.height_m)
+    return [
+        PlacedName(
+            names[index][0],
+            names[index][1],
+            view.look_at_m + across_m * view.right + height * view.up,
+            side,
+        )
+        for index, height in zip(order, spread, strict=True)
+    ]
+
+
+def _one_line_apart(heights: Array, line: float) -> Array:
+    """Descending heights, pushed down where they are too near, then centred as they were."""
+    placed = heights.copy()
+    for i in range(1, len(placed)):
+        placed[i] = min(placed[i], placed[i - 1] - line)
+    return placed + (heights.mean() - placed.mean()) if len(placed) else placed
+
+
+def _across(position_m: Array) -> float:
+    """Azimuth at right angles to the main horizontal direction, on the side of +x."""
+    flat = position_m[:, :2] - position_m[:, :2].mean(axis=0)
+    _, axes = np.linalg.eigh(flat.T @ flat)
+    side = axes[:, 0] if axes[0, 0] >= 0 else -axes[:, 0]
+    return float(np.arctan2(side[1], side[0]))
