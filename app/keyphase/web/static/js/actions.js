@@ -210,6 +210,21 @@ export function createActions(store, send, latency) {
     toggleScale: () => store.set({ logarithmic: !state.logarithmic }),
     toggleTheme: () => store.set({ dark: !state.dark }),
 
+    /** Says that a recording is done, or not after all. */
+    setDone(done) {
+      if (doc() && !state.readOnly) send({ type: "done", done });
+    },
+    doneAndOn() {
+      actions.setDone(true);
+      const { items, current } = state.recordings;
+      const at = items.findIndex(({ id }) => id === current);
+      const open = [...items.slice(at + 1), ...items.slice(0, at)].find((item) => item.state !== "done" && !item.error);
+      if (open) actions.open(open.id);
+    },
+    keepLabels: () => send({ type: "keep_labels" }),
+    bringBack: (index) => edit({ kind: "bring_back", edit: index }),
+    forget: (index) => edit({ kind: "forget", edit: index }),
+
     nextRecording(direction) {
       const { items, current } = state.recordings;
       const at = items.findIndex(({ id }) => id === current);

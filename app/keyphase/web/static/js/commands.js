@@ -68,6 +68,8 @@ export function createCommands(actions, store, dialogs) {
       ["Previous recording", ["PageUp"], () => actions.nextRecording(-1), true],
       ["Next recording", ["PageDown"], () => actions.nextRecording(1), true],
       ["Least certain recording", ["U"], actions.leastCertain, true],
+      ["Done with this recording, on to the next", ["K"], actions.doneAndOn],
+      ["Not done yet", [], () => actions.setDone(false)],
       ["Export the segment file", ["Ctrl S"], () => actions.exportAs("json")],
       ["Export as CSV", [], () => actions.exportAs("csv")],
       ["Export all recordings", [], () => actions.exportAs("all")],

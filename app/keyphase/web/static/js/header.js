@@ -28,13 +28,14 @@ export function createHeader(store, actions, dialogs) {
     setUndo(redo, doc?.redo, "Redo", "Ctrl Shift Z", readOnly);
     byId("undo-name").textContent = doc?.undo ?? "";
   });
-  store.on(["document", "recordings"], ({ document: doc, recordings }) => {
-    const item = recordings.items.find(({ id }) => id === doc?.id);
+  byId("badge").addEventListener("click", () => actions.setDone(store.state.document.state !== "done"));
+  store.on(["document"], ({ document: doc }) => {
     const badge = byId("badge");
-    badge.hidden = !doc || !item;
-    if (!doc || !item) return;
-    badge.className = `badge ${item.state === "done" ? "done" : item.state === "automatic" ? "plain" : ""}`;
-    badge.textContent = doc.edits ? `${item.state} · ${plural(doc.edits, "edit")}` : item.state;
+    badge.hidden = !doc;
+    if (!doc) return;
+    badge.className = `badge ${{ done: "done", automatic: "plain" }[doc.state] ?? ""}`;
+    badge.textContent = doc.edits ? `${doc.state} · ${plural(doc.edits, "edit")}` : doc.state;
+    badge.title = doc.state === "done" ? "Not done after all" : "Done with this recording (K)";
   });
   store.on(["document", "connected", "saving", "readOnly"], drawSaved);
   store.on(["dark"], ({ dark }) => byId("theme").replaceChildren(icon(dark ? "moon" : "sun")));

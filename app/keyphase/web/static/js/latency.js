@@ -6,9 +6,13 @@
  * @typedef {{event: number, milliseconds: number, source: "line"|"slider"|"edit"}} Measurement
  */
 
-/** Sliders of the panel by parameter, as the panel labels them. */
 const FORGET_MS = 5000;
-const SAME = 2e-3;
+const SAME = 4e-3;
+
+/** Whether a slider that shows `shown` set `value`; the threshold's slider counts in decades. */
+function carries(shown, value) {
+  return [shown, 10 ** shown].some((one) => Math.abs(one - value) <= SAME * Math.abs(value));
+}
 
 /**
  * @param {import("./store.js").Store} store
@@ -34,7 +38,7 @@ export function createLatency(store, send) {
 
   /** The earliest input that carried this value and was not answered yet. */
   function inputFor(value) {
-    const found = moved.find((input) => Math.abs(input.value - value) <= SAME * Math.max(1e-3, Math.abs(value)));
+    const found = moved.find((input) => carries(input.value, value));
     if (found) moved = moved.filter((input) => input.at > found.at);
     return found;
   }

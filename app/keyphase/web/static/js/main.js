@@ -2,6 +2,7 @@
 
 import { createActions } from "./actions.js";
 import { createCommands } from "./commands.js";
+import { createBanners } from "./banners.js";
 import { placeIcons } from "./dom.js";
 import { createEmpty } from "./empty.js";
 import { createExplain } from "./explain.js";
@@ -33,7 +34,7 @@ import { createTransport } from "./transport.js";
 const isSmall = () => innerWidth <= SMALL_BELOW_PX;
 
 const store = createStore({
-  connected: null, greeted: false, readOnly: false, labels: [], document: null, ghost: [],
+  connected: null, greeted: false, readOnly: false, lookingOnly: false, labels: [], document: null, ghost: [],
   recordings: { folder: "", current: null, items: [] }, progress: null, notice: null, saving: false,
   view: null, plotWidth: 0, paneHeight: 0, paneWidth: 0, layout: null, whole: null, fine: null, lens: null,
   clock: 0, playhead: { time_s: 0, playing: false, speed: 1, loop: false },
@@ -63,13 +64,18 @@ function wantedTracks(state) {
   return [...new Set([...always, ...tracksOf(state).map(({ key }) => key)])];
 }
 
+// The token in the link has done its work; it should not stay in the address or the history.
+history.replaceState(null, "", location.pathname);
 placeIcons();
 createTheme(store, send);
-store.on(["small"], ({ small }) => (document.documentElement.dataset.size = small ? "small" : "large"));
+const applySize = () => (document.documentElement.dataset.size = store.state.small ? "small" : "large");
+applySize();
+store.on(["small"], applySize);
 const timeline = createTimeline(document.getElementById("timeline"), store, actions);
 const pointer = attachPointer(store, timeline, Object.assign(actions, { menu: menu.forTimeline, openPalette: dialogs.openPalette }));
 createSplitter(store, timeline.naturalHeight);
 createHeader(store, actions, dialogs);
+createBanners(store, actions);
 createQueue(store, actions);
 createTransport(store, actions, menu);
 createPlan(store, actions);

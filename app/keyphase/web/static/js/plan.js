@@ -2,6 +2,7 @@
 
 import { byId, el, icon } from "./dom.js";
 import { plural } from "./format.js";
+import { shortName } from "./names.js";
 import { segmentFill } from "./timeline/band.js";
 
 const CLICK_PX = 4;
@@ -47,7 +48,8 @@ function drawChip(entry, k, doc, selected, { small }) {
   const times = doc.plan.slice(0, k + 1).filter(({ segment: other }) => other === entry.segment).length;
   const contact = segment.end_condition.kind === "contact";
   const how = repeated ? "repeated" : contact ? `ends at ${segment.end_condition.threshold_N.toFixed(1)} N` : "ends at the pose";
-  const name = chipName(segment, small && doc.plan.length > 4);
+  const short = shortName(segment.label);
+  const name = small && doc.plan.length > 4 ? short.split(" ")[0] : short;
   return el("div", {
     class: `chip ${entry.segment === selected ? "on" : ""}`, role: "listitem", tabindex: 0,
     title: `${segment.label}, ${how}. Drag to reorder, Ctrl drag to repeat, Delete takes it out.`, data: { entry: k },
@@ -56,15 +58,6 @@ function drawChip(entry, k, doc, selected, { small }) {
   el("div", { class: "chip-text" }, el("b", { text: name }), repeated ? el("span", { class: "repeat", text: `×${times}` }) : "",
     el("small", {}, icon(contact ? "contact" : "goal"), how)),
   el("span", { class: "grip" }, icon("grip")));
-}
-
-const MEASURE = /\s*\b\d+(\.\d+)?\s?(mm|cm|m|deg|°)(?!\w)/g;
-
-/** Without measures and the leading "Move": "Down until contact". */
-function chipName({ label }, tight) {
-  const name = label.replace(MEASURE, "").replace(/^Move (?=\S)/, "") || label;
-  const text = name.charAt(0).toUpperCase() + name.slice(1);
-  return tight ? text.split(" ")[0] : text;
 }
 
 /** An arrow, or a dashed connecting move where the next skill starts somewhere else. */

@@ -11,17 +11,18 @@ export function createReceiver(store, { latency, playback, notices, signals }) {
 
   const hear = {
     hello(message) {
-      client = message.client ?? "";
-      store.set({ greeted: true, readOnly: message.read_only, labels: message.labels });
+      client = message.client;
+      store.set({ greeted: true, lookingOnly: message.read_only, readOnly: message.read_only, labels: message.labels });
     },
     recordings: (message) => store.set({ recordings: message }),
     document(message) {
       const before = state.document;
       const other = before?.id !== message.id;
-      store.set({ document: message, selected: message.selected, saving: false, ...(other ? fresh(message) : {}) });
+      store.set({ document: message, selected: message.selected, saving: false,
+        readOnly: state.lookingOnly || Boolean(message.locked), ...(other ? fresh(message) : {}) });
       if (other) signals.refresh();
       if (!other && message.boundaries.length !== before.boundaries.length) store.set({ hovered: null, explained: null, current: null });
-      latency.arrived(message, (cause) => !client || cause.client === client);
+      latency.arrived(message, (cause) => cause.client === client);
     },
     ghost: (message) => store.set({ ghost: message.boundaries }),
     playhead: (message) => playback.receive(message),

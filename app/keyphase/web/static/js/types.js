@@ -15,11 +15,12 @@
  *
  * @typedef {{revision: number, cause: ?{event: number, client: string}, id: string, name: string,
  *   folder: string, start_s: number, end_s: number, rate_hz: number, channels: string[],
- *   error_channels: ?string[], edits: number, notices: string[], parameters: Object<string, *>,
+ *   force_channels: number, edits: number, notices: string[], parameters: Object<string, *>,
  *   threshold: number|null, automatic_threshold: number|null, boundaries: Boundary[],
  *   segments: Segment[], peaks: Peak[], gaussians: Object[], plan: PlanEntry[],
  *   proposed_drops: number[], inapplicable: {edit: Object, text: string}[],
- *   selected: number|null, undo: string|null, redo: string|null, saved_at: string|null}} Doc
+ *   selected: number|null, undo: string|null, redo: string|null, saved_at: string|null,
+ *   state: "automatic"|"touched"|"done", locked: string|null, changed: boolean}} Doc
  *
  * @typedef {{id: string, name: string, state: "automatic"|"touched"|"done",
  *   confidence: number|null, strip: {share: number, color: number|null}[],

@@ -5,6 +5,7 @@
 
 import { svg } from "../dom.js";
 import { duration } from "../format.js";
+import { formsOf } from "../names.js";
 import { textWidth } from "./text_width.js";
 
 /** As many colours as the palette has before it repeats. */
@@ -22,8 +23,7 @@ export function segmentFill({ color }) {
  * @param {string} font
  */
 export function fittingLabel(segment, room, font) {
-  const forms = [segment.label, ...(segment.short ?? [])];
-  return forms.find((form) => textWidth(form, font) <= room) ?? "";
+  return formsOf(segment).find((form) => textWidth(form, font) <= room) ?? "";
 }
 
 /**

@@ -102,7 +102,7 @@ function rangeOf(series, threshold, logarithmic, height, small) {
   const map = logarithm(floor);
   const low = Math.log10(floor);
   const most = Math.log10(2.2 * top);
-  const step = Math.max(1, Math.ceil((most - low) / ((height - 13) / (small ? 17 : 22))));
+  const step = Math.max(1, Math.ceil((most - low) / ((height - 13) / (small ? 15 : 18))));
   const decades = multiples(Math.ceil(low), most, step);
   return { low, high: most, ticks: decades.map((decade) => Number((10 ** decade).toPrecision(3))), map };
 }
@@ -183,7 +183,7 @@ function peakText({ height, rejection }, x, level, width, small, taken) {
 function drawThreshold(state, scale, y, height) {
   const threshold = thresholdOf(state);
   if (threshold === null) return [];
-  const level = Math.min(Math.max(y(threshold), 2), height - 2);
+  const level = Math.round(Math.min(Math.max(y(threshold), 2), height - 2)) + 0.5;
   const tagY = Math.min(Math.max(level, 9), height - 9);
   const wide = state.small ? 24 : 32;
   const left = scale.width + 2;
@@ -210,8 +210,7 @@ function createLegend(gutter, store) {
       log.classList.toggle("on", logarithmic);
       linear.setAttribute("aria-pressed", String(!logarithmic));
       log.setAttribute("aria-pressed", String(logarithmic));
-      const names = doc.error_channels ?? doc.channels.filter((name) => name === "force" || name === "torque");
-      channels.textContent = `${3 * names.length} ${names.join(" and ")} channels`;
+      channels.textContent = `${doc.force_channels} ${doc.force_channels > 3 ? "wrench" : "force"} channels`;
       channels.hidden = small || height < 60;
       median.textContent = `${doc.parameters.force_ratio} × running median`;
       median.hidden = small || height < 90;

@@ -49,9 +49,16 @@ export function createPlayhead(group) {
       flag.setAttribute("d", `M${3 - half} ${y + 1}h${FLAG_WIDTH - 6}a3 3 0 0 1 3 3v${height - 8}a3 3 0 0 1 -3 3h${5 - half + 3}l-5 5l-5 -5h${5 - half + 3}a3 3 0 0 1 -3 -3v${8 - height}a3 3 0 0 1 3 -3z`);
       label.setAttribute("y", String(y + 12.5));
     },
-    /** @param {import("./scale.js").Scale} scale @param {number} seconds */
-    move(scale, seconds) {
+    /**
+     * @param {import("./scale.js").Scale} scale
+     * @param {number} seconds
+     * @param {Iterable<Element>} ticks the ruler's texts; those under the flag give way
+     */
+    move(scale, seconds, ticks) {
       const x = scale.x(seconds);
+      for (const tick of ticks) {
+        tick.classList.toggle("covered", Math.abs(Number(tick.getAttribute("x")) - x) < FLAG_WIDTH / 2 + 13);
+      }
       const seen = x >= -1 && x <= scale.width + 1;
       group.style.display = seen ? "" : "none";
       group.style.transform = `translateX(${x.toFixed(2)}px)`;

@@ -130,7 +130,7 @@ export function createTimeline(pane, store, actions) {
   function drawPlayhead(state) {
     if (!isReady(state)) return;
     const { document: doc, clock } = state;
-    playhead.move(scale(), clock);
+    playhead.move(scale(), clock, groups.ruler.querySelectorAll("text"));
     const row = layout.rows.get("overview");
     const x = ((clock - doc.start_s) / (doc.end_s - doc.start_s)) * state.plotWidth;
     groups.overviewPlayhead.setAttribute("x", (x - 0.75).toFixed(1));

@@ -19,7 +19,7 @@ const PENS = {
   torque: { curves: AXES, width: 1.1, digits: 3 },
   orientation: { curves: AXES, width: 1.4, digits: 1 },
 };
-const TICK_EVERY_PX = 24;
+const TICK_EVERY_PX = 21;
 const identity = (value) => value;
 
 /** Decimals a track's values are written with. @param {string} key */

@@ -5,6 +5,9 @@ import { halfWidth, signed, time as timeText } from "../format.js";
 import { glyphIcon, originColor } from "./glyphs.js";
 import { UNSURE_BELOW } from "./boundaries.js";
 
+const LEVER_M = 0.1;
+/** A torque weaker than this share of the strongest step is not worth a line. */
+const TELLING = 0.2;
 const NAMES = { position: "position", force: "force", both: "position and force", user: "set by hand" };
 
 /**
@@ -23,7 +26,7 @@ export function createWhy(node, actions) {
       const boundary = doc.boundaries[index];
       node.replaceChildren(
         heading(boundary, index), tags(boundary),
-        ...boundary.why.sentences.map(sentence), evidence(boundary),
+        ...boundary.why.sentences.map((text, k) => (k ? el("p", { text }) : sentence(text))), evidence(boundary),
         readOnly ? "" : buttons(boundary, index, actions));
       node.dataset.boundary = String(index);
     },
@@ -46,7 +49,7 @@ function tags({ origin, contact_change: contact, accepted }) {
     accepted ? tag("accepted", "var(--good)") : "");
 }
 
-/** Numbers in a sentence stand out; everything stays text. */
+/** Numbers of the first sentence stand out; everything stays text. */
 function sentence(text) {
   const parts = text.split(/(\d[\d.,]*(?: ×)?)/);
   return el("p", {}, ...parts.map((part, k) => (k % 2 ? el("b", { text: part }) : part)));
@@ -55,18 +58,24 @@ function sentence(text) {
 function evidence(boundary) {
   const { why, confidence, interval_s: interval, origin } = boundary;
   const grid = el("div", { class: "evidence" });
-  const largest = Math.max(...why.steps.map(({ value }) => Math.abs(value)), 1e-9);
-  for (const { name, value, unit, axis } of why.steps) {
-    const strongest = Math.abs(value) === largest;
+  const largest = Math.max(...why.steps.map(asForce), 1e-9);
+  for (const step of why.steps.filter((one) => one.unit === "N" || asForce(one) > TELLING * largest)) {
+    const { name, value, unit, axis } = step;
+    const strongest = asForce(step) === largest;
     const digits = unit === "N m" ? 3 : 1;
     grid.append(el("span", { text: name, class: strongest ? "strongest" : "step" }),
-      bar(Math.abs(value) / largest, axis ? `var(--axis-${axis})` : "var(--curve)", strongest ? "strongest" : "step"),
+      bar(asForce(step) / largest, axis ? `var(--axis-${axis})` : "var(--curve)", strongest ? "strongest" : "step"),
       el("span", { class: `amount ${strongest ? "strongest" : "step"}`, text: `${signed(value, digits)} ${unit}` }));
   }
   grid.append(el("span", { text: "Interval" }), whiskers(originColor(origin)), el("span", { class: "amount", text: halfWidth(interval) }));
   const sure = confidence >= UNSURE_BELOW ? "var(--good)" : "var(--unsure)";
   grid.append(el("span", { text: "Confidence" }), bar(confidence, sure, ""), el("span", { class: "amount", text: confidence.toFixed(2) }));
   return grid;
+}
+
+/** Forces and torques side by side: a torque counts as the force that makes it at LEVER_M. */
+function asForce({ value, unit }) {
+  return Math.abs(value) / (unit === "N" ? 1 : LEVER_M);
 }
 
 function bar(share, color, name) {

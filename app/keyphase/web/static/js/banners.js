@@ -1,0 +1,45 @@
+/** What a person has to decide about a recording, in lines below the header. */
+
+import { byId, el } from "./dom.js";
+
+const MOST = 3;
+
+/**
+ * @param {import("./store.js").Store} store
+ * @param {any} actions
+ */
+export function createBanners(store, actions) {
+  const node = byId("banners");
+  store.on(["document", "lookingOnly"], ({ document: doc, lookingOnly }) => {
+    const lines = doc ? [...state(doc, lookingOnly, actions), ...inapplicable(doc, actions)] : [];
+    node.replaceChildren(...lines);
+    dispatchEvent(new Event("resize"));
+  });
+}
+
+function state(doc, lookingOnly, actions) {
+  const lines = [];
+  if (lookingOnly) lines.push(line("This link is for looking: nothing can be changed here."));
+  else if (doc.locked) lines.push(line(doc.locked));
+  if (doc.changed) {
+    lines.push(line("The recording has changed since it was labeled. The labels were kept; look whether they still fit.",
+      button("They fit", actions.keepLabels, "primary"), button("Take back all edits", actions.resetEdits)));
+  }
+  return lines;
+}
+
+/** Edits whose place is gone under the present parameters. */
+function inapplicable(doc, actions) {
+  const lines = doc.inapplicable.slice(0, MOST).map(({ edit, text }) => line(`This edit no longer applies: ${text}`,
+    button("Bring back", () => actions.bringBack(edit)), button("Forget", () => actions.forget(edit))));
+  const more = doc.inapplicable.length - MOST;
+  return more > 0 ? [...lines, line(`and ${more} more edits that no longer apply`)] : lines;
+}
+
+function line(text, ...buttons) {
+  return el("div", { class: "banner" }, el("span", { text }), ...buttons);
+}
+
+function button(text, run, style = "") {
+  return el("button", { type: "button", class: `button ${style}`, text, on: { click: run } });
+}

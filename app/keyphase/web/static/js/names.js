@@ -1,0 +1,23 @@
+/** Shorter and shorter ways to write a segment's label, where room is short. */
+
+const MEASURE = /\s*\b\d+(\.\d+)?\s?(mm|cm|m|deg|°)(?!\w)/g;
+
+/** "Move down 86 mm until contact" is "Move down until contact". @param {string} label */
+export function withoutMeasure(label) {
+  return label.replace(MEASURE, "").trim() || label;
+}
+
+/** Without measures and the leading "Move": "Down until contact". @param {string} label */
+export function shortName(label) {
+  const name = withoutMeasure(label).replace(/^Move (?=\S)/, "");
+  return name.charAt(0).toUpperCase() + name.slice(1);
+}
+
+/**
+ * From the full label to its first word; at last only the segment's number remains, which is not
+ * in this list.
+ * @param {import("./types.js").Segment} segment
+ */
+export function formsOf({ label, short }) {
+  return [...new Set([label, withoutMeasure(label), shortName(label), ...(short ?? [])])];
+}
