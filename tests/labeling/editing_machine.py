@@ -137,12 +137,12 @@ class Editing(RuleBasedStateMachine):
         gaussians=st.none() | st.integers(1, 3),
     )
     def move_sliders(self, force_ratio, gaussians):
-        before = self.labeling
+        added = {edit.time_s for edit in self.document.edits.values() if isinstance(edit, Add)}
+        added &= {boundary.time_s for boundary in self.labeling.boundaries}
         parameters = Parameters(force_ratio=force_ratio, gaussians=gaussians)
         self.save(self.document.set_parameters(parameters))
         after = self.labeling
-        by_hand = {b.time_s for b in before.boundaries if b.origin == "user" and b.was_s is None}
-        gone = by_hand - {b.time_s for b in after.boundaries}
+        gone = added - {boundary.time_s for boundary in after.boundaries}
         assert len(gone) <= len(after.inapplicable)
 
     @rule()

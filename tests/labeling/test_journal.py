@@ -206,6 +206,20 @@ def test_whichever_line_is_damaged_the_rest_is_kept(demo, lost):
     assert (3.0 in found) == (lost == 6)
 
 
+def test_where_the_undo_was_lost_the_edit_after_it_still_follows_what_it_followed(demo):
+    editor = Editor(demo)
+    editor.makes(Add(1.0), Add(3.0))
+    editor.turns(editor.document.undo())
+    editor.makes(Add(5.0))
+    editor.journal.close()
+    damaged = lines(editor.journal)
+    assert b'"at"' in damaged[3]
+    damaged[3] = b"broken\n"
+    editor.journal.path.write_bytes(b"".join(damaged))
+    found = times(label(editor.segmentation, reopened(demo).document.edits))
+    assert found == [1.0, 2.0, 4.0, 5.0, 6.0, 8.0]
+
+
 def test_after_a_damaged_line_an_edit_still_refers_to_the_same_one(demo):
     editor = Editor(demo)
     editor.makes(Add(1.0), Move(4.0, 4.5))
