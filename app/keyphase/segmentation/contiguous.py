@@ -59,7 +59,8 @@ class Moments:
         length = (end[None, :] - begin[:, None]).astype(float)
         too_short = length < least
         count = np.where(too_short, 1.0, length)
-        log_det, trace = _log_det_and_trace(self._covariances(begin, end, 1.0 / count))
+        share = np.where(too_short, 0.0, 1.0 / count)
+        log_det, trace = _log_det_and_trace(self._covariances(begin, end, share))
         constant = 2.0 * self.log_floor + len(self.first) * (1.0 + np.log(2.0 * np.pi))
         cost = count * (0.5 * (log_det - trace + constant) - np.log(count / len(self)))
         cost[too_short] = np.inf
@@ -130,7 +131,8 @@ def best_cut(moments: Moments, grid: Indices, least: int, effective: float) -> I
     same number for each stretch, so one pass over the grid finds the best cut of any number of
     stretches, each of at least `least` samples. `grid` begins with 0 and ends with n.
     """
-    penalty = parameters_per_gaussian(len(moments.first)) * np.log(max(effective, 2.0))
+    effective = max(effective, 2.0)
+    penalty = parameters_per_gaussian(len(moments.first)) * np.log(effective)
     weight = 2.0 * effective / len(moments)
     best = np.full(len(grid), np.inf)
     best[0] = 0.0
