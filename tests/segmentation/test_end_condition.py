@@ -57,6 +57,13 @@ def test_where_the_force_does_not_change_the_configuration_decides():
     assert end_condition_at(still, 1.0, 2.0, contact_change=True) == ConfigurationEnd()
 
 
+@pytest.mark.parametrize("step_N", [1e-200, 1e-12, 1e100, 1e200])
+def test_a_force_beyond_any_sense_leaves_it_to_the_configuration(step_N):
+    with np.errstate(over="ignore", invalid="ignore"):
+        end = end_condition_at(pressed_at(2.0, (0.0, 0.0, step_N)), 1.0, 2.0, True)
+    assert end == ConfigurationEnd()
+
+
 def test_a_recording_that_breaks_off_in_a_contact_ends_in_it():
     """The wall is met 90 ms before the recording stops: too late for any boundary."""
     pressed = pressed_at(3.91, (0.0, -4.0, 0.0), noise_N=0.1)
@@ -84,6 +91,7 @@ def test_a_recording_without_force_does_not_end_in_a_contact():
 def test_the_force_of_the_segment_before_does_not_count():
     """The segment is 0.1 s long; the 50 N before it belong to another one."""
     demonstration = pressed_at(2.0, (0.0, 0.0, 5.0))
+    assert demonstration.force_N is not None
     force = demonstration.force_N.copy()
     force[demonstration.time_s < 1.9] = 50.0
     short = Demonstration("short", demonstration.time_s, demonstration.position_m, force_N=force)

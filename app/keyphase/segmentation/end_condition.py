@@ -17,6 +17,21 @@ BEFORE_S = (-0.20, -0.06)
 AFTER_S = (0.08, 0.22)
 """Window, relative to a segment's end, whose mean is the force after the contact change."""
 
+BEFORE_LAST_S = (-0.40, -0.20)
+"""The window before, where the recording itself ends in the contact."""
+
+LAST_S = (-0.04, 1.0)
+"""The window after, where the recording itself ends in the contact."""
+
+LAST_STEP_N = 1.0
+LAST_NOISE_FACTOR = 8.0
+"""A recording ends in a contact if its force ends changed by this much, and by this many standard
+deviations of the force before; whether it would stay changed cannot be seen."""
+
+LEAST_STEP_N = 1e-9
+LARGEST_THRESHOLD_N = 1e9
+"""Outside of these a force has no direction in floating point, or is no force of this world."""
+
 STEP_FRACTION = 0.5
 """Part of the demonstrated force step that has to be passed again."""
 
@@ -74,21 +89,40 @@ def end_condition_at(
     A contact change gives a ContactEnd along the demonstrated change of the mean force, its
     threshold half that change but at least five standard deviations of the force before. Without
     a contact change, without recorded force, or where the force did not change at all (a change
-    of torque alone, or the end of the recording), it is the default ConfigurationEnd.
+    of torque alone) or beyond any sense, it is the default ConfigurationEnd.
     """
-    if not contact_change or demonstration.force_N is None or end_s >= demonstration.end_s:
+    if not contact_change or demonstration.force_N is None:
         return ConfigurationEnd()
     before, after = _forces_around(demonstration, start_s, end_s)
+    direction, step, noise = _force_step(before, after)
+    threshold = max(STEP_FRACTION * step, NOISE_FACTOR * noise)
+    if not (step > LEAST_STEP_N and threshold < LARGEST_THRESHOLD_N):
+        return ConfigurationEnd()
+    x, y, z = direction.tolist()
+    return ContactEnd((x, y, z), threshold)
+
+
+def ends_in_contact(demonstration: Demonstration, start_s: float) -> bool:
+    """Whether the recording breaks off in a contact change within its last moments.
+
+    No boundary can say so, as none lies that close to an end. The last segment starts at
+    `start_s`; the force before it does not count.
+    """
+    if demonstration.force_N is None:
+        return False
+    before, after = _forces_around(demonstration, start_s, demonstration.end_s)
+    _, step, noise = _force_step(before, after)
+    return step > max(LAST_STEP_N, LAST_NOISE_FACTOR * noise)
+
+
+def _force_step(before: Array, after: Array) -> tuple[Array, float, float]:
+    """Direction (3,) and size of the step of the mean force, and the noise along it before [N]."""
     level = before.sum(axis=0) / len(before)
     change = after.sum(axis=0) / len(after) - level
     step = float(np.sqrt(change @ change))
-    if step <= 0.0:
-        return ConfigurationEnd()
-    direction = change / step
+    direction = change / max(step, 1e-300)
     along = (before - level) @ direction
-    noise = float(np.sqrt(along @ along / len(along)))
-    x, y, z = direction.tolist()
-    return ContactEnd((x, y, z), max(STEP_FRACTION * step, NOISE_FACTOR * noise))
+    return direction, step, float(np.sqrt(along @ along / len(along)))
 
 
 def _forces_around(
@@ -96,12 +130,14 @@ def _forces_around(
 ) -> tuple[Array, Array]:
     """Forces of the windows before and after `end_s`; of one sample where a window holds none."""
     assert demonstration.force_N is not None
+    breaks_off = end_s + AFTER_S[0] > demonstration.end_s
+    before, after = (BEFORE_LAST_S, LAST_S) if breaks_off else (BEFORE_S, AFTER_S)
     edges = (
-        max(start_s, end_s + BEFORE_S[0]),
-        end_s + BEFORE_S[1],
+        max(start_s, end_s + before[0]),
+        end_s + before[1],
         end_s,
-        end_s + AFTER_S[0],
-        end_s + AFTER_S[1],
+        end_s + after[0],
+        end_s + after[1],
     )
     first, last, end, later, latest = np.searchsorted(demonstration.time_s, edges).tolist()
     if last <= first:

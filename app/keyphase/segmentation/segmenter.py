@@ -7,7 +7,7 @@ import numpy as np
 from keyphase.demonstration import Demonstration
 from keyphase.segmentation.combine import NONE, combine
 from keyphase.segmentation.confidence import joint_confidence
-from keyphase.segmentation.end_condition import end_condition_at
+from keyphase.segmentation.end_condition import end_condition_at, ends_in_contact
 from keyphase.segmentation.labels import Evidence, proposed_label
 from keyphase.segmentation.motion import Motion, motion_of
 from keyphase.segmentation.parameters import Parameters
@@ -60,8 +60,11 @@ class Segmenter:
         """The segment as the program proposes it for any span, its label and end condition."""
         span = (start_s, end_s, contact_change)
         if span not in self._segments:
-            label, idle = proposed_label(self._evidence, *span)
-            end = end_condition_at(self.demonstration, *span)
+            # A contact that the recording breaks off in lies too close to its end for a boundary.
+            if end_s >= self.demonstration.end_s:
+                contact_change = ends_in_contact(self.demonstration, start_s)
+            label, idle = proposed_label(self._evidence, start_s, end_s, contact_change)
+            end = end_condition_at(self.demonstration, start_s, end_s, contact_change)
             self._segments[span] = Segment(start_s, end_s, label, idle, end)
         return self._segments[span]
 
