@@ -37,32 +37,31 @@ class Follower:
         """The reference of the next tick, on its way to `target`, for a tool that is at `tool`."""
         away = target.position_m - self._position
         turn = _turn(self._orientation, target.orientation_wxyz)
-        self._velocity = _accelerated(self._velocity, away, FASTEST_M_S)
-        self._turning = _accelerated(self._turning, turn, FASTEST_RAD_S)
-        self._position = self._position + self._velocity * _STEP_S
-        self._orientation = _turned(self._orientation, self._turning * _STEP_S)
-        self._stay_near(tool)
-        return Reference(
-            self._position.copy(), self._orientation.copy(), self._velocity, self._turning
-        )
+        velocity = _accelerated(self._velocity, away, FASTEST_M_S)
+        turning = _accelerated(self._turning, turn, FASTEST_RAD_S)
+        position = _near(tool.position_m, self._position + velocity * _STEP_S)
+        wanted = _turned(self._orientation, turning * _STEP_S)
+        ahead = _bounded(_turn(tool.orientation_wxyz, wanted), FURTHEST_AHEAD_RAD)
+        orientation = _turned(tool.orientation_wxyz, ahead)
+        # What was held back was not moved: the damping must not push on.
+        self._velocity = (position - self._position) / _STEP_S
+        self._turning = _turn(self._orientation, orientation) / _STEP_S
+        self._position, self._orientation = position, orientation
+        return Reference(position, orientation, self._velocity, self._turning)
 
-    def _stay_near(self, tool: Reference) -> None:
-        ahead = self._position - tool.position_m
-        if (far := float(np.linalg.norm(ahead))) > FURTHEST_AHEAD_M:
-            self._position = tool.position_m + ahead * (FURTHEST_AHEAD_M / far)
-            self._velocity = self._velocity * 0.9
-        turned = _turn(tool.orientation_wxyz, self._orientation)
-        if (far := float(np.linalg.norm(turned))) > FURTHEST_AHEAD_RAD:
-            near = turned * (FURTHEST_AHEAD_RAD / far)
-            self._orientation = _turned(tool.orientation_wxyz, near)
-            self._turning = self._turning * 0.9
+
+def _near(tool_m: Array, wanted_m: Array) -> Array:
+    return tool_m + _bounded(wanted_m - tool_m, FURTHEST_AHEAD_M)
+
+
+def _bounded(vector: Array, greatest: float) -> Array:
+    norm = float(np.linalg.norm(vector))
+    return vector * (greatest / norm) if norm > greatest else vector
 
 
 def _accelerated(velocity: Array, away: Array, fastest: float) -> Array:
     acceleration = _NATURAL_RAD_S**2 * away - 2.0 * _NATURAL_RAD_S * velocity
-    faster = velocity + acceleration * _STEP_S
-    speed = float(np.linalg.norm(faster))
-    return faster * (fastest / speed) if speed > fastest else faster
+    return _bounded(velocity + acceleration * _STEP_S, fastest)
 
 
 def _turn(wxyz: Array, goal_wxyz: Array) -> Array:

@@ -37,7 +37,7 @@ def _setup1(path: HandPath, simulation: Simulation, random: np.random.Generator)
     path.stroke("forward", above, random.uniform(1.4, 2.0))
     path.pause("idle", random.uniform(0.6, 1.2))
     pressed = random.uniform(2.4e-3, 3.2e-3)
-    path.stroke("down until contact", mating + seen - pressed * Z, random.uniform(1.2, 1.8))
+    path.stroke("down until contact", mating + seen - pressed * Z, random.uniform(1.3, 1.9))
     eased = random.uniform(0.45, 0.6) * pressed
     path.pause("idle", random.uniform(0.7, 1.2), eased * Z)
     gap = WALL_FACE_Y_M - HOUSING_M[1] / 2 - simulation.part_poses()["housing"][0][1]
@@ -54,7 +54,7 @@ def _setup2(path: HandPath, simulation: Simulation, random: np.random.Generator)
     pressed = random.uniform(1.6e-3, 2.4e-3)
     goal = mating + seen * (X + Y) - pressed * Z
     path.stroke(
-        "down until contact", goal, random.uniform(1.2, 1.7), overlap_s=random.uniform(0.1, 0.2)
+        "down until contact", goal, random.uniform(1.4, 1.9), overlap_s=random.uniform(0.1, 0.2)
     )
     gap = HOUSING_POSITION_M[1] + GAP_M - simulation.part_poses()["housing"][0][1]
     speeds, met = _pushing_speeds(gap, random)

@@ -35,8 +35,10 @@ _WIDTHS = (1, 3, 4, 3, 3, 7)
 class Recorder:
     """Appends samples to a take beside `path`, and finishes it into the recording at `path`."""
 
-    def __init__(self, path: Path, origin: Mapping[str, Any]) -> None:
-        """Open a take with its provenance.
+    def __init__(
+        self, path: Path, origin: Mapping[str, Any], unwritten_s: float = LONGEST_UNWRITTEN_S
+    ) -> None:
+        """Open a take with its provenance; `unwritten_s` is the most that is not on the disk yet.
 
         Raises SimulationError where the recording or a take of it exists, or nothing can be
         written.
@@ -45,7 +47,7 @@ class Recorder:
         if path.exists():
             raise SimulationError(f"{path} must be a new recording, but exists; choose a new name.")
         self._samples: list[Sample] = []
-        self._written = 0
+        self._written, self._most_unwritten = 0, max(1, round(unwritten_s * RATE_HZ))
         self._origin = dict(origin)
         self._file = _opened(self.take)
         header = json.dumps({"format": _FORMAT, "origin": self._origin})
@@ -57,9 +59,9 @@ class Recorder:
         return len(self._samples) / RATE_HZ
 
     def append(self, sample: Sample) -> None:
-        """Take one sample; twice a second what has come in since goes to the disk."""
+        """Take one sample; what has come in goes to the disk from time to time."""
         self._samples.append(sample)
-        if len(self._samples) - self._written >= LONGEST_UNWRITTEN_S * RATE_HZ:
+        if len(self._samples) - self._written >= self._most_unwritten:
             self._write_down()
 
     def finish(self) -> Demonstration:

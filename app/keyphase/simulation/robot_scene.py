@@ -75,6 +75,8 @@ def _set_physics(spec: mujoco.MjSpec) -> None:
     option.noslip_iterations = 5
     option.iterations = 50
     option.tolerance = 1e-10
+    # What diverges is to be told, not started again in silence.
+    option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_AUTORESET)
     # The sparse factorisation of MuJoCo 4.0.0 is defective.
     option.jacobian = mujoco.mjtJacobian.mjJAC_DENSE
 
