@@ -105,8 +105,25 @@ def read_segment_file(path: Path, *, check_recording: bool = True) -> SegmentFil
     file = _parsed(content, path)
     _check_consistency(file)
     if check_recording:
-        _check_recording(file)
+        require_same_recording(file, file.recording)
     return file
+
+
+def require_same_recording(file: SegmentFile, recording: Path) -> None:
+    """Raise SegmentFileError unless the bytes at `recording` are those that were segmented."""
+    try:
+        with recording.open("rb") as content:
+            found = hashlib.file_digest(content, "sha256").hexdigest()
+    except (OSError, ValueError) as error:
+        raise SegmentFileError(
+            f"{file.path}: its recording was expected at {recording}, but cannot be read there; "
+            "put it back or segment it again."
+        ) from error
+    if found != file.demonstration.sha256:
+        raise SegmentFileError(
+            f"{file.path}: its recording {recording} has changed since (SHA-256 {found[:12]}… "
+            f"instead of {file.demonstration.sha256[:12]}…); segment it again."
+        )
 
 
 def _json(path: Path) -> Any:
@@ -200,19 +217,3 @@ def _check_consistency(file: SegmentFile) -> None:
 
 def _contradiction(file: SegmentFile, rule: str) -> SegmentFileError:
     return SegmentFileError(f"{file.path}: {rule}; write the file again.")
-
-
-def _check_recording(file: SegmentFile) -> None:
-    try:
-        with file.recording.open("rb") as recording:
-            found = hashlib.file_digest(recording, "sha256").hexdigest()
-    except (OSError, ValueError) as error:
-        raise SegmentFileError(
-            f"{file.path}: its recording was expected at {file.recording}, but cannot be read "
-            "there; put it back or segment it again."
-        ) from error
-    if found != file.demonstration.sha256:
-        raise SegmentFileError(
-            f"{file.path}: its recording {file.recording} has changed since (SHA-256 {found[:12]}…"
-            f" instead of {file.demonstration.sha256[:12]}…); segment it again."
-        )
