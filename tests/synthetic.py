@@ -197,7 +197,7 @@ def _contact_force(seed: int, time: Array, position: Array, meets) -> Array:
         force += strength * (pressed * (1.0 + overshoot))[:, None] * hand * direction
     velocity = np.gradient(_smoothed(position), time, axis=0)
     speed = np.linalg.norm(velocity, axis=1, keepdims=True)
-    sliding = velocity / np.maximum(speed, 0.02)
+    sliding = velocity / np.maximum(speed, 0.1)
     force -= 0.2 * np.linalg.norm(force, axis=1, keepdims=True) * sliding
     force += in_band(rng, len(time), 0.5, 6.0, 0.1) * np.minimum(speed / 0.1, 1.0)
     return force + rng.normal(size=force.shape) * 0.15

@@ -1,0 +1,94 @@
+"""How often segmentations are right on synthetic demonstrations, and how far boundaries are off.
+
+    PYTHONPATH=tests python tests/benchmarks/accuracy_segmentation.py [--demonstrations 200]
+
+prints the tables of docs/method.md. Demonstrations are seeded from 5000 on.
+"""
+
+import argparse
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+
+import numpy as np
+
+import synthetic
+from keyphase.segmentation import Parameters, segment
+
+FIRST_SEED = 5000
+LEVELS: tuple[synthetic.Level, ...] = ("easy", "real")
+
+
+def main() -> None:
+    """Print all tables."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--demonstrations", type=int, default=200)
+    parser.add_argument("--processes", type=int, default=1)
+    given = parser.parse_args()
+    seeds = range(FIRST_SEED, FIRST_SEED + given.demonstrations)
+    with ProcessPoolExecutor(given.processes) as pool:
+        print(
+            "| Setup 1, position alone | level | five segments | vs switch times | vs 5 % speed |"
+        )
+        print("|---|---|---|---|---|")
+        for name, parameters in position_variants().items():
+            for level in LEVELS:
+                outcomes = list(pool.map(partial(setup1_errors, parameters, level), seeds))
+                print(f"| {name} | {level} | {row(outcomes)} |", flush=True)
+        print("\n| with force | level | right | vs switch times |")
+        print("|---|---|---|---|")
+        for name, make in (("Setup 1", synthetic.setup1), ("Setup 2", synthetic.setup2)):
+            for level in LEVELS:
+                outcomes = list(pool.map(partial(force_errors, make, level), seeds))
+                print(f"| {name} | {level} | {row(outcomes)} |", flush=True)
+
+
+def position_variants() -> dict[str, Parameters]:
+    """What is compared."""
+    return {
+        "keyphase": Parameters(),
+        "keyphase, weight crossing": Parameters(estimator="weight-crossing"),
+        "scikit-learn, K = 5 given": Parameters(variant="scikit-learn", gaussians=5),
+        "scikit-learn, K by BIC": Parameters(variant="scikit-learn"),
+    }
+
+
+def setup1_errors(
+    parameters: Parameters, level: synthetic.Level, seed: int
+) -> tuple[bool, list[np.ndarray]]:
+    """Whether Setup 1 gave five segments, and boundary errors against both references [s]."""
+    made = synthetic.setup1(seed, level)
+    times = boundary_times(segment(made.demonstration, parameters))
+    if len(times) != len(made.switches_s) or made.slow_s is None:
+        return False, []
+    return True, [np.abs(times - made.switches_s), np.abs(times - made.slow_s)]
+
+
+def force_errors(
+    make: Callable[..., synthetic.Synthetic], level: synthetic.Level, seed: int
+) -> tuple[bool, list[np.ndarray]]:
+    """Whether the segments are right in number and within 0.3 s, and boundary errors [s]."""
+    made = make(seed, level, forces=True)
+    times = boundary_times(segment(made.demonstration))
+    if len(times) != len(made.switches_s):
+        return False, []
+    errors = np.abs(times - made.switches_s)
+    return bool(errors.max() < 0.3), [errors]
+
+
+def boundary_times(found) -> np.ndarray:
+    """Times of all boundaries [s]."""
+    return np.array([boundary.time_s for boundary in found.boundaries])
+
+
+def row(outcomes: list[tuple[bool, list[np.ndarray]]]) -> str:
+    """Success rate, then median and 90th percentile of each kind of error [ms]."""
+    cells = [f"{np.mean([right for right, _ in outcomes]):.3f}"]
+    for errors in zip(*(errors for _, errors in outcomes if errors), strict=True):
+        milliseconds = 1e3 * np.concatenate(errors)
+        cells.append(f"{np.median(milliseconds):.0f}, {np.percentile(milliseconds, 90):.0f} ms")
+    return " | ".join(cells)
+
+
+if __name__ == "__main__":
+    main()
