@@ -100,6 +100,14 @@ def test_a_change_of_parameters_is_named_after_them(parameters, name):
     assert document.parameters == parameters
 
 
+def test_one_change_of_parameters_leaves_the_one_before_in_force():
+    document = Document(segmentation().demonstration)
+    document = document.set_parameters(Parameters(gaussians=5))
+    document = document.set_parameters(Parameters(gaussians=5, force_ratio=3.0))
+    assert document.parameters == Parameters(gaussians=5, force_ratio=3.0)
+    assert document.undo().parameters == Parameters(gaussians=5)
+
+
 def test_a_parameter_back_to_automatic_is_named_so():
     document = Document(segmentation().demonstration, Parameters(gaussians=4))
     document = document.set_parameters(Parameters())

@@ -295,6 +295,19 @@ def test_a_changed_recording_keeps_its_labels_and_asks(demo):
     assert not reopened(now).changed
 
 
+def test_other_parameters_of_the_folder_are_no_step_of_the_recording(demo):
+    editor = Editor(demo)
+    editor.makes(Add(3.0))
+    before = lines(editor.journal)
+    editor.turns(editor.document.with_shared(Parameters(force_ratio=5.0)))
+    assert editor.journal.document.parameters == Parameters(force_ratio=5.0)
+    assert lines(editor.journal) == before
+    editor.journal.close()
+    assert reopened(demo, shared=Parameters(persistence=1.0)).document.parameters == Parameters(
+        persistence=1.0
+    )
+
+
 def test_where_nothing_can_be_written_edits_are_kept_with_the_user(demo, tmp_path):
     (tmp_path / ".keyphase").write_text("in the way")
     editor = Editor(demo)
