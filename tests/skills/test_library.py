@@ -7,13 +7,16 @@ from strokes import H, degrees_between, lowered, millimetres_between, segment, t
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import ParameterError, SkillError
+from keyphase.readers import read
+from keyphase.segmentation import segment as segment_demonstration
 from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.skills import quaternions
 from keyphase.skills.connecting import PEAK_SPEED_M_S, PEAK_TURN_RAD_S, connecting_skill
 from keyphase.skills.fitting import angular_velocity_of
 from keyphase.skills.library import skill_of, skills_of
+from keyphase.skills.path import path_of
 from keyphase.skills.rollout import rollout
-from keyphase.skills.skill import describe, drawn
+from keyphase.skills.skill import describe, drawn, shift_after
 
 CONTACT = ContactEnd((0.0, 0.0, 1.0), 3.0)
 DOWN = segment(0.0, 1.2, CONTACT, "down until contact")
@@ -110,3 +113,35 @@ def test_a_skill_is_printed_in_a_line():
         "down until contact, 1.94 s, until the force along (0.00, 0.00, 1.00) rises by 3.00 N"
     )
     assert "until within 5 mm and 3 deg of (0, 0, 200) mm" in describe(skill_of(lowered(), REST))
+
+
+def test_what_follows_a_contact_is_shifted_to_where_it_was_met():
+    down, rest = skills_of(lowered(), [DOWN, REST])
+    met = down.end_position_m + np.array([0.002, 0.0, 0.008])
+    shift = shift_after(down, met, np.zeros(3))
+    assert_allclose(shift, [0.0, 0.0, 0.008], atol=1e-6)
+    assert_allclose(shift_after(rest, met, shift), shift)
+
+
+def test_shifts_add_up():
+    down, _ = skills_of(lowered(), [DOWN, REST])
+    before = np.array([0.01, 0.0, 0.02])
+    met = down.end_position_m + before + np.array([0.0, 0.0, -0.005])
+    assert_allclose(shift_after(down, met, before), [0.01, 0.0, 0.015], atol=1e-6)
+
+
+def test_real_segments_become_skills_that_follow_them(real_data):
+    """Snap assemblies and contour followings; most of the error is a start that was not at rest."""
+    errors = []
+    for folder in ("hiro_snap_assembly", "kuleuven_contour"):
+        for file in sorted((real_data / folder).glob("*.npz"))[:3]:
+            demonstration = read(file)
+            for moving in (s for s in segment_demonstration(demonstration).segments if not s.idle):
+                skill = skill_of(demonstration, moving)
+                path = path_of(demonstration, moving.start_s, moving.end_s)
+                step_s = path.duration_s / (len(path.time_s) - 1)
+                motion = rollout(skill.primitive, step_s, run_s=path.duration_s)
+                errors.append(millimetres_between(motion.position_m, path.position_m).max())
+    assert len(errors) > 10
+    assert np.median(errors) < 1.0
+    assert max(errors) < 4.0

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from keyphase.demonstration import Array
-from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
+from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.skills.primitive import Primitive
 from keyphase.skills.rollout import Rollout, rollout
 
@@ -65,9 +65,17 @@ def until(skill: Skill) -> str:
     )
 
 
-def ends_at_configuration(skill: Skill) -> bool:
-    """Whether the pose, not a force, says when the skill is over."""
-    return isinstance(skill.end_condition, ConfigurationEnd)
+def shift_after(skill: Skill, ended_m: Array, shift_m: Array) -> Array:
+    """How far (3,) the skills that follow are to be moved against their demonstration [m].
+
+    Where a contact was met higher, lower or aside of the demonstrated one, what follows happens
+    there: the difference along the contact's direction adds to the shift this skill ran with.
+    ended_m (3,) is where it ended. Without a contact the shift stays.
+    """
+    if skill.travel_direction is None:
+        return shift_m
+    direction = np.asarray(skill.travel_direction)
+    return shift_m + direction * float((ended_m - shift_m - skill.end_position_m) @ direction)
 
 
 def _millimetres(position_m: Array) -> str:
