@@ -103,8 +103,9 @@ def test_the_recipe_of_a_file_wins_over_that_of_its_folder(folder: Path) -> None
 
 
 def test_a_recipe_given_wins_over_all(folder: Path) -> None:
-    recipe = folder / "sub" / "a.csv.recipe.toml"
-    assert read(folder / "batch" / "two.dat", recipe).position_m[0, 0] == 1.0
+    metres, millimetres = folder / "sub" / "a.csv.recipe.toml", folder / "batch" / "recipe.toml"
+    assert read(folder / "batch" / "two.dat", metres).position_m[0, 0] == 1.0
+    assert read(folder / "sub" / "a.csv", millimetres).position_m[0, 0] == 0.001
 
 
 def test_a_native_table_needs_no_recipe_of_its_folder(folder: Path) -> None:
