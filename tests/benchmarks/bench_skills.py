@@ -11,6 +11,7 @@ from timeit import repeat
 
 import numpy as np
 import pytest
+from movement_primitives import dmp
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "skills"))
 from strokes import DURATION_S, TIME_S, H, lowered, segment, stroke, turn
@@ -23,7 +24,7 @@ from keyphase.skills.fitting import fit_primitive
 from keyphase.skills.library import skill_of
 from keyphase.skills.rollout import rollout
 
-dmp = pytest.importorskip("movement_primitives.dmp")
+
 BATCH = 1000
 
 

@@ -7,6 +7,7 @@ and derivatives are taken over and its integration emulated here, with our equat
 
 import numpy as np
 import pytest
+from movement_primitives import dmp
 from numpy.testing import assert_allclose
 from strokes import DURATION_S, TIME_S, H, stroke, turn
 
@@ -21,7 +22,6 @@ from keyphase.skills.primitive import (
     transformation,
 )
 
-dmp = pytest.importorskip("movement_primitives.dmp")
 
 ONES, NOTHING = np.ones(6), np.zeros(6)
 
