@@ -68,6 +68,12 @@ def test_merging_removes_what_lies_between():
     assert times(Person(segmentation()).makes(Merge(2.0, 8.0))) == [2.0, 8.0]
 
 
+def test_a_merge_leaves_its_outer_boundaries_alone_when_they_wander():
+    person = Person(segmentation())
+    person.makes(Merge(2.0, 8.0))
+    assert times(person.sees(segmentation((2.1, 4.0, 5.0, 7.9)))) == [2.1, 7.9]
+
+
 def test_accepting_and_judging_contact_leave_the_boundary_where_it_is():
     seen = Person(segmentation()).makes(Accept(4.0), Contact(6.0, True))
     assert [b.accepted for b in seen.boundaries] == [False, True, False, False]
