@@ -1,37 +1,16 @@
 """Fixtures of the browser tests: the real server on real files, and real Chromium looking at it."""
 
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from driver import KeyphasePage
-from playwright.sync_api import Browser, sync_playwright
+from chromium import chromium_browser
+from driver import KeyphasePage, Serve, Visit
+from playwright.sync_api import Browser, Route
 
 from keyphase.shipped import shipped
 from keyphase.web.server import PageServer
-
-FLAGS = [
-    "--headless",
-    "--no-sandbox",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--ignore-gpu-blocklist",
-    "--disable-gpu-compositing",
-    "--disable-dev-shm-usage",
-    "--hide-scrollbars",
-]
-"""Software rendering; without --disable-gpu-compositing one click in three is lost."""
-
-NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
-
-Serve = Callable[..., PageServer]
-Visit = Callable[..., KeyphasePage]
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -42,13 +21,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.fixture(scope="session")
 def chromium() -> Iterator[Browser]:
-    found = next(filter(None, map(shutil.which, NAMES)), None)
-    if found is None:
-        pytest.skip("no Chromium or Chrome found; `make test` installs one or says how")
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=found, headless=True, args=FLAGS)
+    with chromium_browser() as browser:
         yield browser
-        browser.close()
 
 
 @pytest.fixture
@@ -65,19 +39,32 @@ def serve() -> Iterator[Serve]:
         server.stop()
 
 
+def _answer_nothing(route: Route) -> None:
+    route.fulfill(body="<html></html>", content_type="text/html")
+
+
 @pytest.fixture
 def visit(chromium: Browser) -> Iterator[Visit]:
-    """Opens a server's page; at the end no script may have failed."""
+    """Opens a server's page; at the end no script may have failed.
+
+    Without `scene` the frame of the 3D scene stays empty: drawing it in software takes seconds,
+    which tests of the timeline alone can do without.
+    """
     pages: list[KeyphasePage] = []
 
     def open_page(
-        server: PageServer, size: tuple[int, int] = (1920, 1080), dark: bool = False
+        server: PageServer,
+        size: tuple[int, int] = (1920, 1080),
+        dark: bool = False,
+        scene: bool = True,
     ) -> KeyphasePage:
         page = chromium.new_page(
             viewport={"width": size[0], "height": size[1]},
             color_scheme="dark" if dark else "light",
         )
         pages.append(KeyphasePage(page))
+        if not scene:
+            page.route("**/viser/**", _answer_nothing)
         page.goto(server.link)
         return pages[-1]
 
@@ -100,5 +87,13 @@ def folder(tmp_path: Path) -> Path:
 def setup1(folder: Path, serve: Serve, visit: Visit) -> KeyphasePage:
     """The page at 1920x1080 on the recorded Setup 1."""
     page = visit(serve(folder / "setup1.npz"))
+    page.wait_for_document()
+    return page
+
+
+@pytest.fixture
+def timeline(folder: Path, serve: Serve, visit: Visit) -> KeyphasePage:
+    """The same with an empty scene, for tests of the timeline alone."""
+    page = visit(serve(folder / "setup1.npz"), scene=False)
     page.wait_for_document()
     return page

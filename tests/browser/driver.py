@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 from PIL import Image
 from playwright.sync_api import Frame, Locator, Page
 
+from keyphase.web.server import PageServer
+
 PICTURES = Path(__file__).parents[1] / "pictures"
 
 SEGMENT_COLORS = ("#58A2F2", "#EFB63A", "#26C397", "#CA71B6", "#A7A425", "#8FDDE8", "#B98A63")
@@ -193,3 +195,7 @@ class KeyphasePage:
 
     def close(self) -> None:
         self.page.close()
+
+
+Serve = Callable[..., PageServer]
+Visit = Callable[..., KeyphasePage]

@@ -3,11 +3,11 @@
 from driver import ACCENT, SEGMENT_COLORS, KeyphasePage
 
 
-def test_as_many_bands_as_segments_in_their_colors(setup1: KeyphasePage) -> None:
-    document = setup1.document
-    assert setup1.segments.count() == len(document["segments"]) == 5
-    picture = setup1.picture("setup1_light_1920")
-    band = setup1.row("segments")
+def test_as_many_bands_as_segments_in_their_colors(timeline: KeyphasePage) -> None:
+    document = timeline.document
+    assert timeline.segments.count() == len(document["segments"]) == 5
+    picture = timeline.picture("bands")
+    band = timeline.row("segments")
     kept = {segment["color"] for segment in document["segments"] if segment["kept"]}
     for color in kept:
         assert picture.count(SEGMENT_COLORS[color], band) > 500
@@ -21,19 +21,19 @@ def test_segments_have_their_colors_on_the_trajectory_too(setup1: KeyphasePage) 
         assert picture.count(SEGMENT_COLORS[color], setup1.box("#viser"), tolerance=30) > 20
 
 
-def test_threshold_line_lies_where_the_threshold_is(setup1: KeyphasePage) -> None:
-    picture = setup1.picture("setup1_threshold")
-    row = setup1.row("error")
-    drawn = picture.rows_with(ACCENT["light"], row, least=int(row.width / 3))
-    told = setup1.page.evaluate(
+def test_threshold_line_lies_where_the_threshold_is(timeline: KeyphasePage) -> None:
+    picture = timeline.picture("threshold")
+    row = timeline.row("error")
+    drawn = picture.rows_with(ACCENT["light"], row, least=int(row.width / 3), tolerance=24)
+    told = timeline.page.evaluate(
         "() => keyphase.timeline.thresholdY(keyphase.state.document.threshold)"
     )
     assert drawn
-    assert abs(sum(drawn) / len(drawn) - (setup1.box(".surface").y + told)) < 2
+    assert abs(sum(drawn) / len(drawn) - (timeline.box(".surface").y + told)) < 2
 
 
-def test_every_boundary_has_its_glyph_and_its_time(setup1: KeyphasePage) -> None:
-    boundaries = setup1.document["boundaries"]
-    assert setup1.boundaries.count() == len(boundaries)
-    times = setup1.page.locator(".boundary-time").all_inner_texts()
+def test_every_boundary_has_its_glyph_and_its_time(timeline: KeyphasePage) -> None:
+    boundaries = timeline.document["boundaries"]
+    assert timeline.boundaries.count() == len(boundaries)
+    times = timeline.page.locator(".boundary-time").all_text_contents()
     assert sorted(times) == sorted(f"{b['time_s']:.3f}" for b in boundaries)

@@ -3,7 +3,7 @@
  * back by itself after it broke.
  *
  * @typedef {import("./types.js").Message} Message
- * @typedef {{send: (message: Message) => boolean, isOpen: () => boolean}} Socket
+ * @typedef {{send: (message: Message) => boolean, drop: () => void}} Socket
  */
 
 const FIRST_RETRY_MS = 250;
@@ -40,7 +40,8 @@ export function openSocket({ onMessage, onSignals, onState }) {
 
   connect();
   return {
-    isOpen: () => socket.readyState === WebSocket.OPEN,
+    /** Breaks the connection, which then comes back by itself. */
+    drop: () => socket.close(),
     send(message) {
       if (socket.readyState !== WebSocket.OPEN) return false;
       socket.send(JSON.stringify(message));

@@ -70,6 +70,7 @@ export function createCurves(parent, pens, drawBelow) {
       width: size.width,
       height: size.height,
       padding: [top, 0, bottom, 0],
+      pxAlign: 0,
       cursor: { show: false },
       legend: { show: false },
       select: { show: false },

@@ -1,0 +1,68 @@
+"""Labels, names and metadata are text, whatever they look like."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from driver import KeyphasePage, Serve, Visit
+
+HOSTILE = [
+    '<img src=x onerror="parent.hacked=1;window.hacked=1">',
+    "<script>window.hacked=1</script>",
+    "</text></svg><script>window.hacked=1</script>",
+    "[x](javascript:window.hacked=1)",
+    "{{7*7}} ${window.hacked=1}",
+    "\u202egnitfil\u202c <b>bold</b>",
+    "a" * 180,
+]
+
+
+@pytest.mark.parametrize("label", HOSTILE, ids=range(len(HOSTILE)))
+def test_a_label_stays_text(timeline: KeyphasePage, label: str) -> None:
+    timeline.page.evaluate("label => keyphase.actions.label(label, 0)", label)
+    timeline.until("keyphase.state.document.edits > 0 || document.querySelector('.notice')")
+    timeline.page.evaluate("() => keyphase.actions.rename(0)")
+    timeline.press("Escape")
+    timeline.press("Control+k")
+    timeline.press("Escape")
+    timeline.settle()
+    assert timeline.page.evaluate("() => window.hacked") is None
+    assert timeline.page.locator("main img:not([src^='/app']), #timeline script").count() == 0
+
+
+def test_a_hostile_name_and_metadata_run_nothing_in_page_and_scene(
+    folder: Path, serve: Serve, visit: Visit
+) -> None:
+    with np.load(folder / "setup1.npz") as recorded:
+        arrays = dict(recorded)
+    arrays["metadata_json"] = np.array(json.dumps({"name": HOSTILE[0], "task": HOSTILE[1]}))
+    path = folder / "<img src=x onerror=window.hacked=1>.npz"
+    np.savez(path, **arrays)
+    page = visit(serve(path))
+    page.wait_for_document()
+    page.wait_for_scene()
+    page.page.evaluate("label => keyphase.actions.label(label, 0)", HOSTILE[0])
+    page.until("keyphase.state.document.edits > 0 || document.querySelector('.notice')")
+    page.wait_for_scene()
+    page.picture("hostile")
+    assert page.page.evaluate("() => window.hacked") is None
+    assert page.scene.evaluate("() => window.hacked") is None
+
+
+def test_no_script_can_be_put_into_the_page(timeline: KeyphasePage) -> None:
+    timeline.errors.clear()
+    timeline.page.evaluate(
+        """() => {
+          const script = document.createElement('script');
+          script.textContent = 'window.hacked = 1';
+          document.body.append(script);
+        }"""
+    )
+    assert timeline.page.evaluate("() => window.hacked") is None
+    assert any("Content Security Policy" in error for error in timeline.errors)
+    timeline.errors.clear()
+
+
+def test_the_token_leaves_the_address(timeline: KeyphasePage) -> None:
+    assert "token" not in timeline.page.url

@@ -1,0 +1,108 @@
+"""Moving the threshold, by its line and by the panel's slider, changes both views."""
+
+from driver import ACCENT, SEGMENT_COLORS, KeyphasePage, Picture
+
+
+def line_height(page: KeyphasePage) -> float:
+    """Where the threshold line is told to be on the page [px]."""
+    told = page.page.evaluate(
+        "() => keyphase.timeline.thresholdY(keyphase.state.document.threshold)"
+    )
+    return page.box(".surface").y + told
+
+
+def drawn_height(page: KeyphasePage, picture: Picture) -> float:
+    """Where the accent-coloured line is seen [px]."""
+    row = page.row("error")
+    rows = picture.rows_with(ACCENT["light"], row, least=int(row.width / 3), tolerance=24)
+    return sum(rows) / len(rows)
+
+
+def contacts(page: KeyphasePage) -> int:
+    return sum(boundary["contact_change"] for boundary in page.document["boundaries"])
+
+
+def test_the_line_stays_where_it_was_dragged(timeline: KeyphasePage) -> None:
+    row = timeline.row("error")
+    x = row.x + 0.5 * row.width
+    target = line_height(timeline) - 20
+    timeline.change(lambda: timeline.drag((x, line_height(timeline)), (x, target)))
+    timeline.until("keyphase.state.heldThreshold === null")
+    timeline.page.mouse.move(10, 10)
+    timeline.settle()
+    assert abs(drawn_height(timeline, timeline.picture("threshold_dragged")) - target) < 2
+
+
+def test_dragging_the_line_above_all_peaks_takes_the_contact_change_away(
+    timeline: KeyphasePage,
+) -> None:
+    assert contacts(timeline) >= 1
+    row = timeline.row("error")
+    x = row.x + 0.5 * row.width
+    timeline.drag((x, line_height(timeline)), (x, row.y + 2))
+    timeline.until("keyphase.state.document.boundaries.every(b => !b.contact_change)")
+    assert timeline.boundaries.count() == len(timeline.document["boundaries"])
+    assert timeline.segments.count() == len(timeline.document["segments"])
+
+
+def test_what_would_come_or_go_is_shown_until_the_line_is_let_go(timeline: KeyphasePage) -> None:
+    row = timeline.row("error")
+    x = row.x + 0.5 * row.width
+    mouse = timeline.page.mouse
+    mouse.move(x, line_height(timeline))
+    mouse.down()
+    mouse.move(x, row.y + 2, steps=8)
+    timeline.until("keyphase.state.ghost.some(g => g.fate === 'goes')")
+    timeline.settle()
+    assert timeline.page.locator(".ghost.goes").count() >= 1
+    timeline.picture("ghosts")
+    mouse.up()
+    timeline.until("keyphase.state.ghost.length === 0")
+    timeline.settle()
+    assert timeline.page.locator(".ghost").count() == 0
+
+
+def test_the_panels_slider_moves_the_line_and_recolors_the_trajectory(
+    setup1: KeyphasePage,
+) -> None:
+    scene = setup1.wait_for_scene()
+    before = setup1.picture("slider_before")
+    segments = setup1.segments.count()
+    height = drawn_height(setup1, before)
+    slider = scene.get_by_role("slider").first
+    box = slider.bounding_box()
+    assert box
+    middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    setup1.drag(middle, (middle[0] + 90, middle[1]), steps=6)
+    setup1.until("keyphase.state.document.boundaries.every(b => !b.contact_change)")
+    setup1.settle()
+    setup1.wait_for_scene()
+    after = setup1.picture("slider_after")
+    assert drawn_height(setup1, after) < height - 10
+    assert setup1.segments.count() == len(setup1.document["segments"])
+    if setup1.segments.count() != segments:
+        view, color = setup1.box("#viser"), SEGMENT_COLORS[2]
+        assert before.count(color, view, 40) != after.count(color, view, 40)
+
+
+def test_dragging_the_line_moves_the_panels_value(setup1: KeyphasePage) -> None:
+    scene = setup1.wait_for_scene()
+    row = setup1.row("error")
+    x = row.x + 0.5 * row.width
+    setup1.drag((x, line_height(setup1)), (x, line_height(setup1) - 25))
+    threshold = setup1.document["parameters"]["force_threshold"]
+    scene.wait_for_function(
+        """wanted => [...document.querySelectorAll('input')].some(
+             field => Math.abs(Number(field.value) - wanted) <= 0.01 * wanted)""",
+        arg=threshold,
+    )
+
+
+def test_every_move_is_timed_from_the_hand_to_the_frame(timeline: KeyphasePage) -> None:
+    row = timeline.row("error")
+    x = row.x + 0.5 * row.width
+    timeline.drag((x, line_height(timeline)), (x, line_height(timeline) - 25), steps=6)
+    timeline.until("keyphase.latency.length > 0")
+    measured = timeline.page.evaluate("() => keyphase.latency")
+    assert all(0 < one["milliseconds"] < 60_000 for one in measured)
+    assert {one["source"] for one in measured} == {"line"}

@@ -1,0 +1,162 @@
+"""Looking: zoom, pan, fold, readout, why, playback, themes and sizes."""
+
+from pathlib import Path
+
+import pytest
+from driver import SEGMENT_COLORS, KeyphasePage, Serve, Visit
+
+
+def span(page: KeyphasePage) -> float:
+    view = page.state("view")
+    return view["to"] - view["from"]
+
+
+def test_the_wheel_zooms_around_the_pointer(timeline: KeyphasePage) -> None:
+    row = timeline.row("position")
+    at = (timeline.x(2.0), row.y + row.height / 2)
+    before = span(timeline)
+    timeline.page.mouse.move(*at)
+    timeline.page.mouse.wheel(0, -600)
+    timeline.until(f"keyphase.state.view.to - keyphase.state.view.from < {before / 2}")
+    timeline.settle()
+    assert timeline.x(2.0) == pytest.approx(at[0], abs=2)
+
+
+def test_dragging_a_track_pans_and_fit_shows_all_again(timeline: KeyphasePage) -> None:
+    document = timeline.document
+    for _ in range(3):
+        timeline.press("+")
+    row = timeline.row("position")
+    y = row.y + row.height / 2
+    start = timeline.state("view")["from"]
+    timeline.drag((row.x + 0.5 * row.width, y), (row.x + 0.5 * row.width - 200, y))
+    assert timeline.state("view")["from"] > start
+    timeline.press("f")
+    assert span(timeline) == pytest.approx(document["end_s"] - document["start_s"])
+
+
+def test_the_handles_of_the_overview_set_the_view(timeline: KeyphasePage) -> None:
+    row = timeline.row("overview")
+    y = row.y + row.height / 2
+    timeline.drag((row.x, y), (row.x + row.width / 2, y))
+    document = timeline.document
+    half = (document["start_s"] + document["end_s"]) / 2
+    assert timeline.state("view")["from"] == pytest.approx(half, abs=0.05)
+
+
+def test_a_folded_track_becomes_a_low_row(timeline: KeyphasePage) -> None:
+    assert timeline.row("force").height > 60
+    timeline.page.get_by_role("button", name="Force").first.click()
+    timeline.settle()
+    assert timeline.row("force").height == 20
+    timeline.picture("folded")
+    timeline.page.get_by_role("button", name="Speed").first.click()
+    timeline.settle()
+    assert timeline.row("speed").height > 40
+
+
+def test_values_under_the_pointer_are_read_out(timeline: KeyphasePage) -> None:
+    row = timeline.row("position")
+    timeline.page.mouse.move(timeline.x(3.0), row.y + row.height / 2)
+    timeline.until("keyphase.state.pointer !== null")
+    timeline.settle()
+    assert timeline.text("#status").startswith("Pointer 3.0")
+    values = timeline.page.locator("[data-gutter=position] .value").all_inner_texts()
+    assert len(values) == 3
+    assert all(value[0] in "+−" for value in values)
+
+
+def test_resting_on_a_boundary_says_why_it_is_there(timeline: KeyphasePage) -> None:
+    contact = next(b for b in timeline.document["boundaries"] if b["contact_change"])
+    row = timeline.row("boundaries")
+    timeline.page.mouse.move(timeline.x(contact["time_s"]), row.y + row.height / 2)
+    timeline.page.locator("#why").wait_for()
+    said = timeline.text("#why")
+    for sentence in contact["why"]["sentences"]:
+        assert sentence in said
+    assert f"{contact['time_s']:.3f} s" in said
+    assert "contact change" in said
+    timeline.picture("why")
+    timeline.page.mouse.move(400, 200)
+    timeline.page.locator("#why").wait_for(state="hidden")
+
+
+def test_playing_moves_the_playhead_and_stops_at_the_end(timeline: KeyphasePage) -> None:
+    end = timeline.document["end_s"]
+    timeline.page.evaluate("time => keyphase.actions.seek(time)", end - 0.3)
+    timeline.press("Space")
+    timeline.until(f"!keyphase.state.playhead.playing && keyphase.state.clock >= {end - 1e-3}")
+    timeline.settle()
+    assert timeline.text("#clock").startswith(f"{end:.3f}")
+
+
+def test_linear_and_logarithmic(timeline: KeyphasePage) -> None:
+    logarithmic = timeline.picture("error_log")
+    timeline.page.get_by_role("button", name="Linear").click()
+    timeline.settle()
+    linear = timeline.picture("error_linear")
+    row = timeline.row("error")
+    assert logarithmic.count("#343a40", row, 40) != linear.count("#343a40", row, 40)
+    assert not timeline.state("logarithmic")
+
+
+@pytest.mark.parametrize("size", [(1920, 1080), (1280, 720)], ids=["1920x1080", "1280x720"])
+@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
+def test_both_themes_in_both_sizes(
+    folder: Path, serve: Serve, visit: Visit, size: tuple[int, int], dark: bool
+) -> None:
+    page = visit(serve(folder), size=size, dark=dark)
+    page.wait_for_document()
+    page.wait_for_scene()
+    page.press("]")
+    page.press("]")
+    page.press("]")
+    page.until("keyphase.state.selected === 2")
+    page.settle()
+    picture = page.picture(f"setup1_{'dark' if dark else 'light'}_{size[0]}")
+    assert (picture.brightness(page.box("#plan")) < 100) == dark
+    assert (picture.brightness(page.box("#viser")) < 110) == dark
+    assert picture.count(SEGMENT_COLORS[0], page.row("segments")) > 500
+    assert_nothing_overflows(page)
+
+
+def assert_nothing_overflows(page: KeyphasePage) -> None:
+    """No bar is wider than the window, no button is cut."""
+    cut = page.page.evaluate(
+        """() => [...document.querySelectorAll('#header > *, #transport > *, #status > *')]
+          .filter(node => node.offsetParent && node.getBoundingClientRect().right > innerWidth + 1)
+          .map(node => node.outerHTML.slice(0, 80))"""
+    )
+    assert cut == []
+
+
+def test_the_button_changes_the_theme_of_page_and_scene(setup1: KeyphasePage) -> None:
+    setup1.wait_for_scene()
+    light = setup1.picture("theme_light").brightness(setup1.box("#viser"))
+    setup1.page.locator("#theme").click()
+    setup1.until("document.documentElement.dataset.theme === 'dark'")
+    setup1.wait_for_scene()
+    assert setup1.picture("theme_dark").brightness(setup1.box("#viser")) < light - 80
+
+
+def test_the_splitter_gives_the_timeline_more_room(timeline: KeyphasePage) -> None:
+    before = timeline.box("#timeline").height
+    splitter = timeline.box("#splitter")
+    x, y = splitter.middle
+    timeline.drag((x, y), (x, y - 80))
+    timeline.settle()
+    assert timeline.box("#timeline").height == pytest.approx(before + 80, abs=2)
+    assert timeline.row("force").height > 100
+
+
+def test_another_recording_is_chosen_from_the_queue(
+    folder: Path, serve: Serve, visit: Visit
+) -> None:
+    page = visit(serve(folder), scene=False)
+    page.wait_for_document()
+    page.page.locator(".queue-row", has_text="synthetic_setup1").click()
+    page.until("keyphase.state.document.name === 'synthetic_setup1'")
+    page.until("keyphase.state.whole")
+    page.settle()
+    assert page.text("#name") == "synthetic_setup1"
+    assert page.segments.count() == len(page.document["segments"])

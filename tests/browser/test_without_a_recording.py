@@ -1,0 +1,33 @@
+"""What the page says when there is nothing, something unreadable, or nobody there."""
+
+from pathlib import Path
+
+from driver import Serve, Visit
+
+
+def test_without_a_recording_the_page_says_how_to_open_one(serve: Serve, visit: Visit) -> None:
+    page = visit(serve(), scene=False)
+    page.page.locator("#empty").wait_for()
+    assert "keyphase my_folder" in page.text("#empty")
+    page.picture("empty")
+
+
+def test_an_unreadable_recording_says_why(tmp_path: Path, serve: Serve, visit: Visit) -> None:
+    (tmp_path / "broken.csv").write_text("time_s,position_x_m\n0,1\n")
+    page = visit(serve(tmp_path / "broken.csv"), scene=False)
+    page.page.get_by_text("broken cannot be read").wait_for()
+    page.picture("unreadable")
+    assert "position_y_m" in page.text("#empty")
+
+
+def test_a_lost_connection_is_shown(folder: Path, serve: Serve, visit: Visit) -> None:
+    server = serve(folder / "setup1.npz")
+    page = visit(server, scene=False)
+    page.wait_for_document()
+    page.page.evaluate("() => keyphase.socket.drop()")
+    page.until("keyphase.state.connected === false")
+    page.settle()
+    assert page.text("#saved") == "Not connected"
+    page.until("keyphase.state.connected === true")
+    page.settle()
+    assert page.text("#saved") != "Not connected"
