@@ -22,6 +22,7 @@ from distance_fields import (
 )
 from meshing import mesh_of
 from numpy.typing import ArrayLike
+from scipy.interpolate import PchipInterpolator
 
 Y, Z = np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0])
 UP_IN_BODY = 0.41492
@@ -215,7 +216,7 @@ def body() -> list[Piece]:
     shoulders = [
         cylinder(at - out * 0.11, at - out * 0.008, 0.058, 0.010, 0.064) for at, out in seats
     ]
-    column = prism(_PROFILE, (-0.2, 0.2), 0.03, _waist)
+    column = prism(_PROFILE, (-0.2, 0.2), 0.045, _waist)
     deck = prism(_DECK, (-0.185, 0.185), 0.014)
     rests = [prism(_REST, sides, 0.014) for sides in ((-0.195, -0.105), (0.105, 0.195))]
     torso = union(column, deck, *rests, blend=0.03)
@@ -235,21 +236,22 @@ def _shoulder(side: int) -> Array:
 
 
 def _waist(points: Array) -> Array:
-    heights = [-0.1, 0.0, 0.06, 0.15, 0.30, 0.42, 0.48]
-    return np.interp(points[:, 2], heights, [0.80, 0.74, 0.64, 0.60, 0.60, 0.56, 0.52])
+    heights = [-0.1, 0.0, 0.08, 0.20, 0.34, 0.48]
+    width = PchipInterpolator(heights, [0.80, 0.72, 0.63, 0.60, 0.59, 0.53])
+    return width(np.clip(points[:, 2], heights[0], heights[-1]))
 
 
 _PROFILE = [
-    (-0.318, 0.0), (-0.331, 0.101), (-0.315, 0.373), (-0.293, 0.425), (-0.236, 0.441),
-    (-0.024, 0.441), (0.012, 0.43), (0.019, 0.411), (-0.032, 0.373), (-0.149, 0.352),
-    (-0.19, 0.277), (-0.179, 0.048), (-0.142, 0.005), (-0.14, 0.0),
+    (-0.305, 0.015), (-0.316, 0.102), (-0.3, 0.37), (-0.282, 0.413), (-0.234, 0.426),
+    (-0.026, 0.426), (0.0, 0.418), (-0.038, 0.387), (-0.159, 0.365), (-0.205, 0.28),
+    (-0.194, 0.042), (-0.17, 0.015),
 ]  # fmt: skip
 _DECK = [
     (-0.341, -0.036), (-0.341, 0.016), (-0.301, 0.016), (-0.122, -0.006), (-0.014, -0.024),
     (-0.014, -0.031), (-0.023, -0.036),
 ]  # fmt: skip
 _REST = [
-    (-0.286, -0.038), (-0.286, 0.007), (-0.061, -0.002), (0.108, -0.025), (0.112, -0.03),
+    (-0.341, -0.038), (-0.341, 0.006), (-0.061, -0.002), (0.108, -0.025), (0.112, -0.03),
     (0.111, -0.032), (0.059, -0.038),
 ]  # fmt: skip
 
