@@ -24,7 +24,6 @@ from keyphase.skills.fitting import fit_primitive
 from keyphase.skills.library import skill_of
 from keyphase.skills.rollout import rollout
 
-
 BATCH = 1000
 
 

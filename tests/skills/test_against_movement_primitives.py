@@ -22,7 +22,6 @@ from keyphase.skills.primitive import (
     transformation,
 )
 
-
 ONES, NOTHING = np.ones(6), np.zeros(6)
 
 
