@@ -8,7 +8,7 @@ from typing import Any
 
 from keyphase.errors import KeyphaseError, ParameterError, SegmentFileError
 from keyphase.labeling.segment_file import SUFFIX
-from keyphase.readers.finding import Found, find_recordings
+from keyphase.readers import Found, find_recordings
 from keyphase.segmentation.parameters import Parameters
 
 

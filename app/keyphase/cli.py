@@ -100,7 +100,7 @@ class SegmentRecordings:
         if report.refused:
             print(f"{len(report.refused)} refused:", file=sys.stderr)
             for refusal in report.refused:
-                print(f"  {refusal.path}: {refusal.reason}", file=sys.stderr)
+                print(f"  {refusal.reason}", file=sys.stderr)
         return 1 if report.refused or not report.written else 0
 
 

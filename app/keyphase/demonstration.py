@@ -166,7 +166,9 @@ def _unit_and_continuous(wxyz: Array, name: str) -> Array:
             f"{name}: orientation_wxyz must hold unit quaternions in the order w x y z, "
             f"but row {row} has norm {norms[row]:.6g}; check the columns and their order."
         )
-    unit = wxyz / norms[:, None]
+    # Dividing a unit quaternion by its rounded norm would change its last digit on every reading.
+    exact = np.abs(norms - 1.0) <= 4 * np.finfo(np.float64).eps
+    unit = wxyz / np.where(exact, 1.0, norms)[:, None]
     turns = np.sum(unit[1:] * unit[:-1], axis=1) < 0
     signs = np.where(np.concatenate([[False], np.cumsum(turns) % 2 == 1]), -1.0, 1.0)
     return _frozen(unit * signs[:, None])

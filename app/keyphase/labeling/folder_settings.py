@@ -9,8 +9,8 @@ from typing import Any
 from keyphase.errors import JournalError, KeyphaseError
 from keyphase.labeling.state_folder import state_folder
 from keyphase.labeling.vocabulary import Vocabulary, vocabulary_from_json
-from keyphase.readers.whole_file import write_whole
 from keyphase.segmentation.parameters import Parameters
+from keyphase.whole_file import write_whole
 
 FILE_NAME = "folder.json"
 VERSION = 1
@@ -52,10 +52,7 @@ def write_folder_settings(recordings: Path, settings: FolderSettings) -> None:
     }
     data = f"{json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False)}\n".encode()
     path = state_folder(recordings).path / FILE_NAME
-    try:
-        write_whole(path, data)
-    except KeyphaseError as error:
-        raise JournalError(str(error)) from error
+    write_whole(path, data, refusal=JournalError)
 
 
 def _parsed(content: Any) -> FolderSettings:

@@ -6,7 +6,7 @@ from io import FileIO
 from pathlib import Path
 
 from keyphase.demonstration import Demonstration, Source
-from keyphase.errors import JournalError, KeyphaseError
+from keyphase.errors import JournalError
 from keyphase.labeling.document import Document
 from keyphase.labeling.journal_lock import JournalLock
 from keyphase.labeling.journaled import (
@@ -19,8 +19,8 @@ from keyphase.labeling.journaled import (
 )
 from keyphase.labeling.records import ReadRecords, Record, decode, encode
 from keyphase.labeling.state_folder import StateFolder, state_folder
-from keyphase.readers.whole_file import write_whole
 from keyphase.segmentation.parameters import Parameters
+from keyphase.whole_file import write_whole
 
 _SPARE_RECORDS = 200
 """A journal is rewritten on opening when this many records more than needed are in it."""
@@ -154,12 +154,10 @@ class Journal:
         self._notices.append(f"Opened for looking only: {self.read_only}.")
 
     def _rewrite(self, state: Journaled, first: Record, keep_old: bool) -> None:
-        try:
-            if keep_old and self._path.exists():
-                write_whole(_free_name(self._path), _read(self._path))
-            write_whole(self._path, b"".join(map(encode, compact(state, first))))
-        except KeyphaseError as error:
-            raise JournalError(str(error)) from error
+        if keep_old and self._path.exists():
+            write_whole(_free_name(self._path), _read(self._path), refusal=JournalError)
+        compacted = b"".join(map(encode, compact(state, first)))
+        write_whole(self._path, compacted, refusal=JournalError)
 
     def _append(self, records: list[Record]) -> None:
         if not records:

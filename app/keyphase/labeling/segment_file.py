@@ -11,10 +11,10 @@ from typing import Any
 from keyphase.errors import KeyphaseError, SegmentFileError
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file_content import as_csv, as_json, segment_file_content
-from keyphase.readers.whole_file import write_whole
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import Origin
+from keyphase.whole_file import write_whole
 
 SUFFIX = ".segments.json"
 """How the names of segment files end."""
@@ -88,10 +88,7 @@ def write_segment_file(labeling: Labeling, path: Path) -> None:
     """
     content = segment_file_content(labeling, path)
     data = as_csv(content) if path.suffix.lower() == ".csv" else as_json(content)
-    try:
-        write_whole(path, data)
-    except KeyphaseError as error:
-        raise SegmentFileError(str(error)) from error
+    write_whole(path, data, refusal=SegmentFileError)
 
 
 def read_segment_file(path: Path, *, check_recording: bool = True) -> SegmentFile:

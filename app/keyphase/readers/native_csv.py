@@ -17,7 +17,8 @@ from keyphase.readers.build import build
 from keyphase.readers.orientation import refuse_not_unit
 from keyphase.readers.table import Table, TableForm, open_table, split_cells
 from keyphase.readers.timing import refuse_not_increasing
-from keyphase.readers.whole_file import WholeFile, write_whole
+from keyphase.readers.whole_file import WholeFile
+from keyphase.whole_file import write_whole
 
 _GROUPS: Mapping[str, tuple[str, ...]] = {
     "time_s": ("time_s",),
@@ -127,4 +128,4 @@ def save_csv(demonstration: Demonstration, path: Path | str) -> None:
             names.extend(group)
             columns.append(values)
     rows = (",".join(map(repr, row)) for row in np.hstack(columns).tolist())
-    write_whole(Path(path), "\n".join([",".join(names), *rows, ""]).encode())
+    write_whole(Path(path), "\n".join([",".join(names), *rows, ""]).encode(), DemonstrationError)

@@ -26,7 +26,8 @@ from numpy.typing import NDArray
 from keyphase.demonstration import Demonstration
 from keyphase.errors import DemonstrationError
 from keyphase.readers.build import build
-from keyphase.readers.whole_file import WholeFile, write_whole
+from keyphase.readers.whole_file import WholeFile
+from keyphase.whole_file import write_whole
 
 MAGIC = b"PK\x03\x04"
 """How a zip archive that holds anything begins."""
@@ -210,7 +211,7 @@ def save_npz(demonstration: Demonstration, path: Path | str) -> None:
                 _write_member(archive, name, values)
         if demonstration.metadata:
             _write_member(archive, _METADATA, np.array(_json(demonstration)))
-    write_whole(Path(path), buffer.getvalue())
+    write_whole(Path(path), buffer.getvalue(), DemonstrationError)
 
 
 def _write_member(archive: zipfile.ZipFile, name: str, values: NDArray[Any]) -> None:

@@ -15,11 +15,11 @@ from jsonschema import Draft202012Validator
 
 from keyphase import __version__
 from keyphase.demonstration import UNIT_TOLERANCE, Array
-from keyphase.errors import DemonstrationError, ParameterError, SkillError
-from keyphase.readers.whole_file import write_whole
+from keyphase.errors import ParameterError, SkillError
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
 from keyphase.skills.primitive import Constants, Primitive
 from keyphase.skills.skill import Skill
+from keyphase.whole_file import write_whole
 
 FORMAT = "keyphase skills"
 VERSION = 1
@@ -72,10 +72,7 @@ def library_of_text(text: str, name: str = "skill file") -> SkillLibrary:
 
 def write_skills(path: Path, library: SkillLibrary) -> None:
     """Write a skill file whole. Raises SkillError where the folder takes no files."""
-    try:
-        write_whole(path, skill_text(library).encode())
-    except DemonstrationError as error:
-        raise SkillError(str(error)) from error
+    write_whole(path, skill_text(library).encode(), refusal=SkillError)
 
 
 def read_skills(path: Path) -> SkillLibrary:
