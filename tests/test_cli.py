@@ -21,7 +21,7 @@ def keyphase(*arguments: object) -> int:
 
 @pytest.fixture
 def recording(tmp_path: Path) -> Path:
-    return Path(shutil.copy(shipped("data") / "synthetic_setup1.npz", tmp_path / "one.npz"))
+    return Path(shutil.copy(shipped("data") / "setup1.npz", tmp_path / "one.npz"))
 
 
 def test_help_loads_nothing_heavy() -> None:
