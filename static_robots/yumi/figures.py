@@ -2,8 +2,9 @@
 
 Published: joint origins, axes and ranges (yumi_description, BSD-2-Clause, the ABB product
 specification of the IRB 14000), joint speeds, the weight of the robot (38 kg) and of an arm
-(9.5 kg). Estimated: how the weight is shared among the links, inertias, joint torques, the
-shapes, and where the tool point lies.
+(9.5 kg), the origins and the stroke of the fingers. Estimated: how the weight is shared among the
+links, the weight of gripper and sensor, inertias, joint torques, the shapes, and where the tool
+point lies.
 """
 
 from collections.abc import Mapping

@@ -86,7 +86,7 @@ def test_joint_ranges_and_speeds_are_the_published_ones(side):
         assert robot.speed_rad_s[number] == pytest.approx(np.radians(SPEEDS_DEG_S[axis]))
 
 
-def test_masses_add_up_to_the_published_totals(in_mujoco):
+def test_arms_and_robot_weigh_what_is_published(in_mujoco):
     model, _ = in_mujoco
     mass = {model.body(i).name: model.body_mass[i] for i in range(model.nbody)}
 
