@@ -196,6 +196,7 @@ class Journal:
             self._file = FileIO(self._path, "a+")
             if is_new:
                 _sync_folder(self._path.parent)
+                _sync_folder(self._path.parent.parent)
         return self._file
 
 
