@@ -54,6 +54,14 @@ class Picture:
         part = self.pixels if box is None else self._cut(box)
         return int((np.abs(part - wanted).max(axis=2) <= tolerance).sum())
 
+    def count_hue(self, color: str, box: Box, apart_deg: float = 10.0) -> int:
+        """Number of strongly coloured pixels in `box` of a hue, in light and in shade."""
+        wanted = np.array([[[int(color[k : k + 2], 16) for k in (1, 3, 5)]]], dtype=np.uint8)
+        hues, strengths = _hue_and_strength(self._cut(box).astype(np.uint8))
+        target = _hue_and_strength(wanted)[0].item()
+        apart = np.abs((hues - target + 180.0) % 360.0 - 180.0)
+        return int(((apart <= apart_deg) & (strengths > 0.3)).sum())
+
     def rows_with(self, color: str, box: Box, least: int, tolerance: int = 12) -> list[float]:
         """Heights on the page [px] at which at least `least` pixels have a colour."""
         wanted = np.array([int(color[k : k + 2], 16) for k in (1, 3, 5)])
@@ -67,6 +75,12 @@ class Picture:
     def _cut(self, box: Box) -> NDArray[np.int16]:
         left, top = int(box.x), int(box.y)
         return self.pixels[top : top + int(box.height), left : left + int(box.width)]
+
+
+def _hue_and_strength(rgb: NDArray[np.uint8]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Hue [deg] and saturation (0 to 1) of every pixel."""
+    hsv = np.asarray(Image.fromarray(rgb).convert("HSV"), dtype=np.float64)
+    return hsv[..., 0] * 360.0 / 256.0, hsv[..., 1] / 255.0
 
 
 class KeyphasePage:

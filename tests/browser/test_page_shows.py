@@ -1,6 +1,8 @@
 """What the page shows of a recording, seen in screenshots."""
 
-from driver import ACCENT, SEGMENT_COLORS, KeyphasePage
+from driver import ACCENT, SEGMENT_COLORS, Box, KeyphasePage
+
+PANEL_WIDTH = 330
 
 
 def test_as_many_bands_as_segments_in_their_colors(timeline: KeyphasePage) -> None:
@@ -16,9 +18,11 @@ def test_as_many_bands_as_segments_in_their_colors(timeline: KeyphasePage) -> No
 def test_segments_have_their_colors_on_the_trajectory_too(setup1: KeyphasePage) -> None:
     setup1.wait_for_scene()
     picture = setup1.picture("setup1_scene")
+    whole = setup1.box("#viser")
+    scene = Box(whole.x, whole.y, whole.width - PANEL_WIDTH, whole.height)
     kept = {segment["color"] for segment in setup1.document["segments"] if segment["kept"]}
     for color in kept:
-        assert picture.count(SEGMENT_COLORS[color], setup1.box("#viser"), tolerance=30) > 20
+        assert picture.count_hue(SEGMENT_COLORS[color], scene) > 100
 
 
 def test_threshold_line_lies_where_the_threshold_is(timeline: KeyphasePage) -> None:

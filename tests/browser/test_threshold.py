@@ -82,7 +82,7 @@ def test_the_panels_slider_moves_the_line_and_recolors_the_trajectory(
     assert setup1.segments.count() == len(setup1.document["segments"])
     if setup1.segments.count() != segments:
         view, color = setup1.box("#viser"), SEGMENT_COLORS[2]
-        assert before.count(color, view, 40) != after.count(color, view, 40)
+        assert before.count_hue(color, view) != after.count_hue(color, view)
 
 
 def test_dragging_the_line_moves_the_panels_value(setup1: KeyphasePage) -> None:

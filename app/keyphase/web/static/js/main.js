@@ -115,4 +115,4 @@ createScene(store, { onKey, onSlide: latency.slid });
 store.set({ dark: firstDark(), snap: true });
 
 /** For tests and for anyone who wants to know how fast it is. */
-window.keyphase = { latency: latency.list, state: store.state, actions, timeline, socket };
+window.keyphase = { latency: latency.list, state: store.state, actions, timeline, socket, store };

@@ -8,6 +8,9 @@ import { textWidth } from "./text_width.js";
 /** Confidence below which a boundary is unsure, as long as nobody accepted it. */
 export const UNSURE_BELOW = 0.75;
 
+/** Where boundaries stand closer than this on average, their lines step back. */
+const DENSE_PX = 45;
+
 /** @param {import("../types.js").Boundary} boundary */
 export function isUnsure(boundary) {
   return !boundary.accepted && boundary.origin !== "user" && boundary.confidence < UNSURE_BELOW;
@@ -54,6 +57,8 @@ export function drawBoundaries(state, scale, layout, bottom) {
   const lineBottom = folded.has("boundaries") ? layout.headHeight : bottom;
   const texts = createTextRow(scale.width);
   const nodes = [];
+  const seen = doc.boundaries.filter(({ time_s: time }) => time >= scale.from && time <= scale.to).length;
+  const dense = seen > scale.width / DENSE_PX ? "dense" : "";
   doc.boundaries.forEach((boundary, index) => {
     const time = drag?.boundary === index ? drag.time : boundary.time_s;
     if (boundary.was_s !== null || drag?.boundary === index) {
@@ -65,7 +70,7 @@ export function drawBoundaries(state, scale, layout, bottom) {
     const strong = index === hovered || index === current;
     const color = originColor(boundary.origin);
     const middle = row.y + row.height / 2;
-    const group = svg("g", { class: `boundary ${strong ? "strong" : ""}`, data: { boundary: index, origin: boundary.origin } });
+    const group = svg("g", { class: `boundary ${strong ? "strong" : dense}`, data: { boundary: index, origin: boundary.origin } });
     group.append(
       svg("path", { d: `M${x} ${middle}V${lineBottom}`, class: "boundary-line", style: { stroke: color } }),
       svg("rect", { x: x - 1.5, y: band.y + 4, width: 3, height: band.height - 8, style: { fill: color } }),

@@ -139,12 +139,12 @@ function fillAbove({ ctx }, { width, y }, { threshold, series, view, color }) {
 function drawPeaks(state, scale, y) {
   const { document: doc } = state;
   const threshold = thresholdOf(state);
-  const taken = [];
   const nodes = [];
   const peaks = doc.peaks.filter((peak) => peak.height >= threshold && peak.rejection !== "below threshold");
   const inView = peaks.filter(({ bin_time_s: time }) => time >= scale.from && time <= scale.to);
   // Used ones first, then by height: where texts would overlap, the lower peak goes without.
   inView.sort((a, b) => (a.rejection !== "") - (b.rejection !== "") || b.height - a.height);
+  const taken = inView.map((peak) => ({ left: scale.x(peak.bin_time_s) - 6, right: scale.x(peak.bin_time_s) + 6, y: y(peak.height) + 3 }));
   for (const peak of inView) {
     const x = scale.x(peak.bin_time_s);
     const level = y(peak.height);
@@ -170,7 +170,7 @@ function peakText({ height, rejection }, x, level, width, small, taken) {
     const sides = rejection ? [x + 9, x - 9 - wide] : [x - 9 - wide, x + 9];
     for (const left of sides) {
       const box = { left: left - 3, right: left + wide + 3, y };
-      const clear = taken.every((other) => box.right < other.left || box.left > other.right || Math.abs(other.y - y) > 11);
+      const clear = taken.every((other) => box.right <= other.left || box.left >= other.right || Math.abs(other.y - y) > 11);
       if (left < 2 || left + wide > width - 2 || !clear) continue;
       taken.push(box);
       return svg("text", { x: left, y, class: rejection ? "peak-reason" : "peak-height", text });
