@@ -43,14 +43,12 @@ def combine(
     segments = np.diff(np.concatenate([[start_s], points, [end_s]]))
     reach = np.minimum(tolerance_s, SHARE_OF_SEGMENT * np.minimum(segments[:-1], segments[1:]))
     partner = _match(points, force_s, reach)
-    matched = partner[partner != NONE]
-    alone = np.setdiff1d(np.arange(len(force_s)), matched)
-    time = np.concatenate(
-        [
-            np.where(partner != NONE, force_s[partner], points) if len(force_s) else points,
-            force_s[alone],
-        ]
-    )
+    matched = partner != NONE
+    unmatched = np.ones(len(force_s), dtype=bool)
+    unmatched[partner[matched]] = False
+    alone = np.flatnonzero(unmatched)
+    points[matched] = force_s[partner[matched]]
+    time = np.concatenate([points, force_s[alone]])
     force = np.concatenate([partner, alone])
     position = np.concatenate([inside, np.full(len(alone), NONE)])
     order = np.argsort(time, kind="stable")
@@ -73,24 +71,30 @@ def _match(points: Array, force_s: Array, reach: Array) -> Indices:
     point = np.repeat(np.arange(len(points)), counts)
     offset = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
     force = first[point] + offset
-    distance = np.abs(points[point] - force_s[force])
     partner = np.full(len(points), NONE, dtype=np.intp)
-    taken = np.zeros(len(force_s), dtype=bool)
-    for pair in np.lexsort((point, force, np.round(distance, 6))):
-        if partner[point[pair]] == NONE and not taken[force[pair]]:
+    rivals = np.bincount(force, minlength=len(force_s))
+    undisputed = (counts[point] == 1) & (rivals[force] == 1)
+    partner[point[undisputed]] = force[undisputed]
+    point, force = point[~undisputed], force[~undisputed]
+    distance = np.round(np.abs(points[point] - force_s[force]), 6)
+    taken: set[int] = set()
+    for pair in np.lexsort((point, force, distance)):
+        if partner[point[pair]] == NONE and force[pair] not in taken:
             partner[point[pair]] = force[pair]
-            taken[force[pair]] = True
+            taken.add(int(force[pair]))
     return partner
 
 
 def _without_duplicates(found: Combination) -> Combination:
     """Drop position points within 0.1 s of a force point, or of a position point before them."""
-    keep: list[int] = []
-    for i in range(len(found.time_s)):
-        if keep and found.time_s[i] - found.time_s[keep[-1]] < CLOSEST_S:
-            if found.force[i] == NONE:
-                continue
-            if found.force[keep[-1]] == NONE:
-                keep.pop()
-        keep.append(i)
+    keep = np.ones(len(found.time_s), dtype=bool)
+    for later in np.flatnonzero(np.diff(found.time_s) < CLOSEST_S) + 1:
+        before = later - 1
+        while not keep[before]:
+            before -= 1
+        if found.time_s[later] - found.time_s[before] < CLOSEST_S:
+            if found.force[later] == NONE:
+                keep[later] = False
+            elif found.force[before] == NONE:
+                keep[before] = False
     return Combination(found.time_s[keep], found.force[keep], found.position[keep])

@@ -1,6 +1,7 @@
 """The tool's motion at 50 Hz, in the units in which the position segmentation sees it."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -31,7 +32,7 @@ class Motion:
     pose_m: Array
     speed: Array
 
-    @property
+    @cached_property
     def step_s(self) -> float:
         """Median time from bin to bin."""
         return typical_step_s(self.time_s)

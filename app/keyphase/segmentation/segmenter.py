@@ -1,17 +1,18 @@
 """From a demonstration to its segmentation, with every stage kept for as long as it holds."""
 
+from collections.abc import Callable
 from functools import cached_property
 
 import numpy as np
 
 from keyphase.demonstration import Demonstration
-from keyphase.segmentation.combine import NONE, combine
+from keyphase.segmentation.bins import Indices
+from keyphase.segmentation.combine import NONE, Combination, combine
 from keyphase.segmentation.confidence import joint_confidence
 from keyphase.segmentation.end_condition import end_condition_at, ends_in_contact
 from keyphase.segmentation.labels import Evidence, proposed_label
 from keyphase.segmentation.motion import Motion, motion_of
 from keyphase.segmentation.parameters import Parameters
-from keyphase.segmentation.peaks import Codes
 from keyphase.segmentation.segmentation import Boundary, Segment, Segmentation
 from keyphase.segmentation.stages import ForceStage, PositionStage, Recent
 
@@ -36,45 +37,40 @@ class Segmenter:
         self.demonstration = demonstration
         self._positions: Recent[PositionStage] = Recent(_RESULTS_KEPT)
         self._forces: Recent[ForceStage | None] = Recent(_RESULTS_KEPT)
-        self._boundaries: Recent[dict[tuple[int, int], Boundary]] = Recent(_RESULTS_KEPT)
-        self._segments: dict[tuple[float, float, bool], Segment] = {}
+        self._boundaries: Recent[_Boundaries] = Recent(_RESULTS_KEPT)
+        self._segments = _Segments(demonstration, lambda: self._motion)
 
     def segment(self, parameters: Parameters | None = None) -> Segmentation:
         """The segmentation under these parameters, or the default ones."""
         parameters = parameters or Parameters()
-        force = self._force(parameters)
-        codes = None if force is None else force.codes(parameters)
-        boundaries = self._combined(parameters, force, codes)
+        position, force = self._position(parameters), self._force(parameters)
+        codes = np.zeros(0, dtype=np.int8) if force is None else force.codes(parameters)
+        used = np.flatnonzero(codes == 0)
+        found = combine(
+            position.time_s,
+            np.zeros(0) if force is None else force.candidates.time_s[used],
+            self.demonstration.start_s,
+            self.demonstration.end_s,
+            parameters.merge_tolerance_s,
+        )
         return Segmentation(
             demonstration=self.demonstration,
             parameters=parameters,
-            boundaries=boundaries,
-            segments=self._between(boundaries),
-            gaussians=self._position(parameters).gaussians,
+            boundaries=self._boundaries_of(found, used, parameters),
+            segments=self._segments_between(found),
+            gaussians=position.gaussians,
             curve=None if force is None else force.curve,
-            peaks=() if force is None or codes is None else force.reported(codes, parameters),
+            peaks=() if force is None else force.reported(codes, parameters),
             threshold=None if force is None else force.threshold(parameters),
         )
 
     def segment_between(self, start_s: float, end_s: float, contact_change: bool) -> Segment:
         """The segment as the program proposes it for any span, its label and end condition."""
-        span = (start_s, end_s, contact_change)
-        if span not in self._segments:
-            # A contact that the recording breaks off in lies too close to its end for a boundary.
-            if end_s >= self.demonstration.end_s:
-                contact_change = ends_in_contact(self.demonstration, start_s)
-            label, idle = proposed_label(self._evidence, start_s, end_s, contact_change)
-            end = end_condition_at(self.demonstration, start_s, end_s, contact_change)
-            self._segments[span] = Segment(start_s, end_s, label, idle, end)
-        return self._segments[span]
+        return self._segments[start_s, end_s, contact_change]
 
     @cached_property
     def _motion(self) -> Motion:
         return motion_of(self.demonstration)
-
-    @cached_property
-    def _evidence(self) -> Evidence:
-        return Evidence.of(self.demonstration, self._motion)
 
     def _position(self, parameters: Parameters) -> PositionStage:
         return self._positions.get(
@@ -87,36 +83,58 @@ class Segmenter:
             ForceStage.key(parameters), lambda: ForceStage.of(self.demonstration, parameters)
         )
 
-    def _combined(
-        self, parameters: Parameters, force: ForceStage | None, codes: Codes | None
+    def _boundaries_of(
+        self, found: Combination, used: Indices, parameters: Parameters
     ) -> tuple[Boundary, ...]:
-        position = self._position(parameters)
-        used = np.zeros(0, dtype=np.intp) if codes is None else np.flatnonzero(codes == 0)
-        found = combine(
-            position.time_s,
-            np.zeros(0) if force is None else force.candidates.time_s[used],
-            self.demonstration.start_s,
-            self.demonstration.end_s,
-            parameters.merge_tolerance_s,
-        )
-        candidates = np.append(used, NONE)[found.force].tolist()
         key = (PositionStage.key(parameters), ForceStage.key(parameters))
-        known = self._boundaries.get(key, dict)
-        pairs = list(zip(found.position.tolist(), candidates, strict=True))
-        for pair in pairs:
-            if pair not in known:
-                known[pair] = _boundary(position, force, *pair)
-        return tuple([known[pair] for pair in pairs])
+        known = self._boundaries.get(
+            key, lambda: _Boundaries(self._position(parameters), self._force(parameters))
+        )
+        candidates = np.append(used, NONE)[found.force]
+        pairs = zip(found.position.tolist(), candidates.tolist(), strict=True)
+        return tuple(map(known.__getitem__, pairs))
 
-    def _between(self, boundaries: tuple[Boundary, ...]) -> tuple[Segment, ...]:
+    def _segments_between(self, found: Combination) -> tuple[Segment, ...]:
         if len(self._segments) > _SPANS_KEPT:
             self._segments.clear()
-        times = [self.demonstration.start_s, *[b.time_s for b in boundaries]]
-        ends = [*times[1:], self.demonstration.end_s]
-        changes = [*[b.contact_change for b in boundaries], False]
-        known = self._segments
-        spans = zip(times, ends, changes, strict=True)
-        return tuple([known.get(span) or self.segment_between(*span) for span in spans])
+        starts = [self.demonstration.start_s, *found.time_s.tolist()]
+        ends = [*starts[1:], self.demonstration.end_s]
+        last = ends_in_contact(self.demonstration, starts[-1])
+        changes = [*(found.force != NONE).tolist(), last]
+        return tuple(map(self._segments.__getitem__, zip(starts, ends, changes, strict=True)))
+
+
+class _Boundaries(dict[tuple[int, int], Boundary]):
+    """Boundaries by position point and force candidate, made when first asked for."""
+
+    def __init__(self, position: PositionStage, force: ForceStage | None) -> None:
+        super().__init__()
+        self._position = position
+        self._force = force
+
+    def __missing__(self, pair: tuple[int, int]) -> Boundary:
+        self[pair] = _boundary(self._position, self._force, *pair)
+        return self[pair]
+
+
+class _Segments(dict[tuple[float, float, bool], Segment]):
+    """Segments by start, end and whether a contact change ends them, made when first asked for."""
+
+    def __init__(self, demonstration: Demonstration, motion: Callable[[], Motion]) -> None:
+        super().__init__()
+        self._demonstration = demonstration
+        self._motion = motion
+
+    @cached_property
+    def evidence(self) -> Evidence:
+        """What labels are made from."""
+        return Evidence.of(self._demonstration, self._motion())
+
+    def __missing__(self, span: tuple[float, float, bool]) -> Segment:
+        label, idle = proposed_label(self.evidence, *span)
+        end = end_condition_at(self._demonstration, *span)
+        self[span] = Segment(span[0], span[1], label, idle, end)
+        return self[span]
 
 
 def _boundary(
