@@ -1,0 +1,113 @@
+"""What segments are proposed to be called."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import synthetic
+from keyphase.demonstration import Demonstration
+from keyphase.segmentation.labels import Evidence, proposed_label
+
+TIME = np.arange(501) / 250.0
+PART = synthetic.minimum_jerk(TIME / 2.0)[:, None]
+NOISE = np.random.default_rng(0).normal(size=(501, 3))
+
+
+def label(travel=(0.0, 0.0, 0.0), turn=(0.0, 0.0, 0.0), force=None, contact=False) -> str:
+    """Of two seconds from rest to rest."""
+    rotation = Rotation.from_rotvec(PART * np.array(turn))
+    whole = Demonstration(
+        "one movement",
+        TIME,
+        np.array([0.3, 0.1, 0.2]) + PART * np.array(travel) + NOISE * 1e-5,
+        rotation.as_quat(scalar_first=True),
+        None if force is None else np.asarray(force) + NOISE * 0.05,
+    )
+    return proposed_label(Evidence.of(whole), 0.0, 2.0, contact)[0]
+
+
+@pytest.mark.parametrize(
+    ("travel", "expected"),
+    [
+        ((0.171, 0.0, 0.0), "Move forward 171 mm"),
+        ((-0.05, 0.0, 0.001), "Move back 50 mm"),
+        ((0.0, 0.054, 0.0), "Move left 54 mm"),
+        ((0.0, -0.3, 0.02), "Move right 301 mm"),
+        ((0.0, 0.0, -0.042), "Move down 42 mm"),
+        ((0.0, 0.0, 2.04), "Move up 2.04 m"),
+        ((0.1, 0.0, -0.08), "Move forward and down 128 mm"),
+    ],
+)
+def test_a_movement_is_named_by_direction_and_distance(travel, expected):
+    assert label(travel) == expected
+
+
+@pytest.mark.parametrize(
+    ("turn", "expected"),
+    [
+        ((0.0, 0.0, np.pi / 2), "Rotate about z 90°"),
+        ((0.0, -np.pi / 4, 0.0), "Rotate about y −45°"),
+        ((np.radians(220), 0.0, 0.0), "Rotate about x 220°"),
+    ],
+)
+def test_a_rotation_is_named_by_axis_and_angle(turn, expected):
+    assert label(turn=turn) == expected
+
+
+def test_a_rotation_on_the_way_of_a_long_movement_is_still_a_movement():
+    assert label((0.4, 0.0, 0.0), (0.0, 0.0, 0.3)) == "Move forward 400 mm"
+
+
+def test_a_movement_of_a_few_millimetres_is_told_to_a_tenth():
+    path = synthetic.minimum_jerk(TIME / 0.4)[:, None] * np.array([0.0, 0.0, -0.0032])
+    short = Demonstration("short", TIME, path + NOISE * 1e-5)
+    assert proposed_label(Evidence.of(short), 0.0, 0.4, False) == ("Move down 3.2 mm", False)
+
+
+def test_standing_still_is_idle():
+    assert label() == "idle"
+
+
+def touching_from(fraction: float, force) -> np.ndarray:
+    return np.where(TIME[:, None] >= 2.0 * fraction, np.array(force, float), 0.0)
+
+
+def test_moving_in_contact_is_sliding():
+    assert label((0.0, 0.054, 0.0), force=touching_from(0.1, (0, 0, 5))) == "Slide left 54 mm"
+
+
+def test_moving_against_the_force_is_pushing():
+    assert label((0.0, 0.1, 0.0), force=touching_from(0.1, (0, -8, 1))) == "Push left 100 mm"
+
+
+def contact_label(before, after, **movement) -> str:
+    """Of the first of two seconds, with a contact change at its end."""
+    force = np.where(TIME[:, None] < 1.0, np.array(before, float), np.array(after, float))
+    whole = Demonstration(
+        "contact change",
+        TIME,
+        synthetic.minimum_jerk(TIME)[:, None] * np.array([0.0, 0.0, -0.1]),
+        force_N=force + NOISE * 0.05,
+    )
+    return proposed_label(Evidence.of(whole), 0.0, 1.0, True)[0]
+
+
+def test_ending_in_contact_is_said():
+    assert contact_label((0, 0, 0), (0, 0, 6)) == "Move down 100 mm until contact"
+
+
+def test_losing_contact_is_a_release():
+    assert contact_label((0, 0, 6), (0, 0, 0)) == "Push down 100 mm until release"
+
+
+def test_the_weight_of_the_tool_is_no_contact():
+    assert label((0.0, 0.054, 0.0), force=np.tile([0.0, 0.0, 14.0], (501, 1))) == "Move left 54 mm"
+
+
+def test_going_round_in_a_circle_is_neither_idle_nor_straight():
+    angle = 2 * np.pi * TIME / 2.0
+    circle = 0.1 * np.column_stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)])
+    whole = Demonstration("circle", TIME, circle)
+    words, idle = proposed_label(Evidence.of(whole), 0.0, 2.0, False)
+    assert words.startswith("Move around 62")
+    assert not idle
