@@ -106,7 +106,7 @@ def test_an_operator_who_failed_is_told(monkeypatch) -> None:
     def leads_nowhere(simulation, path):
         return []
 
-    monkeypatch.setattr(recording_module, "_led", leads_nowhere)
+    monkeypatch.setattr(recording_module, "lead", leads_nowhere)
     with pytest.raises(SimulationError, match="ended without: seated, wall reached"):
         record("setup1", seed=0)
 

@@ -163,6 +163,7 @@ def test_every_part_can_be_drawn(cell) -> None:
     shapes = shapes_of(cell.build())
     assert {shape.body for shape in shapes} == set(cell.parts)
     assert all((shape.size_m > 0.0).all() for shape in shapes)
+    assert "knob" in {shape.name for shape in shapes}
 
 
 def test_pushing_what_is_not_there_is_refused() -> None:

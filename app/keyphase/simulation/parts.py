@@ -97,12 +97,15 @@ def add_housing(
     """A lower part: a free body whose serrated top meets the cap."""
     housing = spec.worldbody.add_body(name=name, pos=list(position_m))
     housing.add_freejoint()
-    width, depth, height = HOUSING_M
-    rim = 0.004
-    body_size = (width, depth, height - rim)
-    add_box(housing, name, body_size, (0, 0, body_size[2] / 2), friction, DARK_YELLOW, mass_kg)
-    top = add_box(
-        housing, f"{name}_top", (width, depth, rim), (0, 0, height - rim / 2), SERRATED, DARK_YELLOW
+    add_box(housing, name, HOUSING_M, (0.0, 0.0, HOUSING_M[2] / 2), friction, DARK_YELLOW, mass_kg)
+    # A pair of its own, so that the serration does not depend on what the table is like.
+    spec.add_pair(
+        name="serration",
+        geomname1="cap",
+        geomname2=name,
+        condim=3,
+        friction=[SERRATED, SERRATED, 0.005, 0.0001, 0.0001],
+        solref=_SOLREF,
+        solimp=_SOLIMP,
     )
-    top.priority = 1
     return housing

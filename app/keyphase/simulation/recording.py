@@ -39,14 +39,14 @@ def record(
     hand_seed, sensor_seed = np.random.SeedSequence(seed).generate_state(2)
     random = np.random.default_rng(hand_seed)
     simulation = cell.build(disturbance, seed=int(sensor_seed))
-    path = hand_path(simulation, _settled(simulation, random), random)
-    samples = _led(simulation, path)
+    path = hand_path(simulation, settle(simulation, random), random)
+    samples = lead(simulation, path)
     _refuse_unless_done(simulation, seed)
     return as_demonstration(samples, cell.name, _metadata(simulation, samples, path, seed))
 
 
-def _settled(simulation: Simulation, random: np.random.Generator) -> Reference:
-    """Start pose: near the nominal one, and at rest."""
+def settle(simulation: Simulation, random: np.random.Generator) -> Reference:
+    """Bring the tool to rest near its start; nobody starts twice from the same place."""
     home = simulation.here()
     spread = random.uniform(-_START_SPREAD_M, _START_SPREAD_M, 3)
     start = Reference(home.position_m + spread, home.orientation_wxyz)
@@ -55,7 +55,8 @@ def _settled(simulation: Simulation, random: np.random.Generator) -> Reference:
     return start
 
 
-def _led(simulation: Simulation, path: HandPath) -> list[Sample]:
+def lead(simulation: Simulation, path: HandPath) -> list[Sample]:
+    """Lead the tool along a hand's path; a task that ends at a contact is over soon after it."""
     last = simulation.contacts.names.index(simulation.workcell.onsets[-1])
     samples: list[Sample] = []
     end_s = np.inf

@@ -39,7 +39,10 @@ def robot_spec() -> mujoco.MjSpec:
     Raises SimulationError where the URDF lacks a body or joint the workcells need.
     """
     spec = mujoco.MjSpec.from_string(_urdf_without_visuals())
+    # Both are on for a URDF: they would take the sensor's body and every shape that collides
+    # with nothing, its mass included.
     spec.compiler.fusestatic = False
+    spec.compiler.discardvisual = False
     _set_physics(spec)
     _require(spec)
     _group_collisions(spec)

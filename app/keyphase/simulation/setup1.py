@@ -107,8 +107,8 @@ SETUP1 = Workcell(
     parts=("table", "held", "housing", "plunger"),
     pairs={
         "touch": (("cap",), ("plunger",)),
-        "snap": (("cap",), ("housing_top",)),
-        "wall": (("housing", "housing_top", "cap"), ("wall",)),
+        "snap": (("cap",), ("housing",)),
+        "wall": (("housing", "cap"), ("wall",)),
     },
     onsets=("snap", "wall"),
     ends_at_contact=True,

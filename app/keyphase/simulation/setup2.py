@@ -37,10 +37,10 @@ GAP_M = 0.065
 BUTTONS = ("button_1", "button_2")
 MOVED_M = 0.020
 
-_CAP_M = (0.040, 0.060, 0.025)
-_RAIL_M = (0.004, 0.060, 0.008)
+_CAP_M = (0.040, 0.050, 0.025)
+_RAIL_M = (0.0035, 0.050, 0.008)
 _RAIL_INNER_M = 0.0265
-_BUTTON_MASS_KG = 0.35
+_BUTTON_MASS_KG = 0.45
 
 
 def _furnish(spec: mujoco.MjSpec, disturbance: Disturbance) -> None:
@@ -94,9 +94,9 @@ SETUP2 = Workcell(
     furnish=_furnish,
     parts=("table", "held", "housing", *BUTTONS),
     pairs={
-        "contact": (("cap",), ("housing_top",)),
+        "contact": (("cap",), ("housing",)),
         "others": (
-            ("housing", "housing_top", "cap"),
+            ("housing", "cap"),
             (BUTTONS[0], f"{BUTTONS[0]}_cap"),
         ),
     },

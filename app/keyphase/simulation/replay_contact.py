@@ -1,0 +1,150 @@
+"""Contacts that a replay keeps: it presses on in the direction in which a contact was met.
+
+A recorded pose lies on the surface that was touched; the force with which the hand pressed is in
+the recorded force alone. Along the direction of a contact the replay therefore follows the
+demonstrated force, and everywhere else the demonstrated pose.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.segmentation.end_condition import AFTER_S, LAST_S, ContactEnd
+from keyphase.skills.coupling import Measured, State
+from keyphase.skills.skill import Skill
+
+LEAST_FORCE_N = 0.5
+"""A demonstration that presses less than this keeps no contact."""
+
+LARGEST_DEPTH_M = 0.005
+LARGEST_SLOPE = 0.1
+"""A contact is kept by a skill that moves less than this, or this part of its way, along it."""
+
+FURTHEST_M = 0.01
+"""How far beyond the place where it was met a contact is followed."""
+
+WINDOW_S = 0.2
+"""The demonstrated force is averaged over this time: the hand's tremor is not to be repeated."""
+
+_AGAINST_FORCE = 0.5
+_GRID = 51
+
+
+@dataclass(frozen=True, eq=False)
+class KeptContact:
+    """A contact and the force that is kept up in it.
+
+    direction  (3,) unit vector in which the tool presses, base frame
+    met_m      (3,) where the contact was met
+    force_N    (G,) what to press with, evenly over the demonstrated time of the skill
+    """
+
+    direction: Array
+    met_m: Array
+    force_N: Array
+
+    def force_at(self, fraction: float) -> float:
+        """The force [N] at a fraction (0 to 1) of the demonstrated time."""
+        place = fraction * (len(self.force_N) - 1)
+        return float(np.interp(place, np.arange(len(self.force_N)), self.force_N))
+
+    def pressed_m(self, position_m: Array, fraction: float, stiffness_N_m: float) -> float:
+        """Where along `direction` the reference of a spring presses as wanted [m]."""
+        here = float(position_m @ self.direction) + self.force_at(fraction) / stiffness_N_m
+        return min(here, float(self.met_m @ self.direction) + FURTHEST_M)
+
+
+def pressing_direction(skill: Skill) -> Array:
+    """Unit vector (3,) in which a contact-terminated skill presses.
+
+    That of its travel, as friction tilts the force; but where the travel does not go against the
+    force at all, against the force.
+    """
+    assert isinstance(skill.end_condition, ContactEnd)
+    against = -np.asarray(skill.end_condition.direction)
+    travel = against if skill.travel_direction is None else np.asarray(skill.travel_direction)
+    return travel if float(travel @ against) > _AGAINST_FORCE else against
+
+
+def met_contact(demonstration: Demonstration, skill: Skill, met_m: Array) -> KeptContact | None:
+    """The contact a skill has just met, pressed as the demonstration pressed right after it.
+
+    None where the demonstration did not press on.
+    """
+    assert skill.demonstrated_s is not None
+    direction = pressing_direction(skill)
+    end_s = skill.demonstrated_s[1]
+    windows = [(end_s + AFTER_S[0], end_s + AFTER_S[1]), (end_s + LAST_S[0], end_s)]
+    force = next((f for w in windows if len(f := _pressed(demonstration, w, direction))), None)
+    if force is None or float(force.mean()) < LEAST_FORCE_N:
+        return None
+    return KeptContact(direction, met_m, force.mean(keepdims=True))
+
+
+def kept_contact(
+    contact: KeptContact, demonstration: Demonstration, skill: Skill
+) -> KeptContact | None:
+    """The contact as the next skill keeps it; None where the demonstration had left it.
+
+    It had if it did not press most of the time, or moved along the contact's direction.
+    """
+    if skill.demonstrated_s is None:
+        return None
+    start_s, end_s = skill.demonstrated_s
+    force = _pressed(demonstration, (start_s, end_s), contact.direction)
+    inside = _inside(demonstration, (start_s, end_s))
+    if not len(force) or float(np.median(force)) < LEAST_FORCE_N:
+        return None
+    path = demonstration.position_m[inside]
+    way = float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
+    if float(np.ptp(path @ contact.direction)) > max(LARGEST_DEPTH_M, LARGEST_SLOPE * way):
+        return None
+    smooth = _smoothed(force, demonstration.rate_hz)
+    grid = np.linspace(0, len(smooth) - 1, _GRID)
+    profile = np.interp(grid, np.arange(len(smooth)), smooth)
+    return replace(contact, force_N=np.maximum(profile, LEAST_FORCE_N))
+
+
+def square(contact: KeptContact, others: tuple[KeptContact, ...]) -> KeptContact | None:
+    """The contact with its direction at right angles to those of `others`; None if it lies in them.
+
+    Forces along directions at right angles do not disturb each other.
+    """
+    direction = contact.direction
+    for other in others:
+        direction = direction - float(direction @ other.direction) * other.direction
+    length = float(np.linalg.norm(direction))
+    return replace(contact, direction=direction / length) if length > _AGAINST_FORCE else None
+
+
+def given_way(measured: Measured, state: State, contacts: tuple[KeptContact, ...]) -> Measured:
+    """What was measured, with the primitive's own motion along the contacts' directions.
+
+    Where a force is followed, the pose is whatever it is, and no error of the coupling.
+    """
+    position, velocity = measured.position_m, measured.velocity
+    for contact in contacts:
+        d = contact.direction
+        position = position + float((state.position_m - position) @ d) * d
+        own = float(state.reference_velocity[:3] @ d) - float(velocity[:3] @ d)
+        velocity = velocity + np.concatenate((own * d, np.zeros(3)))
+    return replace(measured, position_m=position, velocity=velocity)
+
+
+def _pressed(demonstration: Demonstration, span_s: tuple[float, float], direction: Array) -> Array:
+    """What the demonstration pressed with along `direction`, sample by sample [N]."""
+    if demonstration.force_N is None:
+        return np.zeros(0)
+    return -(demonstration.force_N[_inside(demonstration, span_s)] @ direction)
+
+
+def _inside(demonstration: Demonstration, span_s: tuple[float, float]) -> slice:
+    first, last = np.searchsorted(demonstration.time_s, span_s).tolist()
+    return slice(first, last)
+
+
+def _smoothed(values: Array, rate_hz: float) -> Array:
+    """Running mean; at the ends over what is there."""
+    window = np.ones(min(max(1, round(WINDOW_S * rate_hz)), len(values)))
+    return np.convolve(values, window, "same") / np.convolve(np.ones(len(values)), window, "same")

@@ -1,0 +1,72 @@
+# MuJoCo tells no types.
+# pyright: reportAttributeAccessIssue=false
+"""The hand of a person on the tool during a replay: it pushes, or it holds."""
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike
+
+from keyphase.demonstration import Array
+from keyphase.errors import SimulationError
+from keyphase.simulation.impedance import Reference, rotation_towards
+from keyphase.simulation.simulation import Simulation
+
+STIFFNESS_N_M, DAMPING_NS_M = 8000.0, 250.0
+ROTATIONAL_STIFFNESS_NM_RAD, ROTATIONAL_DAMPING_NMS_RAD = 60.0, 1.5
+STRONGEST_N, STRONGEST_NM = 60.0, 8.0
+"""The most a hand exerts: twice what the impedance pulls with."""
+
+
+class Hand:
+    """Exerts joint torques, so that the wrist sensor reads contact only, as in the paper."""
+
+    def __init__(self, simulation: Simulation) -> None:
+        self._simulation = simulation
+        self._tool = simulation.model.site(simulation.tool_site).id
+        self._body = int(simulation.model.site_bodyid[self._tool])
+        self.push_N = np.zeros(3)
+        self.held: Reference | None = None
+
+    @property
+    def is_on(self) -> bool:
+        """Whether the hand holds or pushes."""
+        return self.held is not None or bool(self.push_N.any())
+
+    def push(self, force_N: ArrayLike) -> None:
+        """Push the tool point with a force (3,), base frame, until told otherwise.
+
+        Raises SimulationError for what is no force.
+        """
+        force = np.array(force_N, dtype=np.float64)
+        if force.shape != (3,) or not np.isfinite(force).all():
+            raise SimulationError(
+                f"A push must be a force of three finite numbers, but is {force_N}; send newtons."
+            )
+        self.push_N = _bounded(force, STRONGEST_N)
+
+    def act(self) -> None:
+        """Put the hand's force on the arm for the coming tick."""
+        data = self._simulation.data
+        data.qfrc_applied[:] = 0.0
+        if not self.is_on:
+            return
+        force, torque = self._wrench()
+        point = data.site_xpos[self._tool]
+        mujoco.mj_applyFT(
+            self._simulation.model, data, force, torque, point, self._body, data.qfrc_applied
+        )
+
+    def _wrench(self) -> tuple[Array, Array]:
+        if self.held is None:
+            return self.push_N.copy(), np.zeros(3)
+        data, twist = self._simulation.data, self._simulation.tool_velocity()
+        away = self.held.position_m - data.site_xpos[self._tool]
+        turned = rotation_towards(data.site_xmat[self._tool], self.held.orientation_wxyz)
+        force = STIFFNESS_N_M * away - DAMPING_NS_M * twist[:3]
+        torque = ROTATIONAL_STIFFNESS_NM_RAD * turned - ROTATIONAL_DAMPING_NMS_RAD * twist[3:]
+        return _bounded(force, STRONGEST_N) + self.push_N, _bounded(torque, STRONGEST_NM)
+
+
+def _bounded(vector: Array, greatest: float) -> Array:
+    norm = float(np.linalg.norm(vector))
+    return vector * (greatest / norm) if norm > greatest else vector
