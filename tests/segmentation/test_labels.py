@@ -80,6 +80,12 @@ def test_moving_against_the_force_is_pushing():
     assert label((0.0, 0.1, 0.0), force=touching_from(0.1, (0, -8, 1))) == "Push left 100 mm"
 
 
+def test_building_up_force_in_one_place_is_pushing_and_not_idle():
+    pressed = synthetic.minimum_jerk(TIME / 2.0)[:, None] * np.array([0.0, 0.0, 20.0]) + 1.0
+    assert label(force=pressed) == "Push with 20 N"
+    assert label(force=np.full((501, 3), 4.0)) == "idle"
+
+
 def contact_label(before, after, **movement) -> str:
     """Of the first of two seconds, with a contact change at its end."""
     force = np.where(TIME[:, None] < 1.0, np.array(before, float), np.array(after, float))

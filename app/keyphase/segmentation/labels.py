@@ -21,6 +21,7 @@ _AGAINST = 0.6
 _MOSTLY = 0.6
 _RELEASED = 0.5
 _SETTLED_S = 0.2
+_BUILT_UP = 0.35
 _STILL_SHARE = 0.02
 _LEAST_STILL_M, _MOST_STILL_M = 1e-3, 5e-3
 _STILL_TURN_M = METRES_PER_RADIAN * np.radians(3.0)
@@ -64,7 +65,8 @@ def proposed_label(
     ending = _ending(evidence, last) if contact_change else ""
     travel = evidence.motion.pose_m[last - 1] - evidence.motion.pose_m[first]
     if _is_idle(evidence, first, last, end_s - start_s, travel):
-        return IDLE + ending, True
+        strength = _built_up_force(evidence, first, last)
+        return (f"Push with {strength:.0f} N{ending}", False) if strength else (IDLE + ending, True)
     return _movement(evidence, first, last, travel) + ending, False
 
 
@@ -88,6 +90,18 @@ def _is_idle(evidence: Evidence, first: int, last: int, duration_s: float, trave
 
 def _size(vector: Array) -> float:
     return float(np.sqrt(vector @ vector))
+
+
+def _built_up_force(evidence: Evidence, first: int, last: int) -> float:
+    """Greatest force [N] of a standing tool in contact, where most of it was built up here."""
+    if evidence.force_N is None or evidence.touching is None:
+        return 0.0
+    if evidence.touching[first:last].mean() < _MOSTLY:
+        return 0.0
+    strength = np.linalg.norm(evidence.force_N[first:last], axis=1)
+    settled = max(1, round(_SETTLED_S / evidence.motion.step_s))
+    greatest = float(strength.max())
+    return greatest if greatest - strength[:settled].mean() > _BUILT_UP * greatest else 0.0
 
 
 def _movement(evidence: Evidence, first: int, last: int, travel: Array) -> str:
