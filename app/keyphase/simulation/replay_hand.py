@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from keyphase.demonstration import Array
 from keyphase.errors import SimulationError
 from keyphase.simulation.impedance import Reference, rotation_towards
+from keyphase.simulation.robot_scene import TOOL_SITE
 from keyphase.simulation.simulation import Simulation
 
 STIFFNESS_N_M, DAMPING_NS_M = 8000.0, 250.0
@@ -22,7 +23,7 @@ class Hand:
 
     def __init__(self, simulation: Simulation) -> None:
         self._simulation = simulation
-        self._tool = simulation.model.site(simulation.tool_site).id
+        self._tool = simulation.model.site(TOOL_SITE).id
         self._body = int(simulation.model.site_bodyid[self._tool])
         self.push_N = np.zeros(3)
         self.held: Reference | None = None

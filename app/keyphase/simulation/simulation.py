@@ -123,6 +123,12 @@ class Simulation:
         mujoco.mju_mat2Quat(wxyz, self.data.site_xmat[self._tool])
         return self.data.site_xpos[self._tool].copy(), wxyz
 
+    def tool_velocity(self) -> Array:
+        """Velocity (6,) of the tool point in the base frame: m/s, then rad/s."""
+        kind, twist = mujoco.mjtObj.mjOBJ_SITE, np.empty(6)
+        mujoco.mj_objectVelocity(self.model, self.data, kind, self._tool, twist, 0)
+        return np.concatenate([twist[3:], twist[:3]])
+
     def joints_rad(self) -> Array:
         """Angles of the driven joints, in the order of ARM_JOINTS."""
         return self.data.qpos[self._positions].copy()

@@ -1,0 +1,144 @@
+"""What a replay shows while it runs, and what it leaves behind."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.simulation.impedance import Reference
+from keyphase.simulation.simulation import Sample
+from keyphase.skills.end_monitor import Outcome
+from keyphase.skills.skill import Skill
+
+Stage = Literal["moving", "pressing", "resting", "over"]
+"""A skill moves; a contact that was met is pressed; the plan is done and the tool rests; over."""
+
+Pose = tuple[Array, Array]
+"""Position (3,) [m] and orientation (4,), w x y z, in the base frame."""
+
+
+@dataclass(frozen=True, eq=False)
+class SkillResult:
+    """How one skill ended.
+
+    skill         its index in the plan
+    outcome       None where the replay was stopped in it
+    start_s, end_s  in the replay's time, the pressing of a contact included
+    peak_force_N  largest measured force
+    ended_m       (3,) where the tool was then
+    shift_m       (3,) how far it ran away from its demonstration
+    """
+
+    skill: int
+    label: str
+    outcome: Outcome | None
+    start_s: float
+    end_s: float
+    peak_force_N: float
+    ended_m: Array
+    shift_m: Array
+
+
+@dataclass(frozen=True, eq=False)
+class ReplayState:
+    """One tick of a replay, for whoever shows it.
+
+    elapsed_s       since the replay began
+    skill           index in the plan, None before and after it
+    fraction        how much of the skill's motion is done, 0 to 1
+    demonstrated_s  the moment of the demonstration that is being repeated, if one is
+    sample          what was measured: pose, joints, wrench
+    reference       what the impedance follows
+    acceleration    (6,) reference acceleration of the skill
+    held            whether the hand is on the robot
+    """
+
+    elapsed_s: float
+    stage: Stage
+    skill: int | None
+    fraction: float
+    demonstrated_s: float | None
+    sample: Sample
+    reference: Reference
+    acceleration: Array
+    held: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """Where everything was at one moment, to be drawn: links and parts by name."""
+
+    time_s: float
+    links: Mapping[str, Pose]
+    parts: Mapping[str, Pose]
+
+
+@dataclass(frozen=True, eq=False)
+class ReplayResult:
+    """A replay that is over.
+
+    skills         the plan as it was replayed, connecting moves included
+    results        one for each skill that was begun
+    stopped        whether somebody stopped it
+    checks         the workcell's predicates at the end, by name
+    states         every tick
+    frames         the scene at 25 Hz
+    demonstration  the replay as a recording, which can be saved, opened and segmented
+    """
+
+    skills: tuple[Skill, ...]
+    results: tuple[SkillResult, ...]
+    stopped: bool
+    checks: Mapping[str, bool]
+    states: tuple[ReplayState, ...]
+    frames: tuple[Frame, ...]
+    demonstration: Demonstration
+
+    @property
+    def succeeded(self) -> bool:
+        """Whether the workcell's success predicate holds."""
+        return all(self.checks.values())
+
+    @property
+    def completed(self) -> bool:
+        """Whether every skill of the plan ended as its end condition says."""
+        return len(self.results) == len(self.skills) and all(map(went_on, self.results))
+
+    @property
+    def duration_s(self) -> float:
+        """How long the replay took in the workcell's time."""
+        return self.states[-1].elapsed_s
+
+    @property
+    def peak_force_N(self) -> float:
+        """Largest force the wrist sensor measured."""
+        return max(float(np.linalg.norm(state.sample.force_N)) for state in self.states)
+
+    def profile(self, skill: int) -> tuple[Array, Array]:
+        """Times (N,) since its start and measured forces (N, 3) of one skill of the plan."""
+        ticks = [state for state in self.states if state.skill == skill]
+        time = np.array([state.elapsed_s for state in ticks])
+        force = np.array([state.sample.force_N for state in ticks]).reshape(-1, 3)
+        return time - time[:1], force
+
+    def outcome(self) -> str:
+        """What became of it, in one line."""
+        if self.succeeded:
+            return "success" if self.completed else f"success, although {self._reason()}"
+        failed = ", ".join(name for name, holds in self.checks.items() if not holds)
+        return f"failed, not {failed}: {self._reason()}"
+
+    def _reason(self) -> str:
+        if self.stopped:
+            return "stopped by hand"
+        bad = next((r for r in self.results if not went_on(r)), None)
+        if bad is not None:
+            return f"skill {bad.skill + 1} ({bad.label}) ended with {bad.outcome}"
+        return "every skill ended as planned"
+
+
+def went_on(result: SkillResult) -> bool:
+    """Whether the plan goes on after a skill: it met its own end condition."""
+    return result.outcome in ("reached", "contact")
