@@ -42,14 +42,23 @@ class Scene(View):
         self._selected: int | None = None
         self._theme = LIGHT
         self._hidden: frozenset[str] = frozenset()
+        self._drawn: tuple[object, ...] = ()
         self._dress()
         server.on_client_connect(self._point_camera)
 
     def show_document(self, opened: Opened) -> None:
-        """Draw what the document of the current recording has become."""
+        """Draw what the document of the current recording has become.
+
+        Most moves of a slider change no segment, and then nothing is drawn: a frame of the scene
+        would only delay the timeline's.
+        """
+        stage, drawn = self._stage, _seen_of(opened)
+        another = stage is None or stage.opened.demonstration is not opened.demonstration
+        if not another and drawn == self._drawn:
+            return
+        self._drawn = drawn
         with self._server.atomic():
-            stage = self._stage
-            if stage is None or stage.opened.demonstration is not opened.demonstration:
+            if stage is None or another:
                 stage = self._build(opened)
             stage.tube.color(opened.labeling)
             draw_gaussians(self._server, opened.labeling, stage.path)
@@ -163,6 +172,14 @@ class Scene(View):
         with client.atomic():
             client.camera.fov = FIELD_OF_VIEW_RAD
             client.camera.position, client.camera.look_at = view.position_m, view.look_at_m
+
+
+def _seen_of(opened: Opened) -> tuple[object, ...]:
+    """What of a document is seen in the scene; equal where it would look the same."""
+    labeling = opened.labeling
+    cuts = tuple((b.time_s, b.origin, b.contact_change) for b in labeling.boundaries)
+    gaussians = tuple((g.mean_time_s, g.sigma_time_s) for g in labeling.segmentation.gaussians)
+    return labeling.segments, cuts, gaussians
 
 
 def _ground_m(path: Path) -> float:

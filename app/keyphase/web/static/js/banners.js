@@ -10,10 +10,12 @@ const MOST = 3;
  */
 export function createBanners(store, actions) {
   const node = byId("banners");
-  store.on(["document", "lookingOnly"], ({ document: doc, lookingOnly }) => {
+  store.later(["document", "lookingOnly"], ({ document: doc, lookingOnly }) => {
     const lines = doc ? [...state(doc, lookingOnly, actions), ...inapplicable(doc, actions)] : [];
+    const before = node.children.length;
     node.replaceChildren(...lines);
-    dispatchEvent(new Event("resize"));
+    // Lines come and go at the cost of the scene; the timeline keeps its height.
+    if (before !== lines.length) dispatchEvent(new Event("resize"));
   });
 }
 

@@ -8,7 +8,7 @@ import { byId, el } from "./dom.js";
  */
 export function createEmpty(store, actions) {
   const node = byId("empty");
-  store.on(["document", "recordings", "connected", "progress", "greeted"], ({ document: doc, recordings, connected, progress, greeted }) => {
+  store.later(["document", "recordings", "connected", "progress", "greeted"], ({ document: doc, recordings, connected, progress, greeted }) => {
     const content = doc ? null : contentFor(recordings, connected, progress, greeted, actions);
     node.hidden = !content;
     node.classList.toggle("bad", Boolean(content?.bad));

@@ -18,7 +18,7 @@ export function createHeader(store, actions, dialogs) {
   undo.addEventListener("click", actions.undo);
   redo.addEventListener("click", actions.redo);
 
-  store.on(["document"], ({ document: doc, readOnly }) => {
+  store.later(["document"], ({ document: doc, readOnly }) => {
     document.title = doc ? `${doc.name} – keyphase` : "keyphase";
     byId("folder").textContent = doc?.folder ?? "";
     byId("folder").hidden = byId("folder-slash").hidden = !doc?.folder;
@@ -29,7 +29,7 @@ export function createHeader(store, actions, dialogs) {
     byId("undo-name").textContent = doc?.undo ?? "";
   });
   byId("badge").addEventListener("click", () => actions.setDone(store.state.document.state !== "done"));
-  store.on(["document"], ({ document: doc }) => {
+  store.later(["document"], ({ document: doc }) => {
     const badge = byId("badge");
     badge.hidden = !doc;
     if (!doc) return;
@@ -37,8 +37,8 @@ export function createHeader(store, actions, dialogs) {
     badge.textContent = doc.edits ? `${doc.state} · ${plural(doc.edits, "edit")}` : doc.state;
     badge.title = doc.state === "done" ? "Not done after all" : "Done with this recording (K)";
   });
-  store.on(["document", "connected", "saving", "readOnly"], drawSaved);
-  store.on(["dark"], ({ dark }) => byId("theme").replaceChildren(icon(dark ? "moon" : "sun")));
+  store.later(["document", "connected", "saving", "readOnly"], drawSaved);
+  store.later(["dark"], ({ dark }) => byId("theme").replaceChildren(icon(dark ? "moon" : "sun")));
 }
 
 function setUndo(button, name, verb, key, readOnly) {

@@ -34,7 +34,7 @@ import { createTransport } from "./transport.js";
 const isSmall = () => innerWidth <= SMALL_BELOW_PX;
 
 const store = createStore({
-  connected: null, greeted: false, readOnly: false, lookingOnly: false, labels: [], document: null, ghost: [],
+  connected: null, greeted: false, readOnly: false, lookingOnly: false, labels: [], document: null, recording: null, ghost: [],
   recordings: { folder: "", current: null, items: [] }, progress: null, notice: null, saving: false,
   view: null, plotWidth: 0, paneHeight: 0, paneWidth: 0, layout: null, whole: null, fine: null, lens: null,
   clock: 0, playhead: { time_s: 0, playing: false, speed: 1, loop: false },
@@ -84,7 +84,7 @@ createEmpty(store, actions);
 createExplain(store, timeline, actions);
 createRename(store, timeline, actions);
 createLens(store, timeline, signals);
-store.on(["document", "hidden"], () => signals.follow());
+store.on(["recording", "hidden"], () => signals.follow());
 store.on(["view", "plotWidth"], () => signals.follow());
 
 /** Escape gives up one thing at a time, the innermost first. */

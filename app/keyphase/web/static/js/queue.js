@@ -19,7 +19,7 @@ export function createQueue(store, actions) {
   byId("previous-recording").addEventListener("click", () => actions.nextRecording(-1));
   byId("next-recording").addEventListener("click", () => actions.nextRecording(1));
 
-  store.on(["recordings", "leastCertainFirst", "small"], ({ recordings, leastCertainFirst, small }) => {
+  store.later(["recordings", "leastCertainFirst", "small"], ({ recordings, leastCertainFirst, small }) => {
     const { items, current } = recordings;
     byId("queue-count").textContent = String(items.length);
     byId("queue-progress").replaceChildren(...progress(items));

@@ -18,7 +18,7 @@ export function createReceiver(store, { latency, playback, notices, signals }) {
     document(message) {
       const before = state.document;
       const other = before?.id !== message.id;
-      store.set({ document: message, selected: message.selected, saving: false,
+      store.set({ document: message, recording: message.id, selected: message.selected, saving: false,
         readOnly: state.lookingOnly || Boolean(message.locked), ...(other ? fresh(message) : {}) });
       if (other) signals.refresh();
       if (!other && message.boundaries.length !== before.boundaries.length) store.set({ hovered: null, explained: null, current: null });

@@ -36,7 +36,7 @@ export function createRename(store, timeline, actions) {
     list.replaceChildren(...choices.map(({ name, color, number }, k) => el("li", {
       class: k === at ? "on" : "", role: "option", "aria-selected": String(k === at),
       on: { pointerdown: (event) => (event.preventDefault(), finish(name)) },
-    }, el("i", { style: { background: segmentFill({ color: color ?? 0 }) } }), el("span", { text: name }), number ? el("kbd", { text: number }) : "")));
+    }, el("i", { style: { background: typeof color === "string" ? color : segmentFill({ color }) } }), el("span", { text: name }), number ? el("kbd", { text: number }) : "")));
   }
 
   function finish(label) {

@@ -18,10 +18,10 @@ export function createScene(store, { onKey, onSlide }) {
   frame.src = "/viser/";
 
   const hud = byId("hud");
-  store.on(["clock", "document"], ({ clock, document: doc }) => {
+  store.later(["clock", "document"], ({ clock, document: doc }) => {
     hud.replaceChildren(...(doc ? ["At ", el("b", { text: `${timeText(clock)} s` }), doc.channels.includes("orientation") ? " · tool frame" : ""] : []));
   });
-  store.on(["document"], ({ document: doc }) => byId("legend").replaceChildren(...(doc ? legend(doc) : [])));
+  store.later(["document"], ({ document: doc }) => byId("legend").replaceChildren(...(doc ? legend(doc) : [])));
 }
 
 function legend(doc) {

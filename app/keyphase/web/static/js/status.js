@@ -23,7 +23,7 @@ export function createStatus(store) {
   byId("status").append(where, at, errorGroup, ...Object.values(vectors).map(({ node }) => node), progressGroup,
     el("span", { class: "space" }), latency, ...legend());
 
-  store.on(["pointer", "clock", "whole", "fine", "document"], (state) => {
+  store.later(["pointer", "clock", "whole", "fine", "document"], (state) => {
     const { document: doc, pointer, clock } = state;
     const shown = Boolean(doc);
     for (const node of [where, at, errorGroup]) node.hidden = !shown;
@@ -42,7 +42,7 @@ export function createStatus(store) {
     }
   });
 
-  store.on(["progress"], ({ progress: state }) => {
+  store.later(["progress"], ({ progress: state }) => {
     progressGroup.hidden = !state || state.done;
     if (!state || state.done) return;
     progressText.textContent = state.what;

@@ -1,11 +1,12 @@
 /**
  * The page's one piece of state. Values are set by name; whoever named a value is called in the
  * next animation frame, once, however many messages came in between: the page draws frames, not
- * messages.
+ * messages. What can wait (`later`) is drawn right after that frame, so that the timeline is seen
+ * first.
  *
  * @typedef {Object<string, *>} State
- * @typedef {{state: State, set: (patch: State) => void,
- *   on: (names: string[], draw: (state: State) => void) => void,
+ * @typedef {(names: string[], draw: (state: State) => void) => void} Listen
+ * @typedef {{state: State, set: (patch: State) => void, on: Listen, later: Listen,
  *   afterFrame: (done: () => void) => void}} Store
  */
 
@@ -17,7 +18,10 @@ export function createStore(initial) {
   const state = { ...initial };
   /** @type {{names: string[], draw: (state: State) => void}[]} */
   const listeners = [];
+  /** @type {{names: string[], draw: (state: State) => void}[]} */
+  const patient = [];
   const changed = new Set();
+  const changedLater = new Set();
   let frame = 0;
   /** @type {(() => void)[]} */
   let waiting = [];
@@ -28,13 +32,19 @@ export function createStore(initial) {
     for (let round = 0; changed.size && round < 3; round++) {
       const names = [...changed];
       changed.clear();
-      for (const { names: wanted, draw } of listeners) {
-        if (wanted.some((name) => names.includes(name))) draw(state);
-      }
+      for (const name of names) changedLater.add(name);
+      tell(listeners, names, state);
     }
     if (changed.size) schedule();
-    reportAfterFrame(waiting);
+    const done = waiting;
     waiting = [];
+    runAfterFrame([...done, drawLater]);
+  }
+
+  function drawLater() {
+    const names = [...changedLater];
+    changedLater.clear();
+    if (names.length) tell(patient, names, state);
   }
 
   function schedule() {
@@ -54,6 +64,9 @@ export function createStore(initial) {
     on(names, draw) {
       listeners.push({ names, draw });
     },
+    later(names, draw) {
+      patient.push({ names, draw });
+    },
     afterFrame(done) {
       waiting.push(done);
       schedule();
@@ -61,17 +74,22 @@ export function createStore(initial) {
   };
 }
 
+function tell(listeners, names, state) {
+  for (const { names: wanted, draw } of listeners) {
+    if (wanted.some((name) => names.includes(name))) draw(state);
+  }
+}
+
 /**
  * Calls each function once the frame just drawn has been handed to the compositor: a message
  * posted inside an animation frame is delivered after that frame's style, layout and paint.
  * @param {(() => void)[]} functions
  */
-function reportAfterFrame(functions) {
-  if (!functions.length) return;
+function runAfterFrame(functions) {
   const channel = new MessageChannel();
   channel.port1.onmessage = () => {
     channel.port1.close();
-    for (const done of functions) done();
+    for (const run of functions) run();
   };
   channel.port2.postMessage(null);
 }

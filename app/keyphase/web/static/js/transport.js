@@ -41,14 +41,14 @@ export function createTransport(store, actions, menus) {
     el("button", { type: "button", class: "boxed", title: "Which tracks to show", "aria-haspopup": "menu", on: { click: menus.tracks } }, icon("layers"), el("span", { class: "wide", text: "Tracks" })));
 
   store.on(["clock"], ({ clock }) => (now.textContent = `${timeText(clock)} `));
-  store.on(["document"], ({ document: doc }) => {
+  store.later(["document"], ({ document: doc }) => {
     whole.textContent = doc ? `/ ${timeText(doc.end_s)} s` : "";
     for (const button of byId("transport").querySelectorAll("button")) button.disabled = !doc;
   });
-  store.on(["document", "readOnly"], ({ readOnly, document: doc }) => {
+  store.later(["document", "readOnly"], ({ readOnly, document: doc }) => {
     for (const button of edits) /** @type {HTMLButtonElement} */ (button).disabled = readOnly || !doc;
   });
-  store.on(["document", "selected", "clock"], ({ document: doc, selected }) => {
+  store.later(["document", "selected", "clock"], ({ document: doc, selected }) => {
     const segment = doc?.segments[selected];
     const text = segment && !segment.kept ? "Keep" : "Drop";
     if (edits[2].childNodes[1].textContent !== text) edits[2].childNodes[1].textContent = text;
@@ -66,7 +66,7 @@ export function createTransport(store, actions, menus) {
     snap.classList.toggle("on", on);
     snap.setAttribute("aria-pressed", String(on));
   });
-  store.on(["document", "current"], unsure.draw);
+  store.later(["document", "current"], unsure.draw);
 }
 
 /** How many boundaries are unsure, which is the least certain, and the way through them. */
@@ -98,7 +98,7 @@ function createZoom(store, actions) {
   input.addEventListener("input", () => {
     if (store.state.document) actions.zoom(CLOSEST ** (Number(input.value) / 100) / closeness(store.state));
   });
-  store.on(["view", "document"], (state) => {
+  store.later(["view", "document"], (state) => {
     if (!state.document || !state.view) return;
     const share = Math.min(100, (100 * Math.log(closeness(state))) / Math.log(CLOSEST));
     if (document.activeElement !== input) input.value = String(share);

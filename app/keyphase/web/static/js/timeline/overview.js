@@ -7,31 +7,37 @@ import { createScale } from "./scale.js";
 
 const LOWEST = 0.3;
 
-/**
- * @param {import("../store.js").State} state
- * @param {import("./rows.js").Row} row
- * @param {number} width
- */
-export function drawOverview(state, { y, height }, width) {
-  const { document: doc, view } = state;
-  const scale = createScale({ from: doc.start_s, to: doc.end_s }, width);
-  const strip = doc.segments.map((segment) => {
+const wholeScale = ({ document: doc }, width) => createScale({ from: doc.start_s, to: doc.end_s }, width);
+
+/** The segments in small. */
+export function drawOverviewStrip(state, { y, height }, width) {
+  const scale = wholeScale(state, width);
+  return state.document.segments.map((segment) => {
     const x = scale.x(segment.start_s);
     const wide = Math.max(1, scale.x(segment.end_s) - x - 1);
     return svg("rect", { x: x + 0.5, y: y + height - 7, width: wide, height: 4, rx: 1,
       style: { fill: segment.kept ? segmentFill(segment) : "var(--hatch-line)" } });
   });
-  const from = scale.x(view.from);
-  const to = scale.x(view.to);
+}
+
+/** The part in view, with a handle at either end. */
+export function drawWindow(state, { y, height }, width) {
+  const scale = wholeScale(state, width);
+  const from = scale.x(state.view.from);
+  const to = scale.x(state.view.to);
   return [
-    svg("rect", { y, width, height, class: "overview-ground" }),
-    ...strip,
-    drawCurve(state, scale, y, height),
     svg("rect", { y, width: Math.max(0, from), height, class: "overview-outside" }),
     svg("rect", { x: to, y, width: Math.max(0, width - to), height, class: "overview-outside" }),
     svg("rect", { x: from, y: y + 1.5, width: Math.max(2, to - from), height: height - 3, rx: 3, class: "overview-window" }),
     ...[from, to].map((x) => svg("rect", { x: x - 3, y: y + height / 2 - 6, width: 6, height: 12, rx: 2, class: "overview-handle" })),
   ];
+}
+
+/** The ground of the row, and the curve of the whole recording on it. */
+export function drawOverviewCurve(state, { y, height }, width) {
+  const ground = svg("rect", { y, width, height, class: "overview-ground" });
+  const curve = drawCurve(state, wholeScale(state, width), y, height);
+  return curve ? [ground, curve] : [ground];
 }
 
 /** The error over the whole recording, or the speed where no force was recorded. */

@@ -9,7 +9,7 @@ import { drawBoundaries, drawGhosts, drawIntervals } from "./boundaries.js";
 import { withDrag } from "./drag.js";
 import { createErrorTrack } from "./error_track.js";
 import { createGutter } from "./gutter.js";
-import { drawOverview } from "./overview.js";
+import { drawOverviewCurve, drawOverviewStrip, drawWindow } from "./overview.js";
 import { layOut, TRACKS, tracksOf } from "./rows.js";
 import { createPlayhead, drawRuler } from "./ruler.js";
 import { createScale } from "./scale.js";
@@ -30,12 +30,12 @@ export function createTimeline(pane, store, actions) {
   const above = layer("above");
   const groups = {
     intervals: svg("g"), overview: svg("g"), ruler: svg("g"), band: svg("g"), boundaries: svg("g"),
-    ghosts: svg("g"), pointer: svg("path", { class: "pointer-line" }), playhead: svg("g", { class: "playhead" }),
+    ghosts: svg("g"), overviewCurve: svg("g"), overviewWindow: svg("g"), pointer: svg("path", { class: "pointer-line" }), playhead: svg("g", { class: "playhead" }),
     overviewPlayhead: svg("rect", { class: "overview-playhead", width: 1.5 }),
   };
   const { clips } = clipPaths();
   below.append(clips, groups.intervals);
-  above.append(groups.overview, groups.overviewPlayhead, groups.ruler, groups.pointer, groups.band,
+  above.append(groups.overviewCurve, groups.overview, groups.overviewWindow, groups.overviewPlayhead, groups.ruler, groups.pointer, groups.band,
     groups.boundaries, groups.ghosts, groups.playhead);
   const surface = el("div", { class: "surface", tabindex: "-1" });
   scroller.append(content);
@@ -120,11 +120,18 @@ export function createTimeline(pane, store, actions) {
     gutters.get("boundaries").small.textContent = String(state.document.boundaries.length);
   }
 
-  function drawHead(state) {
+  function drawView(state) {
     if (!isReady(state)) return;
     groups.ruler.replaceChildren(...drawRuler(scale(), layout.rows.get("ruler")));
-    const overview = drawOverview(state, layout.rows.get("overview"), state.plotWidth);
-    groups.overview.replaceChildren(...overview.filter(Boolean));
+    groups.overviewWindow.replaceChildren(...drawWindow(state, layout.rows.get("overview"), state.plotWidth));
+  }
+
+  function drawWhole(state) {
+    if (isReady(state)) groups.overviewCurve.replaceChildren(...drawOverviewCurve(state, layout.rows.get("overview"), state.plotWidth));
+  }
+
+  function drawStrip(state) {
+    if (isReady(state)) groups.overview.replaceChildren(...drawOverviewStrip(state, layout.rows.get("overview"), state.plotWidth));
   }
 
   function drawPlayhead(state) {
@@ -147,12 +154,14 @@ export function createTimeline(pane, store, actions) {
     groups.pointer.setAttribute("d", x < 0 || x > state.plotWidth ? "" : `M${Math.round(x) + 0.5} ${ruler.y + ruler.height}V${bottom()}`);
   }
 
-  store.on(["document", "folded", "hidden", "small", "paneHeight", "paneWidth"], arrange);
-  store.on(["document", "view", "layout", "plotWidth", "whole"], drawHead);
+  store.on(["recording", "folded", "hidden", "small", "paneHeight", "paneWidth"], arrange);
+  store.on(["recording", "view", "layout", "plotWidth"], drawView);
+  store.on(["recording", "layout", "plotWidth", "whole"], drawWhole);
+  store.on(["document", "layout", "plotWidth"], drawStrip);
   store.on(["document", "view", "layout", "plotWidth", "selected", "hovered", "current", "drag", "range", "ghost", "folded"], drawSegments);
   store.on(["view", "layout", "plotWidth", "whole", "fine", "folded"], drawTracks);
   store.on(["document", "heldThreshold", "logarithmic"], drawError);
-  store.on(["clock", "view", "layout", "plotWidth", "document"], drawPlayhead);
+  store.on(["clock", "view", "layout", "plotWidth", "recording"], drawPlayhead);
   store.on(["pointer", "clock", "fine", "whole"], readValues);
   store.on(["dark"], (state) => {
     for (const track of tracks.values()) track.recolor();
