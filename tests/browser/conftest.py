@@ -9,6 +9,7 @@ from chromium import chromium_browser
 from driver import KeyphasePage, Serve, Visit
 from playwright.sync_api import Browser, Route
 
+from keyphase.readers import find_recordings
 from keyphase.shipped import shipped
 from keyphase.web.server import PageServer
 
@@ -31,7 +32,8 @@ def serve() -> Iterator[Serve]:
     servers: list[PageServer] = []
 
     def start(*paths: Path, **options: object) -> PageServer:
-        servers.append(PageServer(list(paths), **options))  # type: ignore
+        found = [recording.path for recording in find_recordings(paths)]
+        servers.append(PageServer(found, **options))  # type: ignore
         return servers[-1]
 
     yield start

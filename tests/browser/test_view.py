@@ -46,11 +46,11 @@ def test_the_handles_of_the_overview_set_the_view(timeline: KeyphasePage) -> Non
 
 def test_a_folded_track_becomes_a_low_row(timeline: KeyphasePage) -> None:
     assert timeline.row("force").height > 60
-    timeline.page.get_by_role("button", name="Force").first.click()
+    timeline.page.locator("[data-gutter=force] button").first.click()
     timeline.settle()
     assert timeline.row("force").height == 20
     timeline.picture("folded")
-    timeline.page.get_by_role("button", name="Speed").first.click()
+    timeline.page.locator("[data-gutter=speed] button").first.click()
     timeline.settle()
     assert timeline.row("speed").height > 40
 
@@ -92,7 +92,7 @@ def test_playing_moves_the_playhead_and_stops_at_the_end(timeline: KeyphasePage)
 
 def test_linear_and_logarithmic(timeline: KeyphasePage) -> None:
     logarithmic = timeline.picture("error_log")
-    timeline.page.get_by_role("button", name="Linear").click()
+    timeline.page.get_by_role("button", name="Linear", exact=True).click()
     timeline.settle()
     linear = timeline.picture("error_linear")
     row = timeline.row("error")

@@ -14,7 +14,8 @@ export function createRename(store, timeline, actions) {
   const form = byId("rename");
   const input = /** @type {HTMLInputElement} */ (el("input", { type: "text", "aria-label": "Label of the segment", maxlength: 200, autocomplete: "off", spellcheck: "false" }));
   const list = el("ul", { role: "listbox" });
-  form.append(input, list);
+  const hint = el("p", {}, el("kbd", { text: "Enter" }), "names it", el("kbd", { text: "Tab" }), "and goes on to the next");
+  form.append(input, list, hint);
   let choices = [];
   let at = -1;
   let typed = "";
@@ -39,10 +40,11 @@ export function createRename(store, timeline, actions) {
     }, el("i", { style: { background: typeof color === "string" ? color : segmentFill({ color }) } }), el("span", { text: name }), number ? el("kbd", { text: number }) : "")));
   }
 
-  function finish(label) {
-    const { renaming } = store.state;
+  function finish(label, goesOn = false) {
+    const { renaming, document: doc } = store.state;
     if (renaming === null) return;
-    store.set({ renaming: null });
+    const next = goesOn && renaming + 1 < doc.segments.length ? renaming + 1 : null;
+    store.set({ renaming: next });
     const text = label?.trim();
     if (text) actions.label(text, renaming);
   }
@@ -52,7 +54,7 @@ export function createRename(store, timeline, actions) {
     const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     if (by) choose(Math.min(Math.max(at + by, -1), choices.length - 1));
     else if (event.key === "Enter") finish(choices[at]?.name ?? input.value);
-    else if (event.key === "Tab" && choices.length) input.value = choices[Math.max(at, 0)].name;
+    else if (event.key === "Tab") finish(choices[at]?.name ?? input.value, true);
     else if (event.key === "Escape") finish(null);
     else return;
     event.preventDefault();
