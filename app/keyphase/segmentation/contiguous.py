@@ -20,7 +20,7 @@ EFFECTIVE_HZ = 15.0
 """Independent samples a second of hand-guided motion is worth."""
 
 _PAIRS_AT_ONCE = 8192
-_COLUMNS = 32
+_COLUMNS = 64
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,7 +24,7 @@ from keyphase.segmentation.parameters import Estimator
 from keyphase.segmentation.strokes import merge_strokes
 
 WINDOW_S = 60.0
-OVERLAP_S = 16.0
+OVERLAP_S = 10.0
 
 _GRID_S = 0.04
 _SHORTEST_S = 0.12
@@ -225,7 +225,7 @@ def _fit_group(
     low, high = edges[outer], edges[beyond]
     labels = np.repeat(np.arange(beyond - outer), np.diff(edges[outer : beyond + 1]))
     piece = samples[low:high]
-    mixture = fit_mixture(piece, labels, beyond - outer, _floor(samples, _FINE_FLOOR_M))
+    mixture = fit_mixture(piece, labels, beyond - outer, _floor(piece, _FINE_FLOOR_M))
     mine = slice(first - outer, last - outer)
     mean, covariance = _in_space(motion.position_m[low:high], mixture.responsibility[:, mine])
     return (
