@@ -52,3 +52,4 @@ class Views:
     def stop(self) -> None:
         """Show no more."""
         self._painter.stop()
+        self._painter.join()

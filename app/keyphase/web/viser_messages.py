@@ -35,10 +35,12 @@ def admits(raw: bytes, grant: Grant, accepts: Accepts) -> bool:
     """
     try:
         message = msgspec.msgpack.decode(raw)
-    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
+    except (msgspec.MsgspecError, ValueError, TypeError, RecursionError):
         return False
     kind = message.get("type") if isinstance(message, dict) else None
-    if kind not in (_EVERYTHING if grant is Grant.EVERYTHING else _LOOKING):
+    if not isinstance(kind, str) or kind not in (
+        _EVERYTHING if grant is Grant.EVERYTHING else _LOOKING
+    ):
         return False
     if kind == "GetRenderResponseMessage":
         return True

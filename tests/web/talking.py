@@ -1,0 +1,116 @@
+"""A page without a browser: plain requests, and the page's websocket."""
+
+import json
+import struct
+from collections.abc import Callable, Mapping
+from http.client import HTTPConnection, HTTPResponse
+from typing import Any
+
+import viser
+from websockets.asyncio.client import connect as async_connect
+from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Subprotocol
+
+from keyphase.web.access import cookie_name
+from keyphase.web.server import PageServer
+
+Message = dict[str, Any]
+
+StartServer = Callable[..., PageServer]
+
+WAIT_S = 10.0
+"""A test that waits longer than this has failed."""
+
+
+def get(
+    server: PageServer, path: str, headers: Mapping[str, str] | None = None
+) -> tuple[HTTPResponse, bytes]:
+    """The answer to GET `path`, sent with exactly these headers beside Host."""
+    connection = HTTPConnection("127.0.0.1", server.port, timeout=WAIT_S)
+    given = dict(headers or {})
+    connection.putrequest("GET", path, skip_host="Host" in given, skip_accept_encoding=True)
+    for name, value in given.items():
+        connection.putheader(name, value)
+    connection.endheaders()
+    response = connection.getresponse()
+    body = response.read()
+    connection.close()
+    return response, body
+
+
+def cookie(server: PageServer, token: str | None = None) -> dict[str, str]:
+    """The header a browser sends that has followed the link."""
+    return {"Cookie": f"{cookie_name(server.port)}={token or server.access.token}"}
+
+
+def control(server: PageServer, label: str) -> str:
+    """What browsers call the control of the panel with that label."""
+    handles = server.viser.gui._gui_input_handle_from_uuid  # pyright: ignore
+    return next(uuid for uuid, handle in handles.items() if handle.label == label)
+
+
+def visers_socket(server: PageServer) -> async_connect:
+    """The websocket that viser's client opens."""
+    return async_connect(
+        f"ws://127.0.0.1:{server.port}/viser",
+        subprotocols=[Subprotocol(f"viser-v{viser.__version__}")],
+        additional_headers=cookie(server),
+        max_size=None,
+    )
+
+
+class PageClient:
+    """The page's side of the page's websocket."""
+
+    def __init__(self, server: PageServer, token: str | None = None) -> None:
+        self.server = server
+        self._socket: ClientConnection = connect(
+            f"ws://127.0.0.1:{server.port}/app/ws",
+            additional_headers=cookie(server, token),
+            max_size=None,
+        )
+        self.heard: list[Message] = []
+
+    def __enter__(self) -> "PageClient":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._socket.close()
+
+    def send(self, kind: str, **fields: object) -> None:
+        self.send_raw(json.dumps({"type": kind, **fields}))
+
+    def send_raw(self, data: str | bytes) -> None:
+        self._socket.send(data)
+
+    def receive(self) -> Message | bytes:
+        data = self._socket.recv(timeout=WAIT_S)
+        return data if isinstance(data, bytes) else json.loads(data)
+
+    def wait_for(
+        self, kind: str, which: Callable[[Message], bool] = lambda _message: True
+    ) -> Message:
+        """The next message of a kind for which `which` holds."""
+        while True:
+            message = self.receive()
+            if isinstance(message, bytes):
+                continue
+            self.heard.append(message)
+            if message["type"] == kind and which(message):
+                return message
+
+    def wait_for_signals(self) -> tuple[Message, list[tuple[list[float], list[float]]]]:
+        """Header, and times and values of each series, of the next signals."""
+        while not isinstance(frame := self.receive(), bytes):
+            pass
+        (length,) = struct.unpack_from("<I", frame)
+        header = json.loads(frame[4 : 4 + length])
+        assert (4 + length) % 8 == 0
+        place, series = 4 + length, []
+        for rows in [s["rows"] for track in header["tracks"] for s in track["series"]]:
+            times = struct.unpack_from(f"<{rows}d", frame, place)
+            values = struct.unpack_from(f"<{rows}d", frame, place + 8 * rows)
+            series.append((list(times), list(values)))
+            place += 16 * rows
+        assert place == len(frame)
+        return header, series

@@ -1,0 +1,163 @@
+"""Who is let in: the token, the cookie, Host and Origin, on every route and both websockets."""
+
+import asyncio
+
+import pytest
+import viser
+from hypothesis import given
+from hypothesis import strategies as st
+from talking import PageClient, StartServer, cookie, get
+from websockets.asyncio.client import connect
+from websockets.exceptions import InvalidStatus
+from websockets.typing import Subprotocol
+
+from keyphase.errors import KeyphaseError, RequestError
+from keyphase.web.access import Access, Grant, cookie_name
+from keyphase.web.server import PageServer
+
+ROUTES = ("/", "/app/static/js/main.js", "/viser/", "/app/ws", "/viser", "/nothing", "/?token=no")
+SOCKETS = ("/app/ws", "/viser")
+
+
+def _socket_status(server: PageServer, path: str, headers: dict[str, str]) -> int:
+    """101 where the websocket opens, else the status of the refusal."""
+
+    async def knock() -> int:
+        try:
+            async with connect(
+                f"ws://127.0.0.1:{server.port}{path}",
+                subprotocols=[Subprotocol(f"viser-v{viser.__version__}")],
+                additional_headers=headers,
+            ):
+                return 101
+        except InvalidStatus as refusal:
+            return refusal.response.status_code
+
+    return asyncio.run(knock())
+
+
+@pytest.mark.parametrize("path", ROUTES)
+@pytest.mark.parametrize(
+    "headers",
+    [
+        {},
+        {"Cookie": "keyphase-1=x"},
+        {"Cookie": "token"},
+        {"Authorization": "Bearer x"},
+    ],
+)
+def test_without_the_token_every_route_is_forbidden(
+    server: PageServer, path: str, headers: dict[str, str]
+) -> None:
+    assert get(server, path, headers)[0].status == 403
+
+
+@pytest.mark.parametrize("path", ROUTES)
+@pytest.mark.parametrize("host", ["evil.example", "127.0.0.1.evil.example", "", "0.0.0.0", "[::2]"])
+def test_a_host_that_is_not_ours_is_forbidden(server: PageServer, path: str, host: str) -> None:
+    assert get(server, path, {**cookie(server), "Host": host})[0].status == 403
+
+
+@pytest.mark.parametrize("path", ROUTES)
+@pytest.mark.parametrize(
+    "origin", ["http://evil.example", "null", "http://127.0.0.1", "https://127.0.0.1:1", ""]
+)
+def test_a_page_from_elsewhere_is_forbidden(server: PageServer, path: str, origin: str) -> None:
+    assert get(server, path, {**cookie(server), "Origin": origin})[0].status == 403
+
+
+@pytest.mark.parametrize("path", SOCKETS)
+def test_both_websockets_ask_for_the_same(server: PageServer, path: str) -> None:
+    ours = f"http://127.0.0.1:{server.port}"
+    good = cookie(server)
+
+    assert _socket_status(server, path, good) == 101
+    assert _socket_status(server, path, {**good, "Origin": ours}) == 101
+    assert _socket_status(server, path, {}) == 403
+    assert _socket_status(server, path, cookie(server, "wrong")) == 403
+    assert _socket_status(server, path, {**good, "Origin": "http://evil.example"}) == 403
+
+
+def test_a_websocket_anywhere_else_does_not_open(server: PageServer) -> None:
+    assert _socket_status(server, "/viser?x=1", cookie(server)) == 404
+    assert _socket_status(server, "/", cookie(server)) == 404
+
+
+def test_the_link_turns_the_token_into_a_cookie_no_script_and_no_other_site_gets(
+    server: PageServer,
+) -> None:
+    response, _ = get(server, server.link.partition(str(server.port))[2])
+
+    assert response.status == 200
+    set_cookie = response.getheader("Set-Cookie") or ""
+    assert set_cookie.startswith(f"keyphase-{server.port}={server.access.token};")
+    assert "HttpOnly" in set_cookie
+    assert "SameSite=Strict" in set_cookie
+
+
+def test_without_a_token_in_the_link_no_cookie_is_set(server: PageServer) -> None:
+    assert get(server, "/", cookie(server))[0].getheader("Set-Cookie") is None
+
+
+def test_the_cookie_of_another_port_opens_nothing(server: PageServer) -> None:
+    other = {"Cookie": f"{cookie_name(server.port + 1)}={server.access.token}"}
+
+    assert get(server, "/", other)[0].status == 403
+
+
+def test_the_link_for_looking_sees_everything_and_changes_nothing(server: PageServer) -> None:
+    with PageClient(server, server.access.looking_token) as page:
+        assert page.wait_for("hello")["read_only"]
+        page.wait_for("document")
+        page.send("set", parameter="force_ratio", value=50.0)
+        refusal = page.wait_for("notice")
+        page.send("signals", request=1, tracks=["speed"], from_s=0.0, to_s=1.0, width=10)
+        header, _ = page.wait_for_signals()
+
+    assert "looking only" in refusal["text"]
+    assert header["request"] == 1
+
+
+def test_a_server_opened_read_only_gives_the_link_for_looking(start_server: StartServer) -> None:
+    server = start_server(read_only=True)
+
+    assert server.link.endswith(server.access.looking_token)
+    assert server.access.looking_token != server.access.token
+
+
+def test_tokens_are_long_and_new_each_time() -> None:
+    assert Access("127.0.0.1").token != Access("127.0.0.1").token
+    assert len(Access("127.0.0.1").token) >= 43
+
+
+def test_open_to_other_machines_any_address_will_do_but_no_name() -> None:
+    access = Access("0.0.0.0")
+
+    def asks(host: str) -> Grant:
+        return access.grant(f"/?token={access.token}", {"Host": host}, 80)
+
+    assert asks("192.168.1.7:80") is Grant.EVERYTHING
+    assert asks("[fe80::1]:80") is Grant.EVERYTHING
+    with pytest.raises(RequestError, match="Host"):
+        asks("rebound.example:80")
+
+
+@given(
+    path=st.text(),
+    headers=st.dictionaries(st.sampled_from(["Host", "Cookie", "Origin"]), st.text()),
+)
+def test_whatever_is_sent_is_refused_rather_than_failing(
+    path: str, headers: dict[str, str]
+) -> None:
+    with pytest.raises(RequestError):
+        Access("127.0.0.1").grant(path, headers, 80)
+
+
+def test_an_address_nobody_can_listen_on_is_refused(start_server: StartServer) -> None:
+    with pytest.raises(KeyphaseError, match=r"--host or --port"):
+        start_server(host="203.0.113.1")
+
+
+def test_a_port_that_is_taken_is_refused(server: PageServer, start_server: StartServer) -> None:
+    with pytest.raises(KeyphaseError, match=str(server.port)):
+        start_server(port=server.port)
