@@ -36,7 +36,7 @@ class PageServer:
         self.session = Session(paths, library, _hello(), hear)
         self.access = Access(host)
         self._grant = Grant.LOOKING if read_only else Grant.EVERYTHING
-        site = OurSite(self.access, self.session.sockets, self._accepts)
+        site = OurSite(self.access, self.session.sockets, self.accepts)
         try:
             self.viser = serve(site, host, port)
         except KeyphaseError:
@@ -55,7 +55,8 @@ class PageServer:
         """The link that opens the page."""
         return self.access.link(self.port, self._grant)
 
-    def _accepts(self, uuid: str, value: object) -> bool:
+    def accepts(self, uuid: str, value: object) -> bool:
+        """Whether a browser may set the control it calls `uuid` to `value`."""
         return takes(control_of(self.viser, uuid), value)
 
     def stop(self) -> None:

@@ -90,9 +90,11 @@ class Session:
 
         def run() -> None:
             opened = self._current()
+            before = opened.parameters
             action(opened)
             with self.lock:
-                self._wanted = opened.parameters
+                if opened.parameters != before:
+                    self._wanted = opened.parameters
                 self._document_changed(cause)
 
         self._worker.submit(run)
