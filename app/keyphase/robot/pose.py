@@ -49,6 +49,13 @@ class Placement:
         """Poses (N, 4, 4) of the recording in the robot's base frame."""
         return matrix(self.position_m, self.orientation_wxyz) @ poses
 
+    def inverse(self) -> "Placement":
+        """Where the robot's base lies in the recording's frame."""
+        turn = _rotation(self.orientation_wxyz).inv()
+        x, y, z = (-turn.apply(self.position_m) + 0.0).tolist()
+        a, b, c, d = turn.as_quat(scalar_first=True).tolist()
+        return Placement((x, y, z), (a, b, c, d))
+
 
 def _rotation(wxyz: ArrayLike) -> Rotation:
     return Rotation.from_quat(np.asarray(wxyz, dtype=np.float64), scalar_first=True)

@@ -51,6 +51,7 @@ _SHOWN: dict[str, tuple[str, str]] = {
     "labels": ("Names", "Names of the segments."),
     "frame": ("Tool frame", "The tool at the playhead."),
     "grid": ("Ground", "The grid below the path."),
+    "robot": ("Robot", "The robot, its tool at the playhead."),
 }
 
 

@@ -19,6 +19,9 @@ MOST_PIECES = 3000
 METRES_PER_NEWTON = 0.01
 """Length of a force arrow."""
 
+LEAST_M = 0.02
+"""A path that hardly moves is seen as if it were so large."""
+
 _MOST_SAMPLES = 20_000
 _SIDES = 12
 
@@ -32,6 +35,7 @@ class Path:
     wxyz       (M, 4) turns z along it
     length_m   (M,)
     low_m, high_m     (3,) the box around the whole path
+    least_m    how large what is seen is at least, of which the path may be a small part
     """
 
     position_m: Array
@@ -40,11 +44,12 @@ class Path:
     length_m: Array
     low_m: Array
     high_m: Array
+    least_m: float = LEAST_M
 
     @property
     def size_m(self) -> float:
-        """The diagonal of the box, at least 2 cm."""
-        return max(float(np.linalg.norm(self.high_m - self.low_m)), 0.02)
+        """The diagonal of the box, or the least size."""
+        return _size_m(self.low_m, self.high_m, self.least_m)
 
     @property
     def radius_m(self) -> float:
@@ -57,12 +62,12 @@ class Path:
         return 0.5 * (self.position_m[1:] + self.position_m[:-1])
 
 
-def path_of(demonstration: Demonstration) -> Path:
+def path_of(demonstration: Demonstration, least_m: float = LEAST_M) -> Path:
     """The path of the tool, in at most MOST_PIECES pieces about as long as it is thick."""
     stride = -(-len(demonstration) // _MOST_SAMPLES)
     time, position = demonstration.time_s[::stride], demonstration.position_m[::stride]
     low, high = position.min(axis=0), position.max(axis=0)
-    spacing = _radius_m(max(float(np.linalg.norm(high - low)), 0.02))
+    spacing = _radius_m(_size_m(low, high, least_m))
     kept = _apart(position, spacing)
     while len(kept) > MOST_PIECES + 1:
         spacing *= 1.5
@@ -76,6 +81,7 @@ def path_of(demonstration: Demonstration) -> Path:
         length_m=np.linalg.norm(steps, axis=1),
         low_m=low,
         high_m=high,
+        least_m=least_m,
     )
 
 
@@ -86,6 +92,10 @@ def _smoothed(points: Array) -> Array:
     padded = np.pad(points, ((2, 2), (0, 0)), mode="edge")
     weights = np.array([1.0, 4.0, 6.0, 4.0, 1.0]) / 16.0
     return np.sum([w * padded[i : i + len(points)] for i, w in enumerate(weights)], axis=0)
+
+
+def _size_m(low_m: Array, high_m: Array, least_m: float) -> float:
+    return max(float(np.linalg.norm(high_m - low_m)), least_m)
 
 
 def _radius_m(size_m: float) -> float:

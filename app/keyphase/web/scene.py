@@ -5,20 +5,24 @@ changes colours and a few small things; only another recording builds the scene 
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import viser
 
+from keyphase.robot.pose import Placement
 from keyphase.web.opened import Opened
 from keyphase.web.palette import DARK, LIGHT
-from keyphase.web.path_geometry import Path, path_of
+from keyphase.web.path_geometry import LEAST_M, Path, path_of
 from keyphase.web.playback import Playhead
 from keyphase.web.scene_marks import draw_forces, draw_gaussians, draw_names
 from keyphase.web.scene_path import ScenePath
 from keyphase.web.session import PARTS
-from keyphase.web.viewpoint import FIELD_OF_VIEW_RAD, Viewpoint, viewpoint_of
+from keyphase.web.viewpoint import FIELD_OF_VIEW_RAD, WITH_ROBOT_M, Viewpoint, viewpoint_of
 from keyphase.web.views import View
+
+_OWN = tuple(part for part in PARTS if part != "robot")
+"""The parts that are drawn here and anew for each recording."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,14 +34,24 @@ class _Stage:
     view: Viewpoint
     tube: ScenePath
     tool: viser.FrameHandle
+    base: Placement | None
 
 
 class Scene(View):
-    """viser's scene. `on_click` is told the time at which a person clicked the path."""
+    """viser's scene. `on_click` is told the time at which a person clicked the path.
 
-    def __init__(self, server: viser.ViserServer, on_click: Callable[[float], None]) -> None:
+    `robot_base` says where a robot stands beside the path, if one does.
+    """
+
+    def __init__(
+        self,
+        server: viser.ViserServer,
+        on_click: Callable[[float], None],
+        robot_base: Callable[[], Placement | None] = lambda: None,
+    ) -> None:
         self._server = server
         self._on_click = on_click
+        self._robot_base = robot_base
         self._stage: _Stage | None = None
         self._selected: int | None = None
         self._theme = LIGHT
@@ -57,13 +71,7 @@ class Scene(View):
         if not another and drawn == self._drawn:
             return
         self._drawn = drawn
-        with self._server.atomic():
-            if stage is None or another:
-                stage = self._build(opened)
-            stage.tube.color(opened.labeling)
-            draw_gaussians(self._server, opened.labeling, stage.path)
-            self._draw_explained(stage)
-        self._server.flush()
+        self._draw(opened, None if another else stage)
 
     def show_selection(self, segment: int | None) -> None:
         """Draw the selected segment thicker."""
@@ -90,8 +98,21 @@ class Scene(View):
     def show_parts(self, hidden: frozenset[str]) -> None:
         """Hide these parts and show the others."""
         self._hidden = hidden
-        for part in PARTS:
+        for part in _OWN:
             self._server.scene.add_frame(f"/{part}", show_axes=False, visible=part not in hidden)
+
+    def stand_anew(self) -> None:
+        """The robot stands elsewhere, has appeared or gone: ground at its feet, another view."""
+        stage, base = self._stage, self._robot_base()
+        if stage is None or stage.base == base:
+            return
+        if stage.base is None or base is None:
+            self._draw(stage.opened, None)
+            return
+        self._stage = stage = replace(stage, base=base, view=viewpoint_of(stage.path, base))
+        with self._server.atomic():
+            self._draw_ground(stage.path, base)
+            self._draw_explained(stage)
 
     def show_theme(self, dark: bool) -> None:
         """Draw light or dark."""
@@ -100,8 +121,17 @@ class Scene(View):
             self._theme = theme
             self._dress()
             if self._stage is not None:
-                self._draw_ground(self._stage.path)
+                self._draw_ground(self._stage.path, self._stage.base)
                 self._draw_explained(self._stage)
+
+    def _draw(self, opened: Opened, stage: _Stage | None) -> None:
+        """Put what was found into what stands there, built first if nothing does."""
+        with self._server.atomic():
+            stage = stage or self._build(opened)
+            stage.tube.color(opened.labeling)
+            draw_gaussians(self._server, opened.labeling, stage.path)
+            self._draw_explained(stage)
+        self._server.flush()
 
     def _dress(self) -> None:
         """Light, colours of the panel, background."""
@@ -118,11 +148,12 @@ class Scene(View):
         scene.add_light_directional("/lights/sun", intensity=2.6, position=(2.0, 1.0, 4.0))
 
     def _build(self, opened: Opened) -> _Stage:
-        for part in PARTS:
+        for part in _OWN:
             self._server.scene.remove_by_name(f"/{part}")
         self.show_parts(self._hidden)
-        path = path_of(opened.demonstration)
-        self._draw_ground(path)
+        base = self._robot_base()
+        path = path_of(opened.demonstration, LEAST_M if base is None else WITH_ROBOT_M)
+        self._draw_ground(path, base)
         tool = self._server.scene.add_frame(
             "/frame/tool",
             axes_length=0.13 * path.size_m,
@@ -132,11 +163,11 @@ class Scene(View):
         )
         tube = ScenePath(self._server, path, self._on_click)
         tube.select(self._selected)
-        self._stage = _Stage(opened, path, viewpoint_of(path), tube, tool)
+        self._stage = _Stage(opened, path, viewpoint_of(path, base), tube, tool, base)
         self._look(self._stage.view)
         return self._stage
 
-    def _draw_ground(self, path: Path) -> None:
+    def _draw_ground(self, path: Path, base: Placement | None) -> None:
         cell = _round_length(path.size_m / 3)
         x, y = 0.5 * (path.low_m + path.high_m)[:2]
         self._server.scene.add_grid(
@@ -150,7 +181,7 @@ class Scene(View):
             plane_opacity=1.0,
             fade_distance=40 * cell,
             fade_strength=2.0,
-            position=(x, y, _ground_m(path)),
+            position=(x, y, _ground_m(path) if base is None else base.position_m[2]),
         )
 
     def _draw_explained(self, stage: _Stage) -> None:

@@ -8,12 +8,15 @@ from pathlib import Path
 from keyphase import __version__
 from keyphase.errors import KeyphaseError
 from keyphase.readers import find_recordings
+from keyphase.robot.arms import robot_arms, yumi_arms
+from keyphase.robot.description import RobotDescription
 from keyphase.segmentation.parameters import RANGES
 from keyphase.web.access import Access, Grant
 from keyphase.web.library import Library
 from keyphase.web.one_port import control_of, serve, silent
 from keyphase.web.panel import Panel
 from keyphase.web.requests import hear
+from keyphase.web.robot_view import RobotView
 from keyphase.web.scene import Scene
 from keyphase.web.session import Session
 from keyphase.web.site import OurSite
@@ -31,6 +34,7 @@ class PageServer:
         host: str = "127.0.0.1",
         port: int = 0,
         read_only: bool = False,
+        arms: Sequence[RobotDescription] | None = None,
     ) -> None:
         library = Library(recipe, read_only=read_only)
         self.session = Session(paths, library, _hello(), hear)
@@ -43,8 +47,12 @@ class PageServer:
             self.session.close()
             raise
         self.port = self.viser.get_port()
-        self.scene = Scene(self.viser, self.session.select_at)
+        self.robot = RobotView(self.viser, self.session.telling, arms or yumi_arms())
+        self.scene = Scene(self.viser, self.session.select_at, lambda: self.robot.base)
+        self.robot.on_stand = self.scene.stand_anew
         self.panel = Panel(self.viser, self.session)
+        # The robot first: where it stands decides how the scene is seen.
+        self.session.views.add(self.robot)
         self.session.views.add(self.scene)
         self.session.views.add(self.panel)
         if self.session.queue.recordings:
@@ -62,6 +70,7 @@ class PageServer:
     def stop(self) -> None:
         """Stop serving and close the recordings."""
         self.session.close()
+        self.robot.close()
         with silent():
             self.viser.stop()
 
@@ -79,9 +88,10 @@ def open_page(
 ) -> None:
     """Serve the page on `paths` (recordings, or folders of them) until interrupted.
 
-    Raises KeyphaseError if nothing can listen on `host` and `port`.
+    Raises RobotError for a robot that cannot be used, KeyphaseError if nothing can listen on
+    `host` and `port`.
     """
-    del robot, tool_frame
+    arms = robot_arms(robot, tool_frame)
     found = find_recordings(paths, recipe)
     server = PageServer(
         [one.path for one in found],
@@ -89,6 +99,7 @@ def open_page(
         host=host,
         port=port,
         read_only=read_only,
+        arms=arms,
     )
     print(server.link, flush=True)
     if open_browser:

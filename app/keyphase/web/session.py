@@ -26,7 +26,7 @@ from keyphase.web.telling import Telling
 from keyphase.web.views import Views
 from keyphase.web.worker import Worker
 
-PARTS = ("path", "gaussians", "forces", "labels", "frame", "grid")
+PARTS = ("path", "gaussians", "forces", "labels", "frame", "grid", "robot")
 """Parts of the scene that can be shown and hidden."""
 
 SETTLE_S = 0.4

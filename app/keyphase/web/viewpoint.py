@@ -7,10 +7,20 @@ from typing import Literal
 import numpy as np
 
 from keyphase.demonstration import Array
+from keyphase.robot.pose import Placement
 from keyphase.web.path_geometry import Path
 
 FIELD_OF_VIEW_RAD = 0.7
 """Vertical; a longer lens than viser's own keeps straight things straight."""
+
+BESIDE_ROBOT_RAD = -0.75
+"""How far from straight in front of a robot it is looked at, towards its right arm."""
+
+WITH_ROBOT_M = 0.3
+"""With a robot so much is seen at least."""
+
+ABOVE_PATH = 0.06
+"""With a robot the middle of the picture lies above the path's by this share of its size."""
 
 _ELEVATION_RAD = 0.42
 _ROOM = 1.15
@@ -43,10 +53,21 @@ class PlacedName:
     side: Literal["left", "right"]
 
 
-def viewpoint_of(path: Path) -> Viewpoint:
-    """Look across the direction in which the path extends most, from the front and above."""
+def viewpoint_of(path: Path, base: Placement | None = None) -> Viewpoint:
+    """Look across the direction in which the path extends most, from the front and above.
+
+    With a robot at `base` look from its front instead, and at more than the path.
+    """
     middle = 0.5 * (path.low_m + path.high_m)
+    size = path.size_m
     azimuth = _across(path.position_m)
+    if base is not None:
+        azimuth = _azimuth_of(base) + BESIDE_ROBOT_RAD
+        middle = middle + np.array([0.0, 0.0, ABOVE_PATH * size])
+    return _viewpoint(middle, azimuth, size)
+
+
+def _viewpoint(middle: Array, azimuth: float, size_m: float) -> Viewpoint:
     towards = np.array(
         [
             np.cos(azimuth) * np.cos(_ELEVATION_RAD),
@@ -54,7 +75,7 @@ def viewpoint_of(path: Path) -> Viewpoint:
             np.sin(_ELEVATION_RAD),
         ]
     )
-    distance = _ROOM * 0.5 * path.size_m / np.tan(0.5 * FIELD_OF_VIEW_RAD)
+    distance = _ROOM * 0.5 * size_m / np.tan(0.5 * FIELD_OF_VIEW_RAD)
     right = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
     return Viewpoint(middle + distance * towards, middle, right, np.cross(towards, right))
 
@@ -95,6 +116,11 @@ def _one_line_apart(heights: Array, line: float) -> Array:
     for i in range(1, len(placed)):
         placed[i] = min(placed[i], placed[i - 1] - line)
     return placed + (heights.mean() - placed.mean()) if len(placed) else placed
+
+
+def _azimuth_of(base: Placement) -> float:
+    forward = base.apply(np.eye(4))[:2, 0]
+    return float(np.arctan2(forward[1], forward[0]))
 
 
 def _across(position_m: Array) -> float:

@@ -1,0 +1,118 @@
+"""A robot drawn in the scene: one frame for each link that is seen, moved by whoever knows where.
+
+The links' frames are set directly; viser's own URDF viewer is slower than the page draws.
+"""
+
+from collections.abc import Mapping
+
+import numpy as np
+import trimesh
+import viser
+from scipy.spatial.transform import Rotation
+
+from keyphase.demonstration import Array
+from keyphase.robot.description import RobotDescription
+from keyphase.robot.pose import Placement
+from keyphase.robot.shapes import LinkShape
+from keyphase.web.palette import Rgb
+
+FADED: Rgb = (150, 150, 150)
+FADED_OPACITY = 0.35
+"""A robot that is not where it should be."""
+
+PLAIN: Rgb = (190, 192, 192)
+"""Where a description gives no colour."""
+
+_METAL_FROM = 0.35
+"""Paint of this brightness and more is a shell, drawn a little brighter than it is told."""
+
+
+class RobotFigure:
+    """Links and meshes under one base frame; not for several threads at once."""
+
+    def __init__(self, server: viser.ViserServer, robot: RobotDescription, root: str) -> None:
+        self._scene = server.scene
+        self._base = server.scene.add_frame(root, show_axes=False)
+        self._links: dict[str, viser.FrameHandle] = {}
+        self._meshes: list[tuple[viser.MeshHandle, Rgb]] = []
+        self._shown: Array | None = None
+        self._faded = False
+        for link in robot.links:
+            shapes = [shape for shape in robot.shapes if shape.link == link]
+            if shapes:
+                self._links[link] = self._scene.add_frame(f"{root}/{link}", show_axes=False)
+                self._add_meshes(f"{root}/{link}", shapes)
+
+    @property
+    def links(self) -> tuple[str, ...]:
+        """The links that are seen."""
+        return tuple(self._links)
+
+    @property
+    def visible(self) -> bool:
+        """Whether any of it is drawn."""
+        return self._base.visible
+
+    @visible.setter
+    def visible(self, visible: bool) -> None:
+        self._base.visible = visible
+
+    def stand(self, base: Placement) -> None:
+        """Put the robot's base there, in the scene's frame."""
+        self._base.position, self._base.wxyz = base.position_m, base.orientation_wxyz
+
+    def pose(self, frames: Mapping[str, Array]) -> None:
+        """Put each link to its frame (4, 4) in the base's frame; those that stay send nothing."""
+        wanted = np.stack([frames[link] for link in self._links])
+        turns = Rotation.from_matrix(wanted[:, :3, :3]).as_quat(scalar_first=True)
+        poses = np.concatenate([wanted[:, :3, 3], turns], axis=1)
+        before = self._shown if self._shown is not None else np.full_like(poses, np.nan)
+        moved = ~(np.abs(poses - before) < 1e-7)
+        for row, handle in enumerate(self._links.values()):
+            if moved[row, :3].any():
+                handle.position = poses[row, :3]
+            if moved[row, 3:].any():
+                handle.wxyz = poses[row, 3:]
+        self._shown = poses
+
+    def fade(self, faded: bool) -> None:
+        """Draw it grey and translucent, or as it is."""
+        if faded == self._faded:
+            return
+        self._faded = faded
+        for mesh, color in self._meshes:
+            mesh.color = FADED if faded else color
+            mesh.opacity = FADED_OPACITY if faded else None
+
+    def _add_meshes(self, name: str, shapes: list[LinkShape]) -> None:
+        """One mesh for each colour, in the link's frame."""
+        by_color: dict[Rgb, list[trimesh.Trimesh]] = {}
+        for shape in shapes:
+            mesh = shape.mesh.copy()
+            mesh.apply_transform(shape.origin)
+            by_color.setdefault(_color(shape.mesh), []).append(mesh)
+        for number, (color, meshes) in enumerate(by_color.items()):
+            vertices, faces = _joined(meshes)
+            handle = self._scene.add_mesh_simple(
+                f"{name}/{number}", vertices, faces, color=color, receive_shadow=0.4
+            )
+            self._meshes.append((handle, color))
+
+
+def _joined(meshes: list[trimesh.Trimesh]) -> tuple[Array, np.ndarray]:
+    starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
+    vertices = np.concatenate([np.asarray(mesh.vertices) for mesh in meshes])
+    faces = [np.asarray(mesh.faces) + at for mesh, at in zip(meshes, starts, strict=True)]
+    return vertices, np.concatenate(faces)
+
+
+def _color(mesh: trimesh.Trimesh) -> Rgb:
+    """The colour of the whole mesh as a screen shows it; descriptions tell light, not colours."""
+    material = getattr(mesh.visual, "material", None)
+    linear = getattr(material, "main_color", getattr(mesh.visual, "main_color", None))
+    if linear is None:
+        return PLAIN
+    part = np.asarray(linear[:3], dtype=np.float64) / 255.0
+    seen = np.where(part <= 0.0031308, 12.92 * part, 1.055 * part ** (1 / 2.4) - 0.055)
+    red, green, blue = np.round(255.0 * seen).astype(int).tolist()
+    return red, green, blue
