@@ -1,3 +1,5 @@
+# MuJoCo tells no types.
+# pyright: reportAttributeAccessIssue=false
 """Replay a plan of skills in a workcell, tick by tick."""
 
 from collections.abc import Sequence
@@ -87,6 +89,8 @@ class Replay:
         self.results: list[SkillResult] = []
         self.states: list[ReplayState] = []
         self.frames: list[Frame] = []
+        self.bodies = (*simulation.link_poses(), *simulation.workcell.parts)
+        self._bodies = [simulation.model.body(name).id for name in self.bodies]
         self._hand = Hand(simulation)
         self._stage: Stage = "moving"
         self._stopped = False
@@ -146,6 +150,7 @@ class Replay:
             stopped=self._stopped,
             checks=dict(checks),
             states=tuple(self.states),
+            bodies=self.bodies,
             frames=tuple(self.frames),
             demonstration=self._recording(),
         )
@@ -242,10 +247,8 @@ class Replay:
         run = self._run
         self._peak_N = max(self._peak_N, float(np.linalg.norm(self._sample.force_N)))
         if len(self.states) % _FRAME_TICKS == 0:
-            simulation = self.simulation
-            self.frames.append(
-                Frame(self._elapsed_s, simulation.link_poses(), simulation.part_poses())
-            )
+            data, at = self.simulation.data, self._bodies
+            self.frames.append(Frame(self._elapsed_s, data.xpos[at], data.xquat[at]))
         self.states.append(
             ReplayState(
                 elapsed_s=self._elapsed_s + STEP_S,

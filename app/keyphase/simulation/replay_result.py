@@ -15,9 +15,6 @@ from keyphase.skills.skill import Skill
 Stage = Literal["moving", "pressing", "resting", "over"]
 """A skill moves; a contact that was met is pressed; the plan is done and the tool rests; over."""
 
-Pose = tuple[Array, Array]
-"""Position (3,) [m] and orientation (4,), w x y z, in the base frame."""
-
 
 @dataclass(frozen=True, eq=False)
 class SkillResult:
@@ -68,11 +65,14 @@ class ReplayState:
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """Where everything was at one moment, to be drawn: links and parts by name."""
+    """Where everything was at one moment, to be drawn.
+
+    position_m (B, 3) and orientation_wxyz (B, 4), w x y z, of the result's `bodies`, base frame.
+    """
 
     time_s: float
-    links: Mapping[str, Pose]
-    parts: Mapping[str, Pose]
+    position_m: Array
+    orientation_wxyz: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,6 +84,7 @@ class ReplayResult:
     stopped        whether somebody stopped it
     checks         the workcell's predicates at the end, by name
     states         every tick
+    bodies         names of what the frames hold: the robot's links, then the parts
     frames         the scene at 25 Hz
     demonstration  the replay as a recording, which can be saved, opened and segmented
     """
@@ -93,6 +94,7 @@ class ReplayResult:
     stopped: bool
     checks: Mapping[str, bool]
     states: tuple[ReplayState, ...]
+    bodies: tuple[str, ...]
     frames: tuple[Frame, ...]
     demonstration: Demonstration
 
@@ -112,8 +114,8 @@ class ReplayResult:
         return self.states[-1].elapsed_s
 
     @property
-    def peak_force_N(self) -> float:
-        """Largest force the wrist sensor measured."""
+    def peak_force(self) -> float:
+        """Largest force the wrist sensor measured [N]."""
         return max(float(np.linalg.norm(state.sample.force_N)) for state in self.states)
 
     def profile(self, skill: int) -> tuple[Array, Array]:

@@ -9,6 +9,7 @@ from keyphase.demonstration import Array
 from keyphase.simulation import impedance
 from keyphase.simulation.impedance import RATE_HZ
 from keyphase.simulation.replay_contact import KeptContact, given_way
+from keyphase.simulation.replay_guard import guard_of
 from keyphase.simulation.simulation import Sample
 from keyphase.skills import coupling
 from keyphase.skills.coupling import Measured
@@ -54,6 +55,7 @@ class SkillRun:
             reference_position_m=begin.reference.position_m,
             reference_orientation_wxyz=begin.reference.orientation_wxyz,
         )
+        self._guard = guard_of(skill, begin.shift_m)
         self._monitor = start_monitor(skill, begin.force_N, begin.shift_m)
         self.acceleration = np.zeros(6)
 
@@ -79,8 +81,11 @@ class SkillRun:
 
     def reference(self, measured: Measured, stiffness_N_m: float) -> impedance.Reference:
         """What the impedance is to follow for the coming tick."""
-        followed = given_way(measured, self._state, self.kept)
-        self._state, reference = coupling.step(self._primitive, self._state, followed, STEP_S)
+        state = self._state
+        if self._guard is not None:
+            state = self._guard.slowed(state, self._primitive.constants.k_c)
+        followed = given_way(measured, state, self.kept)
+        self._state, reference = coupling.step(self._primitive, state, followed, STEP_S)
         self.acceleration = reference.acceleration
         wanted = impedance.Reference(
             reference.position_m,
@@ -93,7 +98,11 @@ class SkillRun:
         )
 
     def outcome(self, sample: Sample, waits: bool) -> Outcome | None:
-        """How the skill has ended, if it has; its time stands still while it `waits`."""
+        """How the skill has ended, if it has; its time stands still while it `waits`.
+
+        A goal is within its tolerances some way before the motion is over. The motion is still
+        completed, so that the next skill begins where, and as fast as, the demonstration was.
+        """
         before = self._monitor.time_s
         self._monitor, outcome = self._monitor.step(
             sample.position_m,
@@ -104,7 +113,7 @@ class SkillRun:
         )
         if waits:
             self._monitor = replace(self._monitor, time_s=before)
-        return outcome
+        return None if outcome == "reached" and self.fraction < 1.0 else outcome
 
 
 def pressing(

@@ -1,0 +1,78 @@
+"""Guarded motion: a contact is not approached faster than it was met in the demonstration.
+
+A part that lies higher is met earlier in the stroke, where the demonstrated hand was still fast.
+Time is stretched there, so that the path stays what it is.
+"""
+
+from dataclasses import dataclass, replace
+from math import sqrt
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.skills.coupling import State
+from keyphase.skills.primitive import tau_of
+from keyphase.skills.skill import Skill
+
+LEAST_SPEED_M_S = 0.02
+"""No contact is approached slower than this because of the guard."""
+
+BRAKE_M_S2 = 0.5
+"""How hard the guard brakes before the guarded stretch."""
+
+
+@dataclass(frozen=True, eq=False)
+class Guard:
+    """Where a contact may be met, and how fast it may be approached.
+
+    contact_m    (3,) where it was demonstrated, shifted with the skill
+    direction    (3,) in which the tool travels there
+    stretch_m    how far before it a contact may be met
+    speed_m_s    the fastest approach within that stretch
+    tau          time constant of the primitive without guard [s]
+    """
+
+    contact_m: Array
+    direction: Array
+    stretch_m: float
+    speed_m_s: float
+    tau: float
+
+    def slowed(self, state: State, k_c: float) -> State:
+        """The state with its time stretched to the speed that is allowed where it is.
+
+        `k_c` is the primitive's: the temporal coupling stretches time on top of it.
+        """
+        free = float(np.linalg.norm(state.z[:3])) / self.tau
+        allowed = self._allowed(state.position_m)
+        tau = self.tau * max(1.0, free / allowed)
+        before = float(state.tau)
+        # The reference has to know of the change of speed, as if it were in its acceleration.
+        coupled = 1.0 + k_c * float(state.error_m @ state.error_m)
+        change = state.z * (1.0 / tau - 1.0 / before) / coupled
+        return replace(
+            state, tau=np.asarray(tau), reference_velocity=state.reference_velocity + change
+        )
+
+    def _allowed(self, position_m: Array) -> float:
+        ahead = float((self.contact_m - position_m) @ self.direction) - self.stretch_m
+        return sqrt(self.speed_m_s**2 + 2.0 * BRAKE_M_S2 * max(ahead, 0.0))
+
+
+def guard_of(skill: Skill, shift_m: Array) -> Guard | None:
+    """The guard of a contact-terminated skill; None for others.
+
+    A skill that goes on for a distance a beyond its contact brakes from speed v in 2 a / v.
+    """
+    if skill.travel_direction is None or skill.demonstrated_s is None or skill.offset_m <= 0.0:
+        return None
+    start_s, end_s = skill.demonstrated_s
+    brake_s = skill.primitive.duration_s - (end_s - start_s)
+    speed = 2.0 * skill.offset_m / brake_s if brake_s > 0.0 else LEAST_SPEED_M_S
+    return Guard(
+        contact_m=skill.end_position_m + shift_m,
+        direction=np.asarray(skill.travel_direction),
+        stretch_m=skill.offset_m,
+        speed_m_s=max(speed, LEAST_SPEED_M_S),
+        tau=float(tau_of(skill.primitive.duration_s)),
+    )
