@@ -146,12 +146,13 @@ class Record:
         return 0
 
 
-_COMMANDS = {
+COMMANDS = {
     "open": Open,
     "segment": SegmentRecordings,
     "score": ScoreSegments,
     "record": Record,
 }
+"""Every command by its name."""
 
 _Command = (
     Annotated[Open, tyro.conf.subcommand("open")]
@@ -184,4 +185,4 @@ def _as_command(given: list[str]) -> list[str]:
     """A first argument that is no command is something to open; so is nothing at all."""
     if not given:
         return ["open"]
-    return given if given[0] in _COMMANDS or given[0] in ("-h", "--help") else ["open", *given]
+    return given if given[0] in COMMANDS or given[0] in ("-h", "--help") else ["open", *given]
