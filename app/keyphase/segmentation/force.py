@@ -109,22 +109,32 @@ def _vectorised_error(measured: Array, covariance: Array, ratio: float) -> Array
     nu(t+1) = dF(t+1) + (1 - K(t)) nu(t): a step at a time until the gain K has settled, then
     one linear filter.
     """
-    from scipy.linalg import solve_triangular
+    differences = np.diff(measured, axis=0)
+    whitening = np.linalg.inv(np.linalg.cholesky(covariance))
+    variances = _predicted_variances(ratio, len(measured))
+    squares = np.zeros(len(measured))
+    for row in whitening:
+        squares[1:] += _innovation(differences @ row, variances) ** 2
+    squares[: len(variances)] /= 1.0 + variances
+    squares[len(variances) :] /= 1.0 + variances[-1]
+    return squares
+
+
+def _innovation(white: Array, variances: Array) -> Array:
+    """Innovation (M - 1,) of one channel from its whitened differences, zero before the first.
+
+    One channel at a time: fresh memory for all at once would take longer than the filter.
+    """
     from scipy.signal import lfilter
 
-    differences = np.diff(measured, axis=0).T
-    white = solve_triangular(np.linalg.cholesky(covariance), differences, lower=True)
-    variances = _predicted_variances(ratio, len(measured))
-    innovation = np.zeros((len(covariance), len(measured)))
-    for step, p in enumerate(variances[:-1]):
-        innovation[:, step + 1] = white[:, step] + innovation[:, step] / (1.0 + p)
-    settled, keep = len(variances) - 1, 1.0 / (1.0 + variances[-1])
-    innovation[:, settled + 1 :], _ = lfilter(
-        [1.0], [1.0, -keep], white[:, settled:], zi=keep * innovation[:, settled : settled + 1]
-    )
-    scale = np.full(len(measured), 1.0 + variances[-1])
-    scale[: len(variances)] += variances - variances[-1]
-    return np.einsum("dt,dt->t", innovation, innovation) / scale
+    early = min(len(variances), len(white))
+    innovation = np.empty(len(white))
+    last = 0.0
+    for step, keep in enumerate((1.0 / (1.0 + variances[:early])).tolist()):
+        innovation[step] = last = white[step] + keep * last
+    keep = float(1.0 / (1.0 + variances[-1]))
+    innovation[early:], _ = lfilter([1.0], [1.0, -keep], white[early:], zi=[keep * last])
+    return innovation
 
 
 def _predicted_variances(ratio: float, count: int) -> Array:
