@@ -122,12 +122,6 @@ def line_point(page: KeyphasePage) -> tuple[float, float]:
     return row.x + 0.6 * row.width, page.box(".surface").y + told
 
 
-def slider_point(page: KeyphasePage) -> tuple[float, float]:
-    box = page.scene.get_by_role("slider").first.bounding_box()
-    assert box
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-
-
 def to_and_fro(page: KeyphasePage, start: tuple[float, float], by: tuple[float, float]) -> None:
     """Hold and move on a triangle, one move each PAUSE_MS, as a hand does."""
     mouse = page.page.mouse
@@ -156,7 +150,7 @@ def frames(page: KeyphasePage, act: str) -> list[float]:
 @pytest.mark.parametrize("source", ["line", "slider"])
 def test_threshold_to_new_segments(short: KeyphasePage, benchmark, source: str) -> None:
     latencies(short, source)
-    start = line_point(short) if source == "line" else slider_point(short)
+    start = line_point(short) if source == "line" else short.threshold_slider()
     by = (0.0, -30.0) if source == "line" else (30.0, 0.0)
     benchmark.pedantic(to_and_fro, args=(short, start, by), rounds=1, iterations=1)
     measured = latencies(short, source)

@@ -188,6 +188,12 @@ class KeyphasePage:
         raw = self.page.screenshot(path=PICTURES / f"{name}.png")
         return Picture(np.asarray(Image.open(io.BytesIO(raw)).convert("RGB"), dtype=np.int16))
 
+    def threshold_slider(self) -> tuple[float, float]:
+        """Where the thumb of the panel's threshold slider is."""
+        box = self.scene.locator(".multi-slider-thumb").first.bounding_box()
+        assert box, "the panel has no threshold slider"
+        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
     def text(self, selector: str) -> str:
         return re.sub(r"\s+", " ", self.page.locator(selector).first.inner_text()).strip()
 

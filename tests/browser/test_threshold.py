@@ -65,14 +65,11 @@ def test_what_would_come_or_go_is_shown_until_the_line_is_let_go(timeline: Keyph
 def test_the_panels_slider_moves_the_line_and_recolors_the_trajectory(
     setup1: KeyphasePage,
 ) -> None:
-    scene = setup1.wait_for_scene()
+    setup1.wait_for_scene()
     before = setup1.picture("slider_before")
     segments = setup1.segments.count()
     height = drawn_height(setup1, before)
-    slider = scene.get_by_role("slider").first
-    box = slider.bounding_box()
-    assert box
-    middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    middle = setup1.threshold_slider()
     setup1.drag(middle, (middle[0] + 90, middle[1]), steps=6)
     setup1.until("keyphase.state.document.boundaries.every(b => !b.contact_change)")
     setup1.settle()

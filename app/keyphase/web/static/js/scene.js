@@ -53,10 +53,19 @@ function watchSliders(inside, onSlide) {
   const shift = (inside.defaultView?.performance.timeOrigin ?? performance.timeOrigin) - performance.timeOrigin;
   const notice = (mutations) => {
     for (const { target } of mutations) {
-      const slider = /** @type {Element} */ (target);
-      const value = Number(slider.getAttribute("aria-valuenow"));
+      const value = shownBy(/** @type {HTMLElement} */ (target));
       if (Number.isFinite(value) && inputAt) onSlide(value, inputAt + shift);
     }
   };
-  new MutationObserver(notice).observe(inside, { subtree: true, attributes: true, attributeFilter: ["aria-valuenow"] });
+  new MutationObserver(notice).observe(inside, { subtree: true, attributes: true, attributeFilter: ["aria-valuenow", "style"] });
+}
+
+/** The threshold's slider spans so many decades, from 1 on. */
+const DECADES = 4;
+
+/** What a slider's thumb shows: its value, or for the threshold's the decades. NaN for others. */
+function shownBy(thumb) {
+  if (thumb.hasAttribute("aria-valuenow")) return Number(thumb.getAttribute("aria-valuenow"));
+  if (thumb.classList.contains("multi-slider-thumb")) return (DECADES * parseFloat(thumb.style.left)) / 100;
+  return NaN;
 }
