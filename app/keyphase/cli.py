@@ -13,6 +13,7 @@ import tyro
 
 from keyphase import __version__
 from keyphase.errors import KeyphaseError
+from keyphase.replay_command import ReplaySegments
 from keyphase.segmentation.parameters import Parameters
 
 _Paths = tyro.conf.Positional[tuple[Path, ...]]
@@ -151,6 +152,7 @@ COMMANDS = {
     "segment": SegmentRecordings,
     "score": ScoreSegments,
     "record": Record,
+    "replay": ReplaySegments,
 }
 """Every command by its name."""
 
@@ -159,6 +161,7 @@ _Command = (
     | Annotated[SegmentRecordings, tyro.conf.subcommand("segment")]
     | Annotated[ScoreSegments, tyro.conf.subcommand("score")]
     | Annotated[Record, tyro.conf.subcommand("record")]
+    | Annotated[ReplaySegments, tyro.conf.subcommand("replay")]
 )
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from keyphase.demonstration import Demonstration
 from keyphase.errors import ParameterError, SimulationError
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
-from keyphase.simulation.replay import run
+from keyphase.simulation.replay import ReplayOptions, run
 from keyphase.simulation.spread import Spread
 from keyphase.simulation.workcell import workcell
 from keyphase.skills.skill import Skill
@@ -128,6 +128,7 @@ def run_trials(
     skills: Sequence[Skill],
     worlds: Sequence[World],
     *,
+    coupled: bool = True,
     jobs: int = -1,
     progress: Callable[[int, int], None] | None = None,
 ) -> Trials:
@@ -148,7 +149,8 @@ def run_trials(
         )
     workcell(cell)
     one = delayed(run_trial)
-    todo = [one(cell, demonstration, tuple(skills), world) for world in worlds]
+    options = ReplayOptions(coupled)
+    todo = [one(cell, demonstration, tuple(skills), world, options) for world in worlds]
     running: Any = Parallel(n_jobs=jobs, return_as="generator")(todo)
     done: list[tuple[tuple[str, ...], Trial]] = []
     for result in running:
@@ -160,12 +162,16 @@ def run_trials(
 
 
 def run_trial(
-    cell: str, demonstration: Demonstration, skills: Sequence[Skill], world: World
+    cell: str,
+    demonstration: Demonstration,
+    skills: Sequence[Skill],
+    world: World,
+    options: ReplayOptions | None = None,
 ) -> tuple[tuple[str, ...], Trial]:
     """Replay in one world: the labels of the skills, and what became of it."""
     simulation = workcell(cell).build(world.disturbance, world.seed)
     try:
-        result = run(simulation, skills, demonstration)
+        result = run(simulation, skills, demonstration, options)
     except SimulationError as error:
         return (), Trial(world, (), (), 0.0, 0.0, str(error))
     return tuple(skill.label for skill in result.skills), Trial(
