@@ -60,7 +60,7 @@ class Picture:
         hues, strengths = _hue_and_strength(self._cut(box).astype(np.uint8))
         target = _hue_and_strength(wanted)[0].item()
         apart = np.abs((hues - target + 180.0) % 360.0 - 180.0)
-        return int(((apart <= apart_deg) & (strengths > 0.3)).sum())
+        return int(((apart <= apart_deg) & (strengths > 0.15)).sum())
 
     def rows_with(self, color: str, box: Box, least: int, tolerance: int = 12) -> list[float]:
         """Heights on the page [px] at which at least `least` pixels have a colour."""
@@ -108,6 +108,7 @@ class KeyphasePage:
         frame.wait_for_function(_SCENE_IDLE, polling=100, timeout=60_000)
         for button in frame.locator(".mantine-Notification-closeButton").all():
             button.click()
+        frame.wait_for_function("() => !document.querySelector('.mantine-Notification-root')")
         frame.wait_for_function(_SCENE_IDLE, polling=100, timeout=60_000)
         return frame
 

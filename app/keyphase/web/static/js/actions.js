@@ -221,6 +221,14 @@ export function createActions(store, send, latency) {
       const open = [...items.slice(at + 1), ...items.slice(0, at)].find((item) => item.state !== "done" && !item.error);
       if (open) actions.open(open.id);
     },
+    forgetLabel: (label) => send({ type: "forget_label", label }),
+    /** What these parameters would change in the other recordings, or (apply) change it. */
+    spread: (apply) => !state.readOnly && send({ type: "spread", apply }),
+    /** Beside which segmentation this one is shown; null asks which there are. */
+    compare(other) {
+      if (other === null) store.set({ comparison: null });
+      if (doc()) send({ type: "compare", with: other });
+    },
     keepLabels: () => send({ type: "keep_labels" }),
     bringBack: (index) => edit({ kind: "bring_back", edit: index }),
     forget: (index) => edit({ kind: "forget", edit: index }),

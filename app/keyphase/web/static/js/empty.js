@@ -33,7 +33,7 @@ function noRecording() {
   return {
     nodes: [
       el("h2", { text: "No recording is open" }),
-      el("p", {}, "Open one from a terminal: ", el("code", { text: "keyphase my_demonstration.npz" }), " or ", el("code", { text: "keyphase my_folder" })),
+      el("p", {}, "Open one from a terminal: ", el("code", { text: "keyphase my_demonstration.npz" }), " or ", el("code", { text: "keyphase my_folder" }), ", or drop a file here."),
       el("p", { text: "A recording is an NPZ or CSV file with time and position, and force, torque, orientation or joint angles where you have them. Other tables open with a recipe beside them." }),
     ],
   };

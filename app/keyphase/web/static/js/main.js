@@ -22,6 +22,7 @@ import { createScene } from "./scene.js";
 import { createSignals } from "./signals.js";
 import { openSocket } from "./socket.js";
 import { createSplitter } from "./splitter.js";
+import { createSpread } from "./spread.js";
 import { createStatus } from "./status.js";
 import { createStore } from "./store.js";
 import { createTheme, firstDark } from "./theme.js";
@@ -30,6 +31,7 @@ import { attachPointer } from "./timeline/pointer.js";
 import { firstChoice, SMALL_BELOW_PX, tracksOf } from "./timeline/rows.js";
 import { createTimeline } from "./timeline/timeline.js";
 import { createTransport } from "./transport.js";
+import { createUpload } from "./upload.js";
 
 const isSmall = () => innerWidth <= SMALL_BELOW_PX;
 
@@ -39,7 +41,7 @@ const store = createStore({
   view: null, plotWidth: 0, paneHeight: 0, paneWidth: 0, layout: null, whole: null, fine: null, lens: null,
   clock: 0, playhead: { time_s: 0, playing: false, speed: 1, loop: false },
   selected: null, hovered: null, current: null, explained: null, pointer: null, drag: null, range: null,
-  planDrag: null, renaming: null, heldThreshold: null,
+  planDrag: null, renaming: null, heldThreshold: null, comparison: null, spread: null,
   small: isSmall(), dark: null, snap: null, logarithmic: true, leastCertainFirst: false, ...firstChoice(isSmall()),
 });
 
@@ -68,6 +70,8 @@ function wantedTracks(state) {
 history.replaceState(null, "", location.pathname);
 placeIcons();
 createTheme(store, send);
+// A comparison is with what is shown now, whatever has been edited since.
+store.later(["document"], ({ comparison }) => comparison?.with && actions.compare(comparison.with));
 const applySize = () => (document.documentElement.dataset.size = store.state.small ? "small" : "large");
 applySize();
 store.on(["small"], applySize);
@@ -81,6 +85,7 @@ createTransport(store, actions, menu);
 createPlan(store, actions);
 createStatus(store);
 createEmpty(store, actions);
+createSpread(store, actions);
 createExplain(store, timeline, actions);
 createRename(store, timeline, actions);
 createLens(store, timeline, signals);
@@ -105,12 +110,13 @@ addEventListener("resize", () => {
   store.set({ small, ...firstChoice(small) });
 });
 
-const receive = createReceiver(store, { latency, playback, notices, signals });
+const receive = createReceiver(store, { latency, playback, notices, signals, upload: () => upload });
 socket = openSocket({
   onMessage: receive,
   onSignals: (frame) => signals.receive(frame),
   onState: (connected) => store.set(connected ? { connected } : { connected, saving: false, greeted: store.state.document !== null }),
 });
+const upload = createUpload(store, socket);
 createScene(store, { onKey, onSlide: latency.slid });
 store.set({ dark: firstDark(), snap: true });
 

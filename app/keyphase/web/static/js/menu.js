@@ -62,11 +62,12 @@ export function createMenu(store, actions) {
     },
     tracks(event) {
       const box = event.currentTarget.getBoundingClientRect();
-      const { document: doc, hidden } = store.state;
+      const { document: doc, hidden, comparison } = store.state;
+      if (!comparison) actions.compare(null);
       const items = TRACKS.filter(({ channel }) => doc.channels.includes(channel)).map(({ key, title }) => ({
         text: title, checked: !hidden.has(key), run: () => toggleTrack(store, key),
       }));
-      open([{ heading: "Tracks" }, ...items], { x: box.right - 208, y: box.bottom + 4 });
+      open([{ heading: "Tracks" }, ...items, ...comparisonItems(store, actions)], { x: box.right - 208, y: box.bottom + 4 });
     },
   };
 }
@@ -100,6 +101,16 @@ function timelineItems(store, actions, hit, time) {
     "rule",
     ...general,
   ];
+}
+
+/** With which other segmentations of this recording the shown one can be compared. */
+function comparisonItems({ state }, actions) {
+  const { options = ["automatic"], with: shown = null } = state.comparison ?? {};
+  const items = options.map((name) => ({
+    text: name === "automatic" ? "What the program found" : name, checked: name === shown,
+    run: () => actions.compare(name === shown ? null : name),
+  }));
+  return ["rule", { heading: "Compare with" }, ...items];
 }
 
 /** @returns {Item[]} */

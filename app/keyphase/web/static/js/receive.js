@@ -2,24 +2,25 @@
 
 /**
  * @param {import("./store.js").Store} store
- * @param {{latency: any, playback: any, notices: any, signals: any}} parts
+ * @param {{latency: any, playback: any, notices: any, signals: any, upload: () => any}} parts
  * @returns {(message: import("./types.js").Message) => void}
  */
-export function createReceiver(store, { latency, playback, notices, signals }) {
+export function createReceiver(store, { latency, playback, notices, signals, upload }) {
   const { state } = store;
   let client = "";
 
   const hear = {
     hello(message) {
       client = message.client;
-      store.set({ greeted: true, lookingOnly: message.read_only, readOnly: message.read_only, labels: message.labels });
+      store.set({ greeted: true, lookingOnly: message.read_only, readOnly: message.read_only });
     },
-    recordings: (message) => store.set({ recordings: message }),
+    recordings: (message) => store.set({ recordings: message, ...(message.items.length ? {} : { document: null }) }),
     document(message) {
       const before = state.document;
       const other = before?.id !== message.id;
       store.set({ document: message, recording: message.id, selected: message.selected, saving: false,
-        readOnly: state.lookingOnly || Boolean(message.locked), ...(other ? fresh(message) : {}) });
+        readOnly: state.lookingOnly || Boolean(message.locked),
+        labels: message.labels, ...(other ? fresh(message) : {}) });
       if (other) signals.refresh();
       if (!other && message.boundaries.length !== before.boundaries.length) store.set({ hovered: null, explained: null, current: null });
       latency.arrived(message, (cause) => cause.client === client);
@@ -28,9 +29,15 @@ export function createReceiver(store, { latency, playback, notices, signals }) {
     playhead: (message) => playback.receive(message),
     selection: (message) => store.set({ selected: message.segment }),
     progress: (message) => store.set({ progress: message.done ? null : message }),
-    labels: (message) => store.set({ labels: message.labels }),
+    uploaded(message) {
+      upload().ended();
+      notices.show({ level: "info", text: `${message.name} has arrived.` });
+    },
+    comparison: (message) => store.set({ comparison: message }),
+    spread: (message) => store.set({ spread: message }),
     notice(message) {
       store.set({ saving: false });
+      if (message.level !== "info") upload().refused();
       notices.show(message);
     },
     saved: (message) => notices.show({ level: "info", text: `Written to ${message.path}` }),
@@ -44,5 +51,6 @@ function fresh(doc) {
   return {
     view: { from: doc.start_s, to: doc.end_s }, whole: null, fine: null, hovered: null, current: null,
     explained: null, pointer: null, drag: null, range: null, ghost: [], heldThreshold: null, renaming: null,
+    comparison: null, spread: null,
   };
 }

@@ -3,7 +3,8 @@
  * back by itself after it broke.
  *
  * @typedef {import("./types.js").Message} Message
- * @typedef {{send: (message: Message) => boolean, drop: () => void}} Socket
+ * @typedef {{send: (message: Message) => boolean, sendPiece: (piece: ArrayBuffer) => boolean,
+ *   roomFor: (most: number) => Promise<void>, drop: () => void}} Socket
  */
 
 const FIRST_RETRY_MS = 250;
@@ -40,6 +41,18 @@ export function openSocket({ onMessage, onSignals, onState }) {
 
   connect();
   return {
+    /** One piece of a file. @param {ArrayBuffer} piece */
+    sendPiece(piece) {
+      if (socket.readyState !== WebSocket.OPEN) return false;
+      socket.send(piece);
+      return true;
+    },
+    /** Waits until no more than `most` bytes are still to be sent. */
+    async roomFor(most) {
+      while (socket.readyState === WebSocket.OPEN && socket.bufferedAmount > most) {
+        await new Promise((next) => setTimeout(next, 15));
+      }
+    },
     /** Breaks the connection, which then comes back by itself. */
     drop: () => socket.close(),
     send(message) {

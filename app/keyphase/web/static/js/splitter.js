@@ -53,5 +53,5 @@ export function createSplitter(store, naturalHeight) {
     choose((chosen ?? naturalHeight()) + step);
   });
   addEventListener("resize", apply);
-  store.on(["recording", "folded", "hidden", "small"], apply);
+  store.on(["recording", "folded", "hidden", "small", "comparison"], apply);
 }

@@ -20,6 +20,7 @@
  *   segments: Segment[], peaks: Peak[], gaussians: Object[], plan: PlanEntry[],
  *   proposed_drops: number[], inapplicable: {edit: Object, text: string}[],
  *   selected: number|null, undo: string|null, redo: string|null, saved_at: string|null,
+ *   labels: {name: string, color: string}[],
  *   state: "automatic"|"touched"|"done", locked: string|null, changed: boolean}} Doc
  *
  * @typedef {{id: string, name: string, state: "automatic"|"touched"|"done",

@@ -1,6 +1,6 @@
 /**
- * Which rows the timeline has, from top to bottom, and how high each is. The first four stay in
- * place; the tracks below them scroll when the pane is lower than they are.
+ * Which rows the timeline has, from top to bottom, and how high each is. The first four and a comparison stay
+ * in place; the tracks below them scroll when the pane is lower than they are.
  *
  * @typedef {{key: string, y: number, height: number, folded: boolean}} Row
  * @typedef {{rows: Map<string, Row>, headHeight: number, height: number}} Layout
@@ -62,6 +62,7 @@ export function layOut(state, room = 0) {
     const isFolded = key === "segments" && folded.has(key);
     put(key, isFolded ? 24 : small ? low : large, folded.has(key));
   }
+  if (state.comparison?.with) put("comparison", small ? 22 : 26);
   const headHeight = y;
   const tracks = tracksOf(state);
   const natural = tracks.map((track) =>

@@ -6,6 +6,7 @@
 import { el, svg } from "../dom.js";
 import { drawBand } from "./band.js";
 import { drawBoundaries, drawGhosts, drawIntervals } from "./boundaries.js";
+import { describeComparison, drawComparison } from "./comparison.js";
 import { withDrag } from "./drag.js";
 import { createErrorTrack } from "./error_track.js";
 import { createGutter } from "./gutter.js";
@@ -30,12 +31,12 @@ export function createTimeline(pane, store, actions) {
   const above = layer("above");
   const groups = {
     intervals: svg("g"), overview: svg("g"), ruler: svg("g"), band: svg("g"), boundaries: svg("g"),
-    ghosts: svg("g"), overviewCurve: svg("g"), overviewWindow: svg("g"), pointer: svg("path", { class: "pointer-line" }), playhead: svg("g", { class: "playhead" }),
+    ghosts: svg("g"), overviewCurve: svg("g"), overviewWindow: svg("g"), comparison: svg("g", { class: "comparison" }), pointer: svg("path", { class: "pointer-line" }), playhead: svg("g", { class: "playhead" }),
     overviewPlayhead: svg("rect", { class: "overview-playhead", width: 1.5 }),
   };
   const { clips } = clipPaths();
   below.append(clips, groups.intervals);
-  above.append(groups.overviewCurve, groups.overview, groups.overviewWindow, groups.overviewPlayhead, groups.ruler, groups.pointer, groups.band,
+  above.append(groups.overviewCurve, groups.overview, groups.overviewWindow, groups.overviewPlayhead, groups.ruler, groups.comparison, groups.pointer, groups.band,
     groups.boundaries, groups.ghosts, groups.playhead);
   const surface = el("div", { class: "surface", tabindex: "-1" });
   scroller.append(content);
@@ -80,7 +81,11 @@ export function createTimeline(pane, store, actions) {
     layout = layOut(state, state.paneHeight);
     pane.style.setProperty("--head", `${layout.headHeight}px`);
     content.style.setProperty("height", `${layout.height - layout.headHeight}px`);
-    for (const [key, gutterOf] of gutters) gutterOf.place(layout.rows.get(key));
+    for (const [key, gutterOf] of gutters) {
+      const row = layout.rows.get(key);
+      gutterOf.node.hidden = !row;
+      if (row) gutterOf.place(row);
+    }
     const shown = tracksOf(state);
     for (const { key } of TRACKS) if (tracks.has(key)) tracks.get(key).row.hidden = true;
     for (const definition of shown) placeTrack(trackOf(definition), layout.rows.get(definition.key));
@@ -130,6 +135,13 @@ export function createTimeline(pane, store, actions) {
     if (isReady(state)) groups.overviewCurve.replaceChildren(...drawOverviewCurve(state, layout.rows.get("overview"), state.plotWidth));
   }
 
+  function drawOther(state) {
+    const row = layout.rows.get("comparison");
+    const shown = isReady(state) && row && state.comparison?.with;
+    groups.comparison.replaceChildren(...(shown ? drawComparison(state, scale(), row) : []));
+    if (shown) gutters.get("comparison").describe(state.comparison);
+  }
+
   function drawStrip(state) {
     if (isReady(state)) groups.overview.replaceChildren(...drawOverviewStrip(state, layout.rows.get("overview"), state.plotWidth));
   }
@@ -154,8 +166,9 @@ export function createTimeline(pane, store, actions) {
     groups.pointer.setAttribute("d", x < 0 || x > state.plotWidth ? "" : `M${Math.round(x) + 0.5} ${ruler.y + ruler.height}V${bottom()}`);
   }
 
-  store.on(["recording", "folded", "hidden", "small", "paneHeight", "paneWidth"], arrange);
+  store.on(["recording", "folded", "hidden", "small", "paneHeight", "paneWidth", "comparison"], arrange);
   store.on(["recording", "view", "layout", "plotWidth"], drawView);
+  store.on(["comparison", "view", "layout", "plotWidth"], drawOther);
   store.on(["recording", "layout", "plotWidth", "whole"], drawWhole);
   store.on(["document", "layout", "plotWidth"], drawStrip);
   store.on(["document", "view", "layout", "plotWidth", "selected", "hovered", "current", "drag", "range", "ghost", "folded"], drawSegments);
@@ -214,6 +227,7 @@ function createGutters(pane, store, actions) {
     { key: "ruler", title: "Time, s", foldable: false },
     { key: "boundaries", title: "Boundaries" },
     { key: "segments", title: "Segments" },
+    { key: "comparison", title: "Compared", foldable: false },
   ];
   const gutters = new Map(rows.map((row) => [row.key, createGutter(row, fold)]));
   for (const { node } of gutters.values()) pane.append(node);
@@ -226,6 +240,11 @@ function createGutters(pane, store, actions) {
     const proposed = doc.segments.filter((segment) => segment.kept && segment.proposed).length;
     accept.hidden = proposed === 0 || store.state.readOnly;
     accept.textContent = `Accept ${proposed} ${proposed === 1 ? "name" : "names"}`;
+  };
+  const compared = gutters.get("comparison");
+  compared.describe = (comparison) => {
+    compared.small.textContent = ` ${describeComparison(comparison)}`;
+    compared.node.title = `Compared with ${comparison.with}: ${describeComparison(comparison)}`;
   };
   return gutters;
 }
