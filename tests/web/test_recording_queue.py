@@ -121,3 +121,17 @@ def test_names_of_any_bytes_can_be_told() -> None:
 
     assert printable(path.stem).encode("utf-8")
     assert recordings_message(queue([path]), None)["items"][0]["name"] == "caf?"
+
+
+def test_a_recording_that_is_taken_out_gives_way_to_its_neighbour(
+    three: list[Path], start_server: StartServer
+) -> None:
+    first, _, last = three
+    server = start_server(first, last)
+    with PageClient(server) as page:
+        page.wait_for("document")
+        server.session.queue.remove(first)
+        document = page.wait_for("document", lambda m: m["id"] != "1")
+
+    assert document["name"] == "again"
+    assert [recording.path for recording in server.session.queue.recordings] == [last]

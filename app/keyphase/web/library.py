@@ -5,7 +5,7 @@ from pathlib import Path
 
 from keyphase.labeling.journal import Journal
 from keyphase.readers import Recipe, load_recipe, read
-from keyphase.segmentation import Parameters
+from keyphase.web.folder import Folder
 from keyphase.web.opened import Opened
 from keyphase.web.recordings import Recording
 from keyphase.web.telling import Progress
@@ -24,7 +24,7 @@ class Library:
     def __init__(self, recipe: Path | None = None, *, read_only: bool = False) -> None:
         self._recipe: Recipe | None = load_recipe(recipe) if recipe else None
         self._read_only = read_only
-        self._shared = Parameters()
+        self._folders: dict[Path, Folder] = {}
         self._open: OrderedDict[str, Opened] = OrderedDict()
 
     def open(self, recording: Recording, progress: Progress) -> Opened:
@@ -43,6 +43,12 @@ class Library:
         """The recording as it stands on disk, which is not kept open; close it after use."""
         return self._opened(recording, lambda _what, _fraction: None, read_only=True)
 
+    def drop(self, recording_id: str) -> None:
+        """Close a recording that is no longer in the list."""
+        opened = self._open.pop(recording_id, None)
+        if opened is not None:
+            opened.close()
+
     def close(self) -> None:
         """Let other servers edit what was open."""
         for opened in self._open.values():
@@ -52,10 +58,16 @@ class Library:
     def _opened(self, recording: Recording, progress: Progress, read_only: bool) -> Opened:
         progress("reading", None)
         demonstration = read(recording.path, self._recipe)
-        journal = Journal(demonstration, self._shared, read_only=read_only)
+        folder = self._folder(recording.path.parent)
+        journal = Journal(demonstration, folder.settings.parameters, read_only=read_only)
         progress("segmenting", None)
         try:
-            return Opened(recording, journal)
+            return Opened(recording, journal, folder)
         except BaseException:
             journal.close()
             raise
+
+    def _folder(self, path: Path) -> Folder:
+        if path not in self._folders:
+            self._folders[path] = Folder(path)
+        return self._folders[path]

@@ -6,12 +6,14 @@ from typing import Any
 
 from keyphase.demonstration import Demonstration
 from keyphase.labeling.document import Document
-from keyphase.labeling.edits import Edit
+from keyphase.labeling.edits import Edit, Label
 from keyphase.labeling.journal import Journal
 from keyphase.labeling.label import label
 from keyphase.labeling.labeling import Labeling
+from keyphase.labeling.spreading import Change, preview
 from keyphase.segmentation import Parameters, Segmenter
 from keyphase.web.document_message import document_message, least_confidence, strip
+from keyphase.web.folder import Folder
 from keyphase.web.recordings import Recording, State, printable
 from keyphase.web.signals import SignalTracks
 
@@ -22,12 +24,14 @@ class Opened:
     """One open recording; changed only in the session's worker.
 
     journal         where every change is before anyone is told of it
+    folder          what it shares with the recordings beside it
     labeling        what is shown, possibly under parameters that are still being dragged
     kept_labeling   what is shown without those
     """
 
-    def __init__(self, recording: Recording, journal: Journal) -> None:
+    def __init__(self, recording: Recording, journal: Journal, folder: Folder) -> None:
         self.recording = recording
+        self.folder = folder
         self.journal = journal
         self._segmenter = Segmenter(self.demonstration)
         self._saved_at: datetime | None = None
@@ -62,13 +66,33 @@ class Opened:
             self.kept_labeling = self.labeling
 
     def reset_parameters(self) -> None:
-        """Back to the folder's parameters. Raises JournalError where that cannot be kept."""
-        self._keep(self.document.reset_parameters())
+        """Everything automatic. Raises JournalError where that cannot be kept."""
+        automatic = Parameters()
+        if self.document.shared == automatic:
+            self._keep(self.document.reset_parameters())
+        else:
+            self._keep(self.document.set_parameters(automatic))
 
     def apply(self, edit: Edit) -> None:
-        """Apply one edit. Raises LabelingError where it cannot be made."""
+        """Apply one edit; a new name goes into the vocabulary.
+
+        Raises LabelingError where it cannot be made.
+        """
         self.keep_parameters()
         self._keep(self.document.apply(edit, self.labeling))
+        if isinstance(edit, Label) and edit.label:
+            self.folder.learn(edit.label)
+
+    def preview_shared(self, shared: Parameters) -> Change:
+        """What it would do to this recording if its folder had other parameters."""
+        segmenter = self._segmenter
+        return preview(self.document, shared, segmenter.segment, segmenter.segment_between)
+
+    def share_parameters(self) -> None:
+        """Give the folder the parameters that are shown. Raises JournalError where it cannot."""
+        self.keep_parameters()
+        self.folder.share(self.parameters)
+        self._keep(self.document.with_shared(self.parameters))
 
     def undo(self) -> None:
         """Take the last step back. Raises LabelingError where there is none."""
@@ -109,7 +133,7 @@ class Opened:
             **message,
             "id": self.recording.id,
             "folder": printable(self.recording.path.parent.name),
-            "notices": [*message["notices"], *self.journal.notices],
+            "notices": [*message["notices"], *self.journal.notices, *self._folder_notices()],
             "state": self._state(),
             "locked": self.journal.read_only,
             "changed": self.journal.changed,
@@ -130,6 +154,10 @@ class Opened:
     def _labeling_under(self, parameters: Parameters) -> Labeling:
         segmentation = self._segmenter.segment(parameters)
         return label(segmentation, self.document.edits, self._segmenter.segment_between)
+
+    def _folder_notices(self) -> list[str]:
+        notice = self.folder.settings.notice
+        return [notice] if notice else []
 
     def _state(self) -> State:
         if self.journal.done:

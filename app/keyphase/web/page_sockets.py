@@ -13,6 +13,7 @@ from websockets.asyncio.server import ServerConnection
 from websockets.exceptions import ConnectionClosed
 
 from keyphase.web.access import Grant
+from keyphase.web.uploads import Upload
 
 _log = logging.getLogger(__name__)
 
@@ -28,12 +29,13 @@ _LOST_BYTES = 64 << 20
 
 @dataclass(eq=False)
 class Page:
-    """One open page."""
+    """One open page, and the file it is sending, if any."""
 
     id: str
     grant: Grant
     connection: ServerConnection
     loop: asyncio.AbstractEventLoop
+    upload: Upload | None = None
 
     @property
     def is_looking(self) -> bool:
@@ -97,6 +99,8 @@ class PageSockets:
             pass
         finally:
             self._pages.discard(page)
+            if page.upload is not None:
+                page.upload.abandon()
 
     def add(self, page: Page) -> None:
         """Include a page in broadcasts, once it has been told how things stand."""

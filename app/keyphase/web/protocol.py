@@ -68,6 +68,31 @@ class KeepLabels(_Request, tag="keep_labels", frozen=True):
     """The recording has changed since it was labeled, and the labels are to be kept."""
 
 
+class ForgetLabel(_Request, tag="forget_label", frozen=True):
+    """Take a label out of the folder's vocabulary."""
+
+    label: _Name
+
+
+class Spread(_Request, tag="spread", frozen=True):
+    """Give these parameters to all recordings of the folder, or tell what that would do."""
+
+    apply: bool = False
+
+
+class Compare(_Request, tag="compare", frozen=True):
+    """Compare with another segmentation of this recording; null: tell with which one can."""
+
+    other: _Id | None = msgspec.field(name="with", default=None)
+
+
+class Upload(_Request, tag="upload", frozen=True):
+    """A file follows in binary messages."""
+
+    name: Annotated[str, Meta(max_length=1000)]
+    size: Annotated[int, Meta(ge=0, le=2**50)]
+
+
 class Select(_Request, tag="select", frozen=True):
     """Select a segment, or none."""
 
@@ -133,6 +158,10 @@ Request = (
     | Redo
     | Done
     | KeepLabels
+    | ForgetLabel
+    | Spread
+    | Compare
+    | Upload
     | Select
     | Seek
     | Play
@@ -143,7 +172,7 @@ Request = (
     | Latency
 )
 
-LOOKING_REQUESTS = (Signals, Latency)
+LOOKING_REQUESTS = (Signals, Latency, Compare)
 """What a page may ask that was opened by the link for looking."""
 
 _LARGEST_BYTES = 256 << 10

@@ -1,11 +1,14 @@
 """The queue of recordings at work: opening them, looking at the others meanwhile, exporting all."""
 
+import itertools
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
+from typing import Any
 
 from keyphase.errors import KeyphaseError, RequestError
+from keyphase.labeling.spreading import Change
 from keyphase.web.exports import export
 from keyphase.web.library import Library
 from keyphase.web.opened import Opened
@@ -17,7 +20,7 @@ from keyphase.web.worker import Worker
 class RecordingQueue:
     """The recordings of one server; everything slow happens in one thread of its own.
 
-    `on_open` is told of each recording that was opened.
+    `on_open` is told of each recording that was opened, `on_empty` when the last one has gone.
     """
 
     def __init__(
@@ -26,12 +29,15 @@ class RecordingQueue:
         library: Library,
         telling: Telling,
         on_open: Callable[[Opened], None],
+        on_empty: Callable[[], None],
     ) -> None:
         self.recordings = queue(paths)
         self.current: str | None = None
+        self._numbers = itertools.count(len(self.recordings) + 1)
         self._library = library
         self._telling = telling
         self._on_open = on_open
+        self._on_empty = on_empty
         self._lock = threading.RLock()
         self._worker = Worker(telling.report)
         self._looking = iter(self.recordings)
@@ -55,6 +61,26 @@ class RecordingQueue:
     def export_all(self) -> None:
         """Write a segment file for every recording; what cannot be opened says so in its line."""
         self._worker.submit(self._export_all)
+
+    def preview_spread(self, opened: Opened) -> None:
+        """Tell what the parameters of an open recording would do to all of its folder."""
+        self._worker.submit(lambda: self._preview(opened), "preview")
+
+    def follow_folder(self, opened: Opened) -> None:
+        """Let the recordings beside an open one follow what their folder's parameters became."""
+        self._worker.submit(lambda: self._follow(opened))
+
+    def add(self, path: Path) -> None:
+        """A recording more, which is opened."""
+        with self._lock:
+            recording = Recording(str(next(self._numbers)), path)
+            self.recordings = (*self.recordings, recording)
+            self.tell()
+        self.open(recording.id)
+
+    def remove(self, path: Path) -> None:
+        """A recording less; where it was the open one, its neighbour is opened."""
+        self._worker.submit(lambda: self._remove(path))
 
     def update(self, changed: Recording) -> None:
         """Put a changed line into the list and tell the pages."""
@@ -86,6 +112,51 @@ class RecordingQueue:
             self._telling.progress_done()
         self._on_open(opened)
         self.look_at_all()
+
+    def _beside(self, opened: Opened) -> tuple[Recording, ...]:
+        folder = opened.recording.path.parent
+        return tuple(r for r in self.recordings if r.path.parent == folder and not r.error)
+
+    def _preview(self, opened: Opened) -> None:
+        """Tell what would change, recording by recording."""
+        shared, beside = opened.parameters, self._beside(opened)
+        items: list[dict[str, Any]] = []
+        for number, recording in enumerate(beside):
+            self._telling.progress(f"{recording.name}: trying", number / len(beside))
+            try:
+                looked = self._library.look(recording)
+                looked.close()
+                items.append(_preview_item(recording, looked.preview_shared(shared)))
+            except KeyphaseError as error:
+                self.update(replace(recording, error=str(error)))
+        self._telling.progress_done()
+        self._telling.all({"type": "spread", "items": items})
+
+    def _follow(self, opened: Opened) -> None:
+        for recording in self._beside(opened):
+            if recording.id != opened.recording.id:
+                self._library.drop(recording.id)
+        self._looking = iter(self.recordings)
+        self.look_at_all()
+        self._telling.notice("info", "All recordings of this folder now have these parameters.")
+
+    def _remove(self, path: Path) -> None:
+        with self._lock:
+            gone = [recording.path == path for recording in self.recordings]
+            if True not in gone:
+                return
+            place = gone.index(True)
+            removed = self.recordings[place]
+            self.recordings = self.recordings[:place] + self.recordings[place + 1 :]
+            was_current = removed.id == self.current
+            if was_current:
+                self.current = None
+        self._library.drop(removed.id)
+        self.tell()
+        if was_current and self.recordings:
+            self.open(self.recordings[min(place, len(self.recordings) - 1)].id)
+        elif was_current:
+            self._on_empty()
 
     def _look_at_next(self) -> None:
         recording = next(self._looking, None)
@@ -120,3 +191,7 @@ class RecordingQueue:
 
     def _progress(self, recording: Recording) -> Progress:
         return lambda what, fraction: self._telling.progress(f"{recording.name}: {what}", fraction)
+
+
+def _preview_item(recording: Recording, change: Change) -> dict[str, Any]:
+    return {"id": recording.id, "name": recording.name, **asdict(change)}

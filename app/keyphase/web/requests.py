@@ -6,15 +6,20 @@ from keyphase.errors import KeyphaseError, RequestError
 from keyphase.labeling.edits import edit_from_json
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web import protocol as ask
+from keyphase.web.comparing import comparison_message
 from keyphase.web.opened import Opened
 from keyphase.web.page_sockets import Page
 from keyphase.web.session import Cause, Session
 from keyphase.web.signals import signals_frame
+from keyphase.web.uploads import Upload, upload_folder
 
 
 def hear(session: Session, page: Page, message: str | bytes) -> None:
     """Do what a page asks, or answer it why not; nothing it sends can end the server."""
     try:
+        if isinstance(message, bytes) and page.upload is not None:
+            _take_piece(session, page, page.upload, message)
+            return
         request = ask.parse(message)
         if page.is_looking and not isinstance(request, ask.LOOKING_REQUESTS):
             raise RequestError("This page was opened by the link for looking only.")
@@ -26,6 +31,7 @@ def hear(session: Session, page: Page, message: str | bytes) -> None:
 
 
 def _do(session: Session, request: ask.Request, page: Page) -> None:
+    """Requests about the document and the list here, the rest below."""
     match request:
         case ask.Open():
             session.queue.open(request.id)
@@ -44,6 +50,22 @@ def _do(session: Session, request: ask.Request, page: Page) -> None:
             session.change(lambda opened: opened.mark_done(request.done))
         case ask.KeepLabels():
             session.change(Opened.keep_labels)
+        case ask.ForgetLabel():
+            session.change(lambda opened: opened.folder.forget(request.label))
+        case ask.Export():
+            session.export(request.format)
+        case ask.Spread():
+            _spread(session, apply=request.apply)
+        case ask.Compare():
+            page.send(comparison_message(session.current(), request.other))
+        case ask.Upload():
+            _begin_upload(session, request, page)
+        case _:
+            _show(session, request, page)
+
+
+def _show(session: Session, request: ask.Request, page: Page) -> None:
+    match request:
         case ask.Select():
             session.select(request.segment)
         case ask.Seek():
@@ -54,8 +76,6 @@ def _do(session: Session, request: ask.Request, page: Page) -> None:
             )
         case ask.Signals():
             _send_signals(session, request, page)
-        case ask.Export():
-            session.export(request.format)
         case ask.Show():
             session.show(request.what, request.visible)
         case ask.Theme():
@@ -73,9 +93,7 @@ def _set(session: Session, request: ask.Set, page: Page) -> None:
 
 
 def _send_signals(session: Session, request: ask.Signals, page: Page) -> None:
-    opened = session.opened
-    if opened is None:
-        raise RequestError("Open a recording before asking for its signals.")
+    opened = session.current()
     frame = signals_frame(
         opened.tracks,
         request=request.request,
@@ -86,6 +104,37 @@ def _send_signals(session: Session, request: ask.Signals, page: Page) -> None:
         width=request.width,
     )
     page.send(frame)
+
+
+def _spread(session: Session, *, apply: bool) -> None:
+    def share(opened: Opened) -> None:
+        opened.share_parameters()
+        session.queue.follow_folder(opened)
+
+    if apply:
+        session.change(share)
+    else:
+        session.queue.preview_spread(session.current())
+
+
+def _begin_upload(session: Session, request: ask.Upload, page: Page) -> None:
+    if page.upload is not None:
+        page.upload.abandon()
+    folder = upload_folder([recording.path for recording in session.queue.recordings])
+    page.upload = Upload(folder, request.name, request.size)
+
+
+def _take_piece(session: Session, page: Page, upload: Upload, piece: bytes) -> None:
+    try:
+        upload.write(piece)
+    except RequestError:
+        page.upload = None
+        raise
+    if upload.is_whole:
+        page.upload = None
+        path = upload.finish()
+        page.send({"type": "uploaded", "name": path.name})
+        session.queue.add(path)
 
 
 def with_parameter(parameters: Parameters, name: str, value: float | str | None) -> Parameters:

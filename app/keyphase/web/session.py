@@ -59,7 +59,7 @@ class Session:
         self.sockets = PageSockets(self._greet, lambda page, message: hear(self, page, message))
         self.telling = Telling(self.sockets)
         self.views = Views(self.telling.report)
-        self.queue = RecordingQueue(paths, library, self.telling, self._opened)
+        self.queue = RecordingQueue(paths, library, self.telling, self._opened, self._emptied)
         self.opened: Opened | None = None
         self.playhead = Playhead()
         self.selected: int | None = None
@@ -89,13 +89,15 @@ class Session:
         """Change the current document, after everything that was asked before."""
 
         def run() -> None:
-            opened = self._current()
+            opened = self.current()
             before = opened.parameters
-            action(opened)
-            with self.lock:
-                if opened.parameters != before:
-                    self._wanted = opened.parameters
-                self._document_changed(cause)
+            try:
+                action(opened)
+            finally:
+                with self.lock:
+                    if opened.parameters != before:
+                        self._wanted = opened.parameters
+                    self._document_changed(cause)
 
         self._worker.submit(run)
 
@@ -106,7 +108,7 @@ class Session:
 
         Raises ParameterError for a value that is out of range.
         """
-        self._current()
+        self.current()
         with self.lock:
             self._wanted = change(self._wanted)
             self._let_go = self._let_go or not held
@@ -144,6 +146,10 @@ class Session:
             self.queue.tell()
             self.telling.all(self._playhead_message())
 
+    def _emptied(self) -> None:
+        with self.lock:
+            self.opened = self.selected = None
+
     def _settle(self) -> None:
         self.set_parameters(lambda same: same, held=False)
 
@@ -153,7 +159,7 @@ class Session:
             self._settling = None
 
     def _recompute(self, cause: Cause | None) -> None:
-        opened = self._current()
+        opened = self.current()
         with self.lock:
             wanted, let_go = self._wanted, self._let_go
             self._let_go = False
@@ -186,18 +192,19 @@ class Session:
                 self.telling.progress_done()
 
     def _export(self, kind: str) -> None:
-        opened = self._current()
+        opened = self.current()
         path = export(opened.kept_labeling, opened.recording.path, kind)
         self.telling.all({"type": "saved", "path": str(path)})
 
-    def _current(self) -> Opened:
+    def current(self) -> Opened:
+        """The open recording. Raises RequestError where there is none."""
         if self.opened is None:
             raise RequestError("No recording is open yet; choose one from the list.")
         return self.opened
 
     def _document_changed(self, cause: Cause | None) -> None:
         """Tell the pages, then the views, what the document now is. Runs under the lock."""
-        opened = self._current()
+        opened = self.current()
         self._revision += 1
         if self.selected is not None and self.selected >= len(opened.labeling.segments):
             self.selected = None
@@ -284,6 +291,7 @@ class Session:
             "revision": self._revision,
             "cause": {"event": cause.event, "client": cause.client} if cause else None,
             "selected": self.selected,
+            "labels": opened.folder.settings.vocabulary.as_json(),
             **opened.message(),
         }
 

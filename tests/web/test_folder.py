@@ -1,0 +1,144 @@
+"""What the recordings of a folder share: vocabulary, parameters, and another's segmentation."""
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+from talking import Message, PageClient, StartServer
+
+from keyphase.shipped import shipped
+
+
+@pytest.fixture
+def two(own_copy: Path) -> tuple[Path, Path]:
+    """Two recordings in one folder."""
+    return own_copy, Path(shutil.copy(shipped("data") / "setup1.npz", own_copy.parent))
+
+
+def _name_first_segment(page: PageClient, label: str) -> Message:
+    page.send("edit", edit={"kind": "label", "time_s": 0.05, "label": label})
+    return page.wait_for("document", lambda m: m["segments"][0]["label"] == label)
+
+
+def test_a_name_given_once_is_offered_in_the_whole_folder(
+    two: tuple[Path, Path], start_server: StartServer
+) -> None:
+    with PageClient(start_server(*two)) as page:
+        page.wait_for("document")
+        named = _name_first_segment(page, "approach")
+        page.send("open", id="2")
+        other = page.wait_for("document", lambda m: m["id"] == "2")
+        page.send("forget_label", label="approach")
+        forgotten = page.wait_for("document", lambda m: not m["labels"])
+
+    assert [label["name"] for label in named["labels"]] == ["approach"]
+    assert other["labels"] == named["labels"]
+    assert forgotten["id"] == "2"
+
+
+def test_the_vocabulary_is_there_after_a_restart(own_copy: Path, start_server: StartServer) -> None:
+    first = start_server(own_copy)
+    with PageClient(first) as page:
+        page.wait_for("document")
+        _name_first_segment(page, "approach")
+    first.stop()
+
+    with PageClient(start_server(own_copy)) as page:
+        assert page.wait_for("document")["labels"][0]["name"] == "approach"
+
+
+def test_before_parameters_are_spread_each_recording_says_what_would_change(
+    two: tuple[Path, Path], start_server: StartServer
+) -> None:
+    with PageClient(start_server(*two)) as page:
+        page.wait_for("document")
+        page.send("set", parameter="force_threshold", value=1e8)
+        page.wait_for("document", lambda m: m["undo"])
+        page.send("spread", apply=False)
+        items = page.wait_for("spread")["items"]
+        page.send("open", id="2")
+        other = page.wait_for("document", lambda m: m["id"] == "2")
+
+    assert [item["name"] for item in items] == ["synthetic_setup1", "setup1"]
+    assert items[0]["own"]
+    assert items[1]["goes_s"] or items[1]["moves_s"]
+    assert other["parameters"]["force_threshold"] is None
+
+
+def test_spread_parameters_hold_in_the_whole_folder_except_where_others_were_set(
+    two: tuple[Path, Path], start_server: StartServer
+) -> None:
+    with PageClient(start_server(*two)) as page:
+        page.wait_for("document")
+        page.send("open", id="2")
+        page.wait_for("document", lambda m: m["id"] == "2")
+        page.send("set", parameter="persistence", value=7.0)
+        page.wait_for("document", lambda m: m["undo"])
+        page.send("open", id="1")
+        page.wait_for("document", lambda m: m["id"] == "1")
+        page.send("set", parameter="force_ratio", value=33.0)
+        page.wait_for("document", lambda m: m["undo"])
+        page.send("spread", apply=True)
+        page.wait_for("notice", lambda m: m["level"] == "info")
+        page.send("open", id="2")
+        other = page.wait_for("document", lambda m: m["id"] == "2")
+
+    assert other["parameters"]["force_ratio"] == 33.0
+    assert other["parameters"]["persistence"] == 7.0
+
+
+def test_reset_is_automatic_whatever_the_folder_has(
+    own_copy: Path, start_server: StartServer
+) -> None:
+    with PageClient(start_server(own_copy)) as page:
+        page.wait_for("document")
+        page.send("set", parameter="force_ratio", value=33.0)
+        page.wait_for("document", lambda m: m["undo"])
+        page.send("spread", apply=True)
+        page.wait_for("notice", lambda m: m["level"] == "info")
+        page.send("reset")
+
+        page.wait_for("document", lambda m: m["parameters"]["force_ratio"] == 20.0)
+
+
+def test_a_labeling_is_compared_with_the_automatic_one(page: PageClient) -> None:
+    page.send("edit", edit={"kind": "add", "time_s": 0.4})
+    page.wait_for("document", lambda m: m["edits"] == 1)
+    page.send("compare", **{"with": "automatic"})
+
+    comparison = page.wait_for("comparison")
+
+    assert comparison["only_first_s"] == [pytest.approx(0.4, abs=0.01)]
+    assert comparison["only_second_s"] == []
+    assert 0 < comparison["f1"] < 1
+
+
+def test_a_labeling_is_compared_with_a_segment_file_of_the_same_recording(
+    page: PageClient,
+) -> None:
+    page.send("export", format="json")
+    page.wait_for("saved")
+    page.send("compare")
+    options = page.wait_for("comparison")["options"]
+    page.send("compare", **{"with": options[1]})
+
+    assert page.wait_for("comparison", lambda m: m["with"])["f1"] == 1.0
+
+
+def test_a_segment_file_of_another_recording_is_refused(page: PageClient, own_copy: Path) -> None:
+    page.send("export", format="json")
+    path = Path(page.wait_for("saved")["path"])
+    content = json.loads(path.read_text())
+    content["demonstration"]["sha256"] = "0" * 64
+    other = own_copy.with_name("other.segments.json")
+    other.write_text(json.dumps(content))
+    page.send("compare", **{"with": other.name})
+
+    assert "another recording" in page.wait_for("notice")["text"]
+
+
+def test_only_files_that_are_offered_are_compared_with(page: PageClient) -> None:
+    page.send("compare", **{"with": "../../../etc/passwd"})
+
+    assert "no such segment file" in page.wait_for("notice")["text"]
