@@ -25,6 +25,7 @@ from keyphase.labeling.edits import (
     Remove,
     Reset,
     Span,
+    TakeOver,
     check_label,
 )
 from keyphase.labeling.labeling import LabeledBoundary, LabeledSegment, Labeling
@@ -64,7 +65,7 @@ def anchored(edit: Edit, labeling: Labeling) -> Edit:
                     f"Edit {number} has not lost its place; there is nothing to do."
                 )
             return edit
-        case Reset():
+        case Reset() | TakeOver():
             return edit
 
 

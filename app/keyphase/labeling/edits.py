@@ -24,6 +24,11 @@ LONGEST_LABEL = 200
 LONGEST_PLAN = 10_000
 """Entries."""
 
+TAKEN_OVER = ("remove", "add", "contact", "label", "keep", "plan")
+"""Kinds of edits of which taking over consists."""
+
+MOST_TAKEN_OVER = 100_000
+
 _FARTHEST_S = 1e10
 _NOT_TEXT = frozenset({"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"})
 
@@ -152,6 +157,19 @@ class Reset:
     kind: ClassVar[str] = "reset"
 
 
+@dataclass(frozen=True)
+class TakeOver:
+    """Take over another's segmentation of this recording; edits before count no more.
+
+    source  where it came from, for people
+    edits   what makes it of the automatic segmentation, in order; see `taking_over`
+    """
+
+    kind: ClassVar[str] = "take_over"
+    source: str
+    edits: tuple["Edit", ...]
+
+
 Edit = (
     Add
     | Remove
@@ -167,6 +185,7 @@ Edit = (
     | BringBack
     | Forget
     | Reset
+    | TakeOver
 )
 
 _KINDS: Mapping[str, type[Edit]] = {
@@ -186,12 +205,16 @@ _KINDS: Mapping[str, type[Edit]] = {
         BringBack,
         Forget,
         Reset,
+        TakeOver,
     )
 }
 
 
 def edit_as_json(edit: Edit) -> dict[str, Any]:
     """The edit as JSON values: its kind and its fields, None left out."""
+    if isinstance(edit, TakeOver):
+        edits = [edit_as_json(each) for each in edit.edits]
+        return {"kind": edit.kind, "source": edit.source, "edits": edits}
     content = asdict(edit, dict_factory=lambda items: {k: v for k, v in items if v is not None})
     return {"kind": edit.kind, **content}
 
@@ -210,7 +233,8 @@ def edit_from_json(content: Any) -> Edit:
             f"Expected an edit of one of the kinds {', '.join(_KINDS)}, "
             f"but got {content['kind'][:40]!r}."
         )
-    return _checked(kind, {key: value for key, value in content.items() if key != "kind"})
+    values = {key: value for key, value in content.items() if key != "kind"}
+    return _taken_over(values) if kind is TakeOver else _checked(kind, values)
 
 
 def check_label(label: str) -> str:
@@ -232,6 +256,21 @@ def check_label(label: str) -> str:
             "leave that character out."
         )
     return label
+
+
+def _taken_over(values: dict[str, Any]) -> TakeOver:
+    source, edits = values.get("source"), values.get("edits")
+    if set(values) != {"source", "edits"} or not isinstance(source, str):
+        raise LabelingError("An edit of kind take_over has a source and edits, and nothing else.")
+    if not isinstance(edits, list | tuple) or len(edits) > MOST_TAKEN_OVER:
+        raise LabelingError(f"An edit of kind take_over has at most {MOST_TAKEN_OVER} edits.")
+    kinds = [each.get("kind") if isinstance(each, Mapping) else None for each in edits]
+    strange = next((kind for kind in kinds if kind not in TAKEN_OVER), None)
+    if strange is not None or None in kinds:
+        raise LabelingError(
+            f"An edit of kind take_over holds edits of the kinds {', '.join(TAKEN_OVER)} only."
+        )
+    return TakeOver(check_label(source), tuple(map(edit_from_json, edits)))
 
 
 def _checked(kind: type[Edit], values: dict[str, Any]) -> Edit:

@@ -18,6 +18,7 @@ from keyphase.labeling.edits import (
     Plan,
     Remove,
     Reset,
+    TakeOver,
 )
 from keyphase.labeling.labeling import Labeling
 
@@ -97,6 +98,8 @@ def _name_of_whole(edit: Edit, labeling: Labeling) -> str:
             return "Forget an edit"
         case Reset():
             return "Reset to automatic"
+        case TakeOver(source):
+            return f"Take over “{_short(source)}”"
         case _:
             return edit.kind
 

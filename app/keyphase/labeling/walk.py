@@ -21,6 +21,7 @@ from keyphase.labeling.edits import (
     Remove,
     Reset,
     Span,
+    TakeOver,
 )
 from keyphase.labeling.labeling import Inapplicable
 from keyphase.labeling.spans import Decision, HeldSpan, hold
@@ -170,6 +171,8 @@ def _in_force(edits: Mapping[int, Edit]) -> dict[int, Edit]:
             since.clear()
         elif isinstance(edit, Forget):
             since.pop(edit.edit, None)
+        elif isinstance(edit, TakeOver):
+            since = {number: edit}
         else:
             since[number] = edit
     return since
@@ -198,5 +201,8 @@ def _apply(done: Walk, number: int, edit: Edit, insisted: bool) -> None:
             done.decided_before_idle = len(done.keeps)
         case Plan():
             done.order(edit)
+        case TakeOver(_, edits):
+            for each in edits:
+                _apply(done, number, each, insisted)
         case _:
             pass
