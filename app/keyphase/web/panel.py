@@ -141,6 +141,15 @@ class Panel(View):
                 self._add_shown(name)
         reset = self._gui.add_button("Reset to automatic", hint="All parameters as they were.")
         self._on_click(reset, lambda: self._session.change(Opened.reset_parameters))
+        spread = self._gui.add_button(
+            "Apply to all…",
+            hint="Give these parameters to all recordings of the folder, after a look at what "
+            "would change.",
+        )
+        self._on_click(spread, self._preview_spread)
+
+    def _preview_spread(self) -> None:
+        self._session.queue.preview_spread(self._session.current())
 
     def _add_threshold(self) -> None:
         """A slider in decades, for errors span many, and its value as a number below."""
