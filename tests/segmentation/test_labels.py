@@ -86,6 +86,13 @@ def test_building_up_force_in_one_place_is_pushing_and_not_idle():
     assert label(force=np.full((501, 3), 4.0)) == "idle"
 
 
+def test_resting_after_an_impact_is_idle():
+    dying_down = 3.0 + 9.0 * np.exp(-np.clip(TIME - 0.4, 0.0, None) / 0.1)
+    resting = np.where(TIME >= 0.4, dying_down, 0.0)[:, None] * np.array([0.0, 0.0, 1.0])
+    whole = Demonstration("resting", TIME, NOISE * 1e-5, force_N=resting + NOISE * 0.05)
+    assert proposed_label(Evidence.of(whole), 0.4, 2.0, False) == ("idle", True)
+
+
 def contact_label(before, after, **movement) -> str:
     """Of the first of two seconds, with a contact change at its end."""
     force = np.where(TIME[:, None] < 1.0, np.array(before, float), np.array(after, float))

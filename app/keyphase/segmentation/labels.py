@@ -100,7 +100,8 @@ def _built_up_force(evidence: Evidence, first: int, last: int) -> float:
         return 0.0
     strength = np.linalg.norm(evidence.force_N[first:last], axis=1)
     settled = max(1, round(_SETTLED_S / evidence.motion.step_s))
-    greatest = float(strength.max())
+    # The impact of arriving is not built up: count from when it has settled.
+    greatest = float(strength[settled:].max(initial=0.0))
     return greatest if greatest - strength[:settled].mean() > _BUILT_UP * greatest else 0.0
 
 
