@@ -16,6 +16,7 @@ from keyphase.simulation.follow import Follower
 from keyphase.simulation.impedance import RATE_HZ, Reference
 from keyphase.simulation.recorder import Recorder
 from keyphase.simulation.samples import provenance
+from keyphase.simulation.shapes import shapes_of
 from keyphase.simulation.simulation import Sample
 from keyphase.simulation.workcell import Workcell
 
@@ -53,6 +54,8 @@ class LeadThrough:
         self._stop = threading.Event()
         self._thread: threading.Thread | None = None
         self._simulation = cell.build(disturbance, seed)
+        self.shapes = shapes_of(self._simulation)
+        """What the parts look like."""
         self._follower = Follower(self._simulation.here())
         self._target = self._simulation.here()
         self._recorder: Recorder | None = None

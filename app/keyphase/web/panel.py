@@ -58,10 +58,12 @@ _SHOWN: dict[str, tuple[str, str]] = {
 class Panel(View):
     """The panel of one session.
 
-    `tabs` is where other parts of the page add theirs.
+    `record_tab` is where the controls for recording belong; none where nothing may be changed.
     """
 
-    def __init__(self, server: viser.ViserServer, session: Session) -> None:
+    def __init__(
+        self, server: viser.ViserServer, session: Session, *, read_only: bool = False
+    ) -> None:
         self._gui = server.gui
         self._session = session
         self._changed_at: dict[str, float] = {}
@@ -69,8 +71,10 @@ class Panel(View):
         self._shown: dict[str, viser.GuiCheckboxHandle] = {}
         self._gui.main_panel.dock_right()
         self.tabs = self._gui.add_tab_group()
-        with self.tabs.add_tab("Segment"):
+        self.segment_tab = self.tabs.add_tab("Segment")
+        with self.segment_tab:
             self._add_segment_tab()
+        self.record_tab = None if read_only else self.tabs.add_tab("Record")
         with self.tabs.add_tab("Export"):
             self._add_export_tab()
 

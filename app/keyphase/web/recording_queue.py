@@ -3,12 +3,13 @@
 import itertools
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from keyphase.errors import KeyphaseError, RequestError
-from keyphase.labeling.spreading import Change
+from keyphase.labeling.journal import summarize
+from keyphase.segmentation import Parameters
 from keyphase.web.exports import export
 from keyphase.web.library import Library
 from keyphase.web.opened import Opened
@@ -31,7 +32,7 @@ class RecordingQueue:
         on_open: Callable[[Opened], None],
         on_empty: Callable[[], None],
     ) -> None:
-        self.recordings = queue(paths)
+        self.recordings = tuple(map(_as_journaled, queue(paths)))
         self.current: str | None = None
         self._numbers = itertools.count(len(self.recordings) + 1)
         self._library = library
@@ -41,6 +42,7 @@ class RecordingQueue:
         self._lock = threading.RLock()
         self._worker = Worker(telling.report)
         self._looking = iter(self.recordings)
+        self._preview: _Preview | None = None
 
     def find(self, recording_id: str) -> Recording:
         """The line with that id. Raises RequestError where there is none."""
@@ -54,6 +56,13 @@ class RecordingQueue:
         recording = self.find(recording_id)
         self._worker.submit(lambda: self._read(recording), "open")
 
+    def open_first(self) -> None:
+        """Open the first recording that is not done, so that work goes on where it was left."""
+        open_ones = (recording for recording in self.recordings if recording.state != "done")
+        first = next(open_ones, next(iter(self.recordings), None))
+        if first is not None:
+            self.open(first.id)
+
     def look_at_all(self) -> None:
         """Find out about every recording, one by one, whenever nothing else is to be done."""
         self._worker.submit(self._look_at_next, "look")
@@ -63,8 +72,17 @@ class RecordingQueue:
         self._worker.submit(self._export_all)
 
     def preview_spread(self, opened: Opened) -> None:
-        """Tell what the parameters of an open recording would do to all of its folder."""
-        self._worker.submit(lambda: self._preview(opened), "preview")
+        """Tell what the parameters of an open recording would do to all of its folder.
+
+        One recording after another, so that others can be opened meanwhile.
+        """
+        self._preview = _Preview(opened.parameters, self._beside(opened))
+        self._telling.all(self._preview.message())
+        self._worker.submit(self._preview_next, "preview")
+
+    def leave_spread(self) -> None:
+        """Look no further into what would change."""
+        self._preview = None
 
     def follow_folder(self, opened: Opened) -> None:
         """Let the recordings beside an open one follow what their folder's parameters became."""
@@ -117,20 +135,26 @@ class RecordingQueue:
         folder = opened.recording.path.parent
         return tuple(r for r in self.recordings if r.path.parent == folder and not r.error)
 
-    def _preview(self, opened: Opened) -> None:
-        """Tell what would change, recording by recording."""
-        shared, beside = opened.parameters, self._beside(opened)
-        items: list[dict[str, Any]] = []
-        for number, recording in enumerate(beside):
-            self._telling.progress(f"{recording.name}: trying", number / len(beside))
-            try:
-                looked = self._library.look(recording)
-                looked.close()
-                items.append(_preview_item(recording, looked.preview_shared(shared)))
-            except KeyphaseError as error:
-                self.update(replace(recording, error=str(error)))
-        self._telling.progress_done()
-        self._telling.all({"type": "spread", "items": items})
+    def _preview_next(self) -> None:
+        preview = self._preview
+        if preview is None or preview.is_whole:
+            return
+        recording = preview.next
+        fraction = len(preview.items) / len(preview.recordings)
+        self._telling.progress(f"{recording.name}: trying", fraction)
+        try:
+            looked = self._library.look(recording)
+            looked.close()
+            change = asdict(looked.preview_shared(preview.parameters))
+            item = {"id": recording.id, "name": recording.name, "error": None, **change}
+        except KeyphaseError as error:
+            item = {"id": recording.id, "name": recording.name, "error": str(error)}
+        finally:
+            self._telling.progress_done()
+        if self._preview is preview:
+            self._preview = replace(preview, items=(*preview.items, item))
+            self._telling.all(self._preview.message())
+            self._worker.submit(self._preview_next, "preview")
 
     def _follow(self, opened: Opened) -> None:
         for recording in self._beside(opened):
@@ -193,5 +217,28 @@ class RecordingQueue:
         return lambda what, fraction: self._telling.progress(f"{recording.name}: {what}", fraction)
 
 
-def _preview_item(recording: Recording, change: Change) -> dict[str, Any]:
-    return {"id": recording.id, "name": recording.name, **asdict(change)}
+@dataclass(frozen=True)
+class _Preview:
+    """What parameters would do to recordings, as far as that is known."""
+
+    parameters: Parameters
+    recordings: tuple[Recording, ...]
+    items: tuple[dict[str, Any], ...] = ()
+
+    @property
+    def is_whole(self) -> bool:
+        return len(self.items) == len(self.recordings)
+
+    @property
+    def next(self) -> Recording:
+        return self.recordings[len(self.items)]
+
+    def message(self) -> dict[str, Any]:
+        return {"type": "spread", "total": len(self.recordings), "items": list(self.items)}
+
+
+def _as_journaled(recording: Recording) -> Recording:
+    """With what its journal says, before anybody has looked at it."""
+    said = summarize(recording.path)
+    state = "done" if said.done else "touched" if said.touched else "automatic"
+    return replace(recording, state=state)

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import viser
 
+from keyphase.demonstration import Array
 from keyphase.robot.pose import Placement
 from keyphase.web.opened import Opened
 from keyphase.web.palette import DARK, LIGHT
@@ -18,7 +19,13 @@ from keyphase.web.playback import Playhead
 from keyphase.web.scene_marks import draw_forces, draw_gaussians, draw_names
 from keyphase.web.scene_path import ScenePath
 from keyphase.web.session import PARTS
-from keyphase.web.viewpoint import FIELD_OF_VIEW_RAD, WITH_ROBOT_M, Viewpoint, viewpoint_of
+from keyphase.web.viewpoint import (
+    FIELD_OF_VIEW_RAD,
+    WITH_ROBOT_M,
+    Viewpoint,
+    viewpoint_of,
+    viewpoint_with_robot,
+)
 from keyphase.web.views import View
 
 _OWN = tuple(part for part in PARTS if part != "robot")
@@ -57,6 +64,7 @@ class Scene(View):
         self._theme = LIGHT
         self._hidden: frozenset[str] = frozenset()
         self._drawn: tuple[object, ...] = ()
+        self._cover: Viewpoint | None = None
         self._dress()
         server.on_client_connect(self._point_camera)
 
@@ -98,8 +106,25 @@ class Scene(View):
     def show_parts(self, hidden: frozenset[str]) -> None:
         """Hide these parts and show the others."""
         self._hidden = hidden
+        covered = self._cover is not None
         for part in _OWN:
-            self._server.scene.add_frame(f"/{part}", show_axes=False, visible=part not in hidden)
+            visible = part not in hidden and (part == "grid" or not covered)
+            self._server.scene.add_frame(f"/{part}", show_axes=False, visible=visible)
+
+    def cover(self, middle_m: Array, size_m: float) -> None:
+        """Hide the recording: something else is to be seen there, before a robot at the origin."""
+        self._cover = viewpoint_with_robot(middle_m, size_m, Placement())
+        self.show_parts(self._hidden)
+        self._draw_ground(size_m, middle_m * [1.0, 1.0, 0.0])
+        self._look(self._cover)
+
+    def uncover(self) -> None:
+        """Show the recording again."""
+        self._cover = None
+        self.show_parts(self._hidden)
+        if self._stage is not None:
+            self._draw_ground(self._stage.path.size_m, _ground_of(self._stage))
+            self._look(self._stage.view)
 
     def stand_anew(self) -> None:
         """The robot stands elsewhere, has appeared or gone: ground at its feet, another view."""
@@ -111,7 +136,7 @@ class Scene(View):
             return
         self._stage = stage = replace(stage, base=base, view=viewpoint_of(stage.path, base))
         with self._server.atomic():
-            self._draw_ground(stage.path, base)
+            self._draw_ground(stage.path.size_m, _ground_of(stage))
             self._draw_explained(stage)
 
     def show_theme(self, dark: bool) -> None:
@@ -121,7 +146,7 @@ class Scene(View):
             self._theme = theme
             self._dress()
             if self._stage is not None:
-                self._draw_ground(self._stage.path, self._stage.base)
+                self._draw_ground(self._stage.path.size_m, _ground_of(self._stage))
                 self._draw_explained(self._stage)
 
     def _draw(self, opened: Opened, stage: _Stage | None) -> None:
@@ -153,7 +178,6 @@ class Scene(View):
         self.show_parts(self._hidden)
         base = self._robot_base()
         path = path_of(opened.demonstration, LEAST_M if base is None else WITH_ROBOT_M)
-        self._draw_ground(path, base)
         tool = self._server.scene.add_frame(
             "/frame/tool",
             axes_length=0.13 * path.size_m,
@@ -164,12 +188,12 @@ class Scene(View):
         tube = ScenePath(self._server, path, self._on_click)
         tube.select(self._selected)
         self._stage = _Stage(opened, path, viewpoint_of(path, base), tube, tool, base)
+        self._draw_ground(path.size_m, _ground_of(self._stage))
         self._look(self._stage.view)
         return self._stage
 
-    def _draw_ground(self, path: Path, base: Placement | None) -> None:
-        cell = _round_length(path.size_m / 3)
-        x, y = 0.5 * (path.low_m + path.high_m)[:2]
+    def _draw_ground(self, size_m: float, at_m: Array) -> None:
+        cell = _round_length(size_m / 3)
         self._server.scene.add_grid(
             "/grid/ground",
             infinite_grid=True,
@@ -181,7 +205,7 @@ class Scene(View):
             plane_opacity=1.0,
             fade_distance=40 * cell,
             fade_strength=2.0,
-            position=(x, y, _ground_m(path) if base is None else base.position_m[2]),
+            position=at_m,
         )
 
     def _draw_explained(self, stage: _Stage) -> None:
@@ -190,6 +214,8 @@ class Scene(View):
         draw_names(self._server, labeling, stage.view, self._selected, self._theme)
 
     def _look(self, view: Viewpoint) -> None:
+        if self._cover not in (None, view):
+            return
         camera = self._server.initial_camera
         camera.fov = FIELD_OF_VIEW_RAD
         camera.position, camera.look_at = view.position_m, view.look_at_m
@@ -197,9 +223,9 @@ class Scene(View):
             self._point_camera(client)
 
     def _point_camera(self, client: viser.ClientHandle) -> None:
-        if self._stage is None:
+        view = self._cover or (self._stage and self._stage.view)
+        if view is None:
             return
-        view = self._stage.view
         with client.atomic():
             client.camera.fov = FIELD_OF_VIEW_RAD
             client.camera.position, client.camera.look_at = view.position_m, view.look_at_m
@@ -213,10 +239,18 @@ def _seen_of(opened: Opened) -> tuple[object, ...]:
     return labeling.segments, cuts, gaussians
 
 
-def _ground_m(path: Path) -> float:
-    """Height of the ground: the robot's base plane where that is just below the path."""
+def _ground_of(stage: _Stage) -> Array:
+    """Where the ground is: at the robot's feet, or where they would be if that is just below."""
+    path = stage.path
+    x, y = (0.5 * (path.low_m + path.high_m)[:2]).tolist()
     lowest = float(path.low_m[2])
-    return 0.0 if 0.0 <= lowest <= 0.6 * path.size_m else lowest - 0.08 * path.size_m
+    if stage.base is not None:
+        height = stage.base.position_m[2]
+    elif 0.0 <= lowest <= 0.6 * path.size_m:
+        height = 0.0
+    else:
+        height = lowest - 0.08 * path.size_m
+    return np.array([x, y, height])
 
 
 def _round_length(length_m: float) -> float:

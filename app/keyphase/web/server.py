@@ -1,9 +1,12 @@
 """Open the page: build the session, put it behind one port, print the link, wait."""
 
+import sys
 import threading
 import webbrowser
 from collections.abc import Sequence
 from pathlib import Path
+
+import viser
 
 from keyphase import __version__
 from keyphase.errors import KeyphaseError
@@ -11,16 +14,20 @@ from keyphase.readers import find_recordings
 from keyphase.robot.arms import robot_arms, yumi_arms
 from keyphase.robot.description import RobotDescription
 from keyphase.segmentation.parameters import RANGES
+from keyphase.simulation.recorder import recover
 from keyphase.web.access import Access, Grant
+from keyphase.web.lead_through_session import LeadThroughSession
 from keyphase.web.library import Library
 from keyphase.web.one_port import control_of, serve, silent
 from keyphase.web.panel import Panel
+from keyphase.web.record_tab import RecordTab
 from keyphase.web.requests import hear
 from keyphase.web.robot_view import RobotView
 from keyphase.web.scene import Scene
 from keyphase.web.session import Session
 from keyphase.web.site import OurSite
 from keyphase.web.viser_controls import takes
+from keyphase.web.workcell_scene import WorkcellCloser, WorkcellScene
 
 
 class PageServer:
@@ -35,6 +42,7 @@ class PageServer:
         port: int = 0,
         read_only: bool = False,
         arms: Sequence[RobotDescription] | None = None,
+        folder: Path | None = None,
     ) -> None:
         library = Library(recipe, read_only=read_only)
         self.session = Session(paths, library, _hello(), hear)
@@ -50,11 +58,15 @@ class PageServer:
         self.robot = RobotView(self.viser, self.session.telling, arms or yumi_arms())
         self.scene = Scene(self.viser, self.session.select_at, lambda: self.robot.base)
         self.robot.on_stand = self.scene.stand_anew
-        self.panel = Panel(self.viser, self.session)
+        self.panel = Panel(self.viser, self.session, read_only=read_only)
         # The robot first: where it stands decides how the scene is seen.
         self.session.views.add(self.robot)
         self.session.views.add(self.scene)
         self.session.views.add(self.panel)
+        self.lead_through = LeadThroughSession(
+            folder or recording_folder(paths), self.session.queue, self.session.telling
+        )
+        self._offer_recording()
         if self.session.queue.recordings:
             self.session.queue.open(self.session.queue.recordings[0].id)
 
@@ -67,8 +79,23 @@ class PageServer:
         """Whether a browser may set the control it calls `uuid` to `value`."""
         return takes(control_of(self.viser, uuid), value)
 
+    def _offer_recording(self) -> None:
+        if self.panel.record_tab is None:
+            return
+        lead, telling = self.lead_through, self.session.telling
+        with self.panel.record_tab:
+            lead.add(RecordTab(self.viser, lead, telling))
+        lead.add(WorkcellScene(self.viser, self.scene, self.robot, lead))
+        self.session.views.add(WorkcellCloser(lead))
+
+        @self.viser.on_client_disconnect
+        def _(_client: viser.ClientHandle) -> None:
+            if not self.viser.get_clients():
+                lead.close()
+
     def stop(self) -> None:
         """Stop serving and close the recordings."""
+        self.lead_through.close()
         self.session.close()
         self.robot.close()
         with silent():
@@ -92,6 +119,10 @@ def open_page(
     `host` and `port`.
     """
     arms = robot_arms(robot, tool_frame)
+    folder = recording_folder(paths)
+    if not read_only:
+        for take in recover(folder):
+            print(f"Recovered {take.path} ({take.duration_s:.1f} s)", file=sys.stderr)
     found = find_recordings(paths, recipe)
     server = PageServer(
         [one.path for one in found],
@@ -100,6 +131,7 @@ def open_page(
         port=port,
         read_only=read_only,
         arms=arms,
+        folder=folder,
     )
     print(server.link, flush=True)
     if open_browser:
@@ -110,6 +142,13 @@ def open_page(
         print()
     finally:
         server.stop()
+
+
+def recording_folder(paths: Sequence[Path]) -> Path:
+    """Where new recordings are put: beside those that are open, or into the current folder."""
+    if not paths:
+        return Path.cwd()
+    return paths[0] if paths[0].is_dir() else paths[0].parent
 
 
 def _hello() -> dict[str, object]:

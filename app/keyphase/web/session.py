@@ -135,6 +135,7 @@ class Session:
         self._worker.submit(lambda: self._show(opened))
 
     def _show(self, opened: Opened) -> None:
+        opened.recolor()
         with self.lock:
             self.opened = opened
             self._wanted = opened.parameters

@@ -59,12 +59,15 @@ def viewpoint_of(path: Path, base: Placement | None = None) -> Viewpoint:
     With a robot at `base` look from its front instead, and at more than the path.
     """
     middle = 0.5 * (path.low_m + path.high_m)
-    size = path.size_m
-    azimuth = _across(path.position_m)
     if base is not None:
-        azimuth = _azimuth_of(base) + BESIDE_ROBOT_RAD
-        middle = middle + np.array([0.0, 0.0, ABOVE_PATH * size])
-    return _viewpoint(middle, azimuth, size)
+        return viewpoint_with_robot(middle, path.size_m, base)
+    return _viewpoint(middle, _across(path.position_m), path.size_m)
+
+
+def viewpoint_with_robot(middle_m: Array, size_m: float, base: Placement) -> Viewpoint:
+    """Look at something of that size from the front of the robot at `base`, past its tool."""
+    raised = middle_m + np.array([0.0, 0.0, ABOVE_PATH * size_m])
+    return _viewpoint(raised, _azimuth_of(base) + BESIDE_ROBOT_RAD, size_m)
 
 
 def _viewpoint(middle: Array, azimuth: float, size_m: float) -> Viewpoint:
