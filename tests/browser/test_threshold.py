@@ -70,7 +70,7 @@ def test_the_panels_slider_moves_the_line_and_recolors_the_trajectory(
     segments = setup1.segments.count()
     height = drawn_height(setup1, before)
     middle = setup1.threshold_slider()
-    setup1.drag(middle, (middle[0] + 90, middle[1]), steps=6)
+    setup1.drag(middle, (middle[0] + 130, middle[1]), steps=6)
     setup1.until("keyphase.state.document.boundaries.every(b => !b.contact_change)")
     setup1.settle()
     setup1.wait_for_scene()

@@ -144,6 +144,7 @@ class Session:
             self.playhead = Playhead(start_s, start_s, end_s)
             self.queue.current = opened.recording.id
             self._document_changed(None)
+            self._show_playhead()
             self.queue.tell()
             self.telling.all(self._playhead_message())
 
@@ -213,7 +214,6 @@ class Session:
         self.queue.update(opened.summary())
         self.views.show("document", lambda view: view.show_document(opened))
         self._show_selection()
-        self._show_playhead()
 
     # -- selection, playback, scene
 
