@@ -22,6 +22,21 @@ WAIT_S = 10.0
 """A test that waits longer than this has failed."""
 
 
+CAMERA = {
+    "type": "ViewerCameraMessage",
+    "wxyz": (1.0, 0.0, 0.0, 0.0),
+    "position": (1.0, 1.0, 1.0),
+    "image_height": 10,
+    "image_width": 10,
+    "fov": 1.0,
+    "near": 0.1,
+    "far": 10.0,
+    "look_at": (0.0, 0.0, 0.0),
+    "up_direction": (0.0, 0.0, 1.0),
+}
+"""The first thing viser's client says; without it no control of it is heard."""
+
+
 def get(
     server: PageServer, path: str, headers: Mapping[str, str] | None = None
 ) -> tuple[HTTPResponse, bytes]:
@@ -46,7 +61,7 @@ def cookie(server: PageServer, token: str | None = None) -> dict[str, str]:
 def control(server: PageServer, label: str) -> str:
     """What browsers call the control of the panel with that label."""
     handles = server.viser.gui._gui_input_handle_from_uuid  # pyright: ignore
-    return next(uuid for uuid, handle in handles.items() if handle.label == label)
+    return next(uuid for uuid, handle in handles.items() if getattr(handle, "label", None) == label)
 
 
 def visers_socket(server: PageServer) -> async_connect:

@@ -55,8 +55,8 @@ def test_before_parameters_are_spread_each_recording_says_what_would_change(
         page.wait_for("document")
         page.send("set", parameter="force_threshold", value=1e8)
         page.wait_for("document", lambda m: m["undo"])
-        page.send("spread", apply=False)
-        items = page.wait_for("spread")["items"]
+        page.send("spread", step="look")
+        items = page.wait_for("spread", lambda m: len(m["items"]) == m["total"])["items"]
         page.send("open", id="2")
         other = page.wait_for("document", lambda m: m["id"] == "2")
 
@@ -79,7 +79,7 @@ def test_spread_parameters_hold_in_the_whole_folder_except_where_others_were_set
         page.wait_for("document", lambda m: m["id"] == "1")
         page.send("set", parameter="force_ratio", value=33.0)
         page.wait_for("document", lambda m: m["undo"])
-        page.send("spread", apply=True)
+        page.send("spread", step="apply")
         page.wait_for("notice", lambda m: m["level"] == "info")
         page.send("open", id="2")
         other = page.wait_for("document", lambda m: m["id"] == "2")
@@ -95,7 +95,7 @@ def test_reset_is_automatic_whatever_the_folder_has(
         page.wait_for("document")
         page.send("set", parameter="force_ratio", value=33.0)
         page.wait_for("document", lambda m: m["undo"])
-        page.send("spread", apply=True)
+        page.send("spread", step="apply")
         page.wait_for("notice", lambda m: m["level"] == "info")
         page.send("reset")
 

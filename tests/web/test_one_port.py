@@ -4,7 +4,7 @@ import asyncio
 
 import msgspec
 import viser
-from talking import PageClient, StartServer, control, cookie, get, visers_socket
+from talking import CAMERA, PageClient, StartServer, control, cookie, get, visers_socket
 from viser import _messages
 
 from keyphase.web.server import PageServer
@@ -100,20 +100,6 @@ def test_starting_again_on_a_port_that_was_left(start_server: StartServer) -> No
 async def _say_to_viser(server: PageServer, message: dict[str, object]) -> None:
     async with visers_socket(server) as socket:
         await asyncio.wait_for(socket.recv(), 20)
-        await socket.send(msgspec.msgpack.encode(_CAMERA))
+        await socket.send(msgspec.msgpack.encode(CAMERA))
         await socket.send(msgspec.msgpack.encode(message))
         await (await socket.ping())
-
-
-_CAMERA = {
-    "type": "ViewerCameraMessage",
-    "wxyz": (1.0, 0.0, 0.0, 0.0),
-    "position": (1.0, 1.0, 1.0),
-    "image_height": 10,
-    "image_width": 10,
-    "fov": 1.0,
-    "near": 0.1,
-    "far": 10.0,
-    "look_at": (0.0, 0.0, 0.0),
-    "up_direction": (0.0, 0.0, 1.0),
-}

@@ -1,0 +1,144 @@
+"""The scene as viser is told it: colours of segments, what is shown, what a click selects."""
+
+import asyncio
+
+import msgspec
+import numpy as np
+from talking import CAMERA, Message, PageClient, visers_socket
+
+from keyphase.web.palette import SEGMENT_COLORS, painted
+from keyphase.web.server import PageServer
+
+
+def _document(page: PageClient) -> Message:
+    return next(m for m in page.heard if m["type"] == "document")
+
+
+def _drawn(server: PageServer) -> None:
+    """Wait until the scene shows what the pages were told."""
+    with server.session.lock:
+        pass
+    assert server.session.views.wait_until_shown(20)
+
+
+def _node(server: PageServer, name: str) -> object:
+    return server.viser.scene._handle_from_node_name[name]  # pyright: ignore
+
+
+def _colors(server: PageServer) -> set[tuple[int, ...]]:
+    _drawn(server)
+    pieces = _node(server, "/path/pieces")
+    return {tuple(color) for color in np.asarray(pieces.batched_colors).tolist()}  # type: ignore
+
+
+def _paint(color: int) -> tuple[int, int, int]:
+    red, green, blue = SEGMENT_COLORS[color % len(SEGMENT_COLORS)].tolist()
+    return painted((red, green, blue))
+
+
+def test_the_path_has_the_colours_of_the_kept_segments(page: PageClient) -> None:
+    kept = {_paint(s["color"]) for s in _document(page)["segments"] if s["kept"]}
+
+    assert kept <= _colors(page.server)
+    assert len(_colors(page.server)) <= len(kept) + 1
+
+
+def test_merging_everything_leaves_one_colour(page: PageClient) -> None:
+    document = _document(page)
+    before = _colors(page.server)
+    page.send("edit", edit={"kind": "merge", "from_s": 0.01, "to_s": document["end_s"] - 0.01})
+    page.wait_for("document", lambda m: len(m["segments"]) == 1)
+
+    assert len(before) > 1
+    assert len(_colors(page.server)) == 1
+
+
+def test_contact_changes_have_arrows_that_go_with_the_threshold(page: PageClient) -> None:
+    contacts = [b for b in _document(page)["boundaries"] if b["contact_change"]]
+    _drawn(page.server)
+    arrows = _node(page.server, "/forces/arrows")
+    page.send("set", parameter="force_threshold", value=1e8)
+    page.wait_for("document", lambda m: m["threshold"] == 1e8)
+    _drawn(page.server)
+
+    assert len(arrows.points) == len(contacts)  # type: ignore
+    assert "/forces/arrows" not in page.server.viser.scene._handle_from_node_name  # pyright: ignore
+
+
+def test_there_is_an_ellipsoid_for_each_gaussian(page: PageClient) -> None:
+    _drawn(page.server)
+    drawn = _node(page.server, "/gaussians/ellipsoids")
+
+    assert len(drawn.batched_positions) == len(_document(page)["gaussians"])  # type: ignore
+
+
+def test_the_frame_stands_where_the_tool_was(page: PageClient) -> None:
+    page.send("seek", time_s=1.0)
+    page.wait_for("playhead", lambda m: m["time_s"] == 1.0)
+    _drawn(page.server)
+    opened = page.server.session.current()
+
+    frame = _node(page.server, "/frame/tool")
+
+    expected = opened.demonstration.position_m[opened.demonstration.index_at(1.0)]
+    np.testing.assert_allclose(frame.position, expected)  # type: ignore
+
+
+def test_names_in_the_scene_are_the_labels_as_they_are(page: PageClient) -> None:
+    hostile = "<img src=x onerror=alert(1)>"
+    page.send("edit", edit={"kind": "label", "time_s": 0.05, "label": hostile})
+    page.wait_for("document", lambda m: m["segments"][0]["label"] == hostile)
+    _drawn(page.server)
+
+    handles = page.server.viser.scene._handle_from_node_name.values()  # pyright: ignore
+    texts = [handle.text for handle in handles if hasattr(handle, "text")]
+
+    assert f"1 {hostile}" in texts
+
+
+def test_clicking_the_path_selects_the_segment_there(page: PageClient) -> None:
+    server = page.server
+    _drawn(server)
+    click = {
+        "type": "SceneNodeClickMessage",
+        "name": "/path/pieces",
+        "instance_index": 0,
+        "owner": server.viser.scene._owner_id,  # pyright: ignore
+        "ray_origin": (0.0, 0.0, 1.0),
+        "ray_direction": (0.0, 0.0, -1.0),
+        "screen_pos": (0.5, 0.5),
+        "modifier": None,
+    }
+
+    async def click_it() -> None:
+        async with visers_socket(server) as socket:
+            await asyncio.wait_for(socket.recv(), 10)
+            await socket.send(msgspec.msgpack.encode(CAMERA))
+            await socket.send(msgspec.msgpack.encode(click))
+            await (await socket.ping())
+            await asyncio.to_thread(page.wait_for, "selection")
+
+    asyncio.run(click_it())
+
+    assert page.heard[-1]["segment"] == 0
+
+
+def test_a_hidden_part_is_hidden_in_the_scene(page: PageClient) -> None:
+    page.send("show", what="gaussians", visible=False)
+    page.wait_for("shown", lambda m: not m["parts"]["gaussians"])
+    _drawn(page.server)
+
+    assert not _node(page.server, "/gaussians").visible  # type: ignore
+    assert _node(page.server, "/path").visible  # type: ignore
+
+
+def test_the_panel_shows_what_the_page_sets(page: PageClient) -> None:
+    page.send("set", parameter="force_threshold", value=100.0)
+    page.send("set", parameter="gaussians", value=4)
+    page.wait_for("document", lambda m: m["parameters"]["gaussians"] == 4)
+    _drawn(page.server)
+    handles = page.server.viser.gui._gui_input_handle_from_uuid.values()  # pyright: ignore
+    values = {handle.label: handle.value for handle in handles if hasattr(handle, "label")}
+
+    assert values["Threshold"] == (2.0,)
+    assert values["Gaussians"] == "4"

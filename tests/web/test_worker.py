@@ -1,0 +1,84 @@
+"""Jobs one at a time, of each kind only the newest; a playhead that knows its recording's ends."""
+
+import threading
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from keyphase.web.playback import Playhead
+from keyphase.web.worker import Worker
+
+
+def _busy(worker: Worker) -> threading.Event:
+    """Keep the worker busy until the event is set."""
+    begun, go = threading.Event(), threading.Event()
+
+    def wait() -> None:
+        begun.set()
+        go.wait()
+
+    worker.submit(wait)
+    begun.wait()
+    return go
+
+
+def test_of_one_kind_only_the_newest_runs() -> None:
+    done: list[int] = []
+    worker = Worker(pytest.fail)
+    go = _busy(worker)
+    for value in range(100):
+        worker.submit(lambda value=value: done.append(value), "slider")
+    go.set()
+
+    assert worker.wait_until_idle(10)
+    assert done == [99]
+
+
+def test_jobs_without_a_kind_all_run_in_order() -> None:
+    done: list[int] = []
+    worker = Worker(pytest.fail)
+    go = _busy(worker)
+    for value in range(100):
+        worker.submit(lambda value=value: done.append(value))
+    go.set()
+
+    assert worker.wait_until_idle(10)
+    assert done == list(range(100))
+
+
+def test_an_error_is_reported_and_the_next_job_runs() -> None:
+    errors: list[Exception] = []
+    done: list[str] = []
+    worker = Worker(errors.append)
+    worker.submit(lambda: 1 / 0)  # type: ignore
+    worker.submit(lambda: done.append("next"))
+
+    assert worker.wait_until_idle(10)
+    assert isinstance(errors[0], ZeroDivisionError)
+    assert done == ["next"]
+
+
+@given(st.floats(-1e6, 1e6), st.floats(0, 1e3), st.floats(0.01, 100), st.booleans())
+def test_the_playhead_never_leaves_the_recording(
+    time_s: float, elapsed_s: float, speed: float, loop: bool
+) -> None:
+    head = Playhead(2.0, 2.0, 9.0).at(time_s).played(True, speed, loop).advanced(elapsed_s)
+
+    assert 2.0 <= head.time_s <= 9.0
+    assert head.playing or head.time_s == 9.0
+
+
+def test_playing_again_at_the_end_begins_at_the_start() -> None:
+    assert Playhead(9.0, 2.0, 9.0).played(True, 1.0, False).time_s == 2.0
+
+
+def test_a_paused_playhead_stays() -> None:
+    assert Playhead(3.0, 2.0, 9.0).advanced(1.0).time_s == 3.0
+
+
+def test_looping_goes_on_from_the_start() -> None:
+    head = Playhead(8.0, 2.0, 9.0, playing=True, loop=True).advanced(2.0)
+
+    assert head.time_s == 3.0
+    assert head.playing
