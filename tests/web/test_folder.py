@@ -37,6 +37,31 @@ def test_a_name_given_once_is_offered_in_the_whole_folder(
     assert forgotten["id"] == "2"
 
 
+def test_an_accepted_proposal_is_no_word_of_the_vocabulary(page: PageClient) -> None:
+    page.send("edit", edit={"kind": "add", "time_s": 0.4})
+    proposal = page.wait_for("document", lambda m: m["edits"] == 1)["segments"][0]["label"]
+
+    named = _name_first_segment(page, proposal)
+
+    assert not named["segments"][0]["proposed"]
+    assert named["labels"] == []
+
+
+def test_a_name_has_one_colour_wherever_it_is_given(
+    two: tuple[Path, Path], start_server: StartServer
+) -> None:
+    with PageClient(start_server(*two)) as page:
+        before = page.wait_for("document")["segments"]
+        page.send("edit", edit={"kind": "label", "time_s": before[1]["end_s"] - 0.01, "label": "x"})
+        named = page.wait_for("document", lambda m: m["edits"] == 1)
+        page.send("open", id="2")
+        page.wait_for("document", lambda m: m["id"] == "2")
+        other = _name_first_segment(page, "x")
+
+    assert named["segments"][1]["color"] == before[1]["color"]
+    assert other["segments"][0]["color"] == before[1]["color"]
+
+
 def test_the_vocabulary_is_there_after_a_restart(own_copy: Path, start_server: StartServer) -> None:
     first = start_server(own_copy)
     with PageClient(first) as page:
@@ -86,6 +111,23 @@ def test_spread_parameters_hold_in_the_whole_folder_except_where_others_were_set
 
     assert other["parameters"]["force_ratio"] == 33.0
     assert other["parameters"]["persistence"] == 7.0
+
+
+def test_who_spread_parameters_follows_the_next_who_does(
+    two: tuple[Path, Path], start_server: StartServer
+) -> None:
+    with PageClient(start_server(*two)) as page:
+        for recording, ratio in (("1", 33.0), ("2", 44.0)):
+            page.send("open", id=recording)
+            page.wait_for("document", lambda m, at=recording: m["id"] == at)
+            page.send("set", parameter="force_ratio", value=ratio)
+            page.wait_for("document", lambda m: m["saved_at"])
+            page.send("spread", step="apply")
+            page.wait_for("notice", lambda m: m["level"] == "info")
+        page.send("open", id="1")
+        first = page.wait_for("document", lambda m: m["id"] == "1")
+
+    assert first["parameters"]["force_ratio"] == 44.0
 
 
 def test_reset_is_automatic_whatever_the_folder_has(

@@ -56,6 +56,42 @@ def test_another_recording_is_opened(three: list[Path], start_server: StartServe
     assert recordings["items"][2]["state"] == "automatic"
 
 
+def test_work_goes_on_at_the_first_recording_that_is_not_done(
+    three: list[Path], start_server: StartServer
+) -> None:
+    first = start_server(*three)
+    with PageClient(first) as page:
+        page.wait_for("document")
+        page.send("done", done=True)
+        page.wait_for("document", lambda m: m["state"] == "done")
+        page.send("open", id="3")
+        page.wait_for("document", lambda m: m["id"] == "3")
+        page.send("edit", edit={"kind": "add", "time_s": 0.4})
+        page.wait_for("document", lambda m: m["edits"] == 1)
+    first.stop()
+
+    with PageClient(start_server(three[0], three[2])) as page:
+        document = page.wait_for("document")
+
+    assert document["name"] == "again"
+    assert document["edits"] == 1
+
+
+def test_what_was_done_is_known_before_anything_is_looked_at(
+    three: list[Path], start_server: StartServer
+) -> None:
+    first = start_server(*three)
+    with PageClient(first) as page:
+        page.wait_for("document")
+        page.send("done", done=True)
+        page.wait_for("document", lambda m: m["state"] == "done")
+    first.stop()
+
+    lines = recordings_message(start_server(*three).session.queue.recordings, None)["items"]
+
+    assert [line["state"] for line in lines] == ["done", "automatic", "automatic"]
+
+
 def test_going_back_finds_the_edits(three: list[Path], start_server: StartServer) -> None:
     with PageClient(start_server(*three)) as page:
         page.wait_for("document")

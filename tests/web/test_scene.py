@@ -4,7 +4,7 @@ import asyncio
 
 import msgspec
 import numpy as np
-from talking import CAMERA, Message, PageClient, visers_socket
+from talking import CAMERA, Message, PageClient, control, visers_socket
 
 from keyphase.web.palette import SEGMENT_COLORS, painted
 from keyphase.web.server import PageServer
@@ -137,8 +137,8 @@ def test_the_panel_shows_what_the_page_sets(page: PageClient) -> None:
     page.send("set", parameter="gaussians", value=4)
     page.wait_for("document", lambda m: m["parameters"]["gaussians"] == 4)
     _drawn(page.server)
-    handles = page.server.viser.gui._gui_input_handle_from_uuid.values()  # pyright: ignore
-    values = {handle.label: handle.value for handle in handles if hasattr(handle, "label")}
+    handles = page.server.viser.gui._gui_input_handle_from_uuid  # pyright: ignore
+    threshold, gaussians = (control(page.server, name) for name in ("Threshold", "Gaussians"))
 
-    assert values["Threshold"] == (2.0,)
-    assert values["Gaussians"] == "4"
+    assert handles[threshold].value == (2.0,)
+    assert handles[gaussians].value == "4"
