@@ -57,6 +57,7 @@ def test_the_literal_variant_finds_the_same_boundaries_roughly_when_told_how_man
     np.testing.assert_allclose(times, made.switches_s, atol=0.35)
 
 
+@pytest.mark.slow
 def test_the_literal_variant_by_bic_splits_without_end_as_plain_bic_does():
     made = synthetic.setup1(5000, "easy")
     found = segment(made.demonstration, Parameters(variant="scikit-learn"))
