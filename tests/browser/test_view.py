@@ -108,12 +108,15 @@ def test_both_themes_in_both_sizes(
     page = visit(serve(folder), size=size, dark=dark)
     page.wait_for_document()
     page.wait_for_scene()
-    page.press("]")
-    page.press("]")
-    page.press("]")
+    page.click(page.middle_of(2))
     page.until("keyphase.state.selected === 2")
-    page.settle()
-    picture = page.picture(f"setup1_{'dark' if dark else 'light'}_{size[0]}")
+    page.page.evaluate("() => keyphase.actions.seek(0.9)")
+    contact = next(b for b in page.document["boundaries"] if b["contact_change"])
+    row = page.row("boundaries")
+    page.page.mouse.move(page.x(contact["time_s"]), row.y + row.height / 2)
+    page.page.locator("#why").wait_for()
+    page.wait_for_scene()
+    picture = page.picture(f"page_{'dark' if dark else 'light'}_{size[0]}")
     assert (picture.brightness(page.box("#plan")) < 100) == dark
     assert (picture.brightness(page.box("#viser")) < 110) == dark
     assert picture.count(SEGMENT_COLORS[0], page.row("segments")) > 500

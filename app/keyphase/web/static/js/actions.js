@@ -222,8 +222,8 @@ export function createActions(store, send, latency) {
       if (open) actions.open(open.id);
     },
     forgetLabel: (label) => send({ type: "forget_label", label }),
-    /** What these parameters would change in the other recordings, or (apply) change it. */
-    spread: (apply) => !state.readOnly && send({ type: "spread", apply }),
+    /** "look" what these parameters would change in the other recordings, "apply" it, or "leave" it. */
+    spread: (step) => !state.readOnly && send({ type: "spread", step }),
     /** Beside which segmentation this one is shown; null asks which there are. */
     compare(other) {
       if (other === null) store.set({ comparison: null });

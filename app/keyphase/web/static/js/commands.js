@@ -70,7 +70,7 @@ export function createCommands(actions, store, dialogs) {
       ["Least certain recording", ["U"], actions.leastCertain, true],
       ["Done with this recording, on to the next", ["K"], actions.doneAndOn],
       ["Not done yet", [], () => actions.setDone(false)],
-      ["Give these parameters to all recordings…", [], () => actions.spread(false)],
+      ["Apply these parameters to all recordings…", [], () => actions.spread("look")],
       ["Compare with what the program found", [], () => actions.compare("automatic")],
       ["Compare no longer", [], () => actions.compare(null)],
       ["Export the segment file", ["Ctrl S"], () => actions.exportAs("json")],

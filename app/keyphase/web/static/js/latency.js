@@ -3,10 +3,14 @@
  * timeline that shows what the value did. The threshold line's own drag carries its number to the
  * server and back; a slider in viser's panel is matched by the value it showed when it was moved.
  *
- * @typedef {{event: number, milliseconds: number, source: "line"|"slider"|"edit"}} Measurement
+ * Where the segments changed, the first frame of the 3D scene after that is timed as well.
+ *
+ * @typedef {"line"|"slider"|"edit"} Source
+ * @typedef {{event: number, milliseconds: number, source: Source|"scene"}} Measurement
  */
 
 const FORGET_MS = 5000;
+const SCENE_WAIT_MS = 3000;
 const SAME = 4e-3;
 
 /** Whether a slider that shows `shown` set `value`; the threshold's slider counts in decades. */
@@ -17,23 +21,32 @@ function carries(shown, value) {
 /**
  * @param {import("./store.js").Store} store
  * @param {(message: import("./types.js").Message) => boolean} send
+ * @param {() => number|undefined} sceneFrames how many frames the 3D scene has drawn
  */
-export function createLatency(store, send) {
+export function createLatency(store, send, sceneFrames) {
   /** @type {Measurement[]} */
   const list = [];
-  /** @type {Map<number, {at: number, source: Measurement["source"]}>} */
+  /** @type {Map<number, {at: number, source: Source}>} */
   const sent = new Map();
   /** @type {{at: number, value: number, event: number}[]} */
   let moved = [];
   let number = 0;
-  let seen = { parameters: /** @type {Object<string, *>} */ ({}), id: "" };
+  let seen = { parameters: /** @type {Object<string, *>} */ ({}), id: "", segments: "" };
 
-  function finish(event, at, source) {
+  function finish(event, at, source, changed) {
+    const drawn = sceneFrames();
     store.afterFrame(() => {
       const milliseconds = performance.now() - at;
       list.push({ event, milliseconds, source });
       send({ type: "latency", event, milliseconds });
+      if (changed && drawn !== undefined) finishScene(event, at, drawn);
     });
+  }
+
+  function finishScene(event, at, drawn) {
+    const milliseconds = performance.now() - at;
+    if (sceneFrames() !== drawn) list.push({ event, milliseconds, source: "scene" });
+    else if (milliseconds < SCENE_WAIT_MS) requestAnimationFrame(() => finishScene(event, at, drawn));
   }
 
   /** The earliest input that carried this value and was not answered yet. */
@@ -60,16 +73,18 @@ export function createLatency(store, send) {
     /** @param {import("./types.js").Doc} doc a document that is about to be drawn */
     arrived(doc, isOurs) {
       const { cause } = doc;
+      const segments = doc.segments.map((one) => `${one.start_s} ${one.label} ${one.kept}`).join();
+      const changed = segments !== seen.segments;
       const own = cause && isOurs(cause) ? sent.get(cause.event) : undefined;
       if (own) {
         sent.delete(cause.event);
-        finish(cause.event, own.at, own.source);
+        finish(cause.event, own.at, own.source, changed);
       } else if (!cause && doc.id === seen.id) {
-        const changed = Object.keys(doc.parameters).filter((name) => doc.parameters[name] !== seen.parameters[name]);
-        const input = changed.length === 1 ? inputFor(Number(doc.parameters[changed[0]])) : undefined;
-        if (input) finish(input.event, input.at, "slider");
+        const names = Object.keys(doc.parameters).filter((name) => doc.parameters[name] !== seen.parameters[name]);
+        const input = names.length === 1 ? inputFor(Number(doc.parameters[names[0]])) : undefined;
+        if (input) finish(input.event, input.at, "slider", changed);
       }
-      seen = { parameters: doc.parameters, id: doc.id };
+      seen = { parameters: doc.parameters, id: doc.id, segments };
     },
   };
 }

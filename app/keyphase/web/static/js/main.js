@@ -18,7 +18,7 @@ import { createPlayback } from "./playback.js";
 import { createQueue } from "./queue.js";
 import { createReceiver } from "./receive.js";
 import { createRename } from "./rename.js";
-import { createScene } from "./scene.js";
+import { createScene, sceneFrames } from "./scene.js";
 import { createSignals } from "./signals.js";
 import { openSocket } from "./socket.js";
 import { createSplitter } from "./splitter.js";
@@ -48,7 +48,7 @@ const store = createStore({
 /** @type {import("./socket.js").Socket|null} */
 let socket = null;
 const send = (message) => socket?.send(message) ?? false;
-const latency = createLatency(store, send);
+const latency = createLatency(store, send, sceneFrames);
 const signals = createSignals(store, send, () => wantedTracks(store.state));
 const actions = createActions(store, send, latency);
 const dialogs = { openPalette: (query) => palette.open(query), openKeys: () => keysSheet.open() };
@@ -117,7 +117,7 @@ socket = openSocket({
   onState: (connected) => store.set(connected ? { connected } : { connected, saving: false, greeted: store.state.document !== null }),
 });
 const upload = createUpload(store, socket);
-createScene(store, { onKey, onSlide: latency.slid });
+createScene(store, { onKey, onSlide: latency.slid, onWindow: upload.watch });
 store.set({ dark: firstDark(), snap: true });
 
 /** For tests and for anyone who wants to know how fast it is. */

@@ -3,16 +3,24 @@
 import { byId, el, svg } from "./dom.js";
 import { time as timeText } from "./format.js";
 
+/** How many frames the scene has drawn so far; undefined before it is there. */
+export function sceneFrames() {
+  const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
+  return /** @type {any} */ (frame.contentWindow)?.__viserTestpoints?.rendererInfo?.render.frame;
+}
+
 /**
  * @param {import("./store.js").Store} store
- * @param {{onKey: (event: KeyboardEvent) => void, onSlide: (value: number, at: number) => void}} handlers
+ * @param {{onKey: (event: KeyboardEvent) => void, onSlide: (value: number, at: number) => void,
+ *   onWindow: (inside: Window) => void}} handlers
  */
-export function createScene(store, { onKey, onSlide }) {
+export function createScene(store, { onKey, onSlide, onWindow }) {
   const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
   frame.addEventListener("load", () => {
     const inside = frame.contentWindow;
     // Keys pressed while the scene has the focus never reach our page by themselves.
     inside.addEventListener("keydown", onKey);
+    onWindow(inside);
     watchSliders(frame.contentDocument, onSlide);
   });
   frame.src = "/viser/";

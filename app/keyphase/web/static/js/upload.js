@@ -21,21 +21,25 @@ export function createUpload(store, socket) {
     return !store.state.lookingOnly && event.dataTransfer?.types.includes("Files");
   }
 
-  addEventListener("dragover", (event) => {
-    if (!drops(event)) return;
-    event.preventDefault();
-    target.hidden = false;
-  });
-  addEventListener("dragleave", (event) => {
-    if (!event.relatedTarget) target.hidden = true;
-  });
-  addEventListener("drop", (event) => {
-    target.hidden = true;
-    if (!drops(event)) return;
-    event.preventDefault();
-    waiting.push(...event.dataTransfer.files);
-    sendNext();
-  });
+  /** Files may be dropped on our page and on the scene's frame alike. */
+  function watch(page) {
+    page.addEventListener("dragover", (event) => {
+      if (!drops(event)) return;
+      event.preventDefault();
+      target.hidden = false;
+    });
+    page.addEventListener("dragleave", (event) => {
+      if (!event.relatedTarget) target.hidden = true;
+    });
+    page.addEventListener("drop", (event) => {
+      target.hidden = true;
+      if (!drops(event)) return;
+      event.preventDefault();
+      waiting.push(...event.dataTransfer.files);
+      sendNext();
+    });
+  }
+  watch(window);
 
   async function sendNext() {
     const file = waiting.shift();
@@ -62,6 +66,7 @@ export function createUpload(store, socket) {
   }
 
   return {
+    watch,
     /** The server has the file, or refused it. */
     ended() {
       answered();

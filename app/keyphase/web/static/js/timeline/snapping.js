@@ -11,7 +11,7 @@ export const REACH_PX = 9;
 
 /**
  * The nearest evidence within `reach` seconds of `time`: error peaks, force onsets, speed minima,
- * and the automatic place of a boundary that was moved.
+ * the edges of a segmentation shown for comparison, the automatic place of a moved boundary.
  * @param {import("../store.js").State} state
  * @param {number} time
  * @param {number} reach
@@ -26,6 +26,7 @@ export function nearestEvidence(state, time, reach, own = -1) {
     if (peak.rejection === "below threshold") continue;
     found.push({ time: peak.time_s, name: "force onset" }, { time: peak.bin_time_s, name: "error peak" });
   }
+  for (const other of state.comparison?.boundaries_s ?? []) found.push({ time: other, name: "the other segmentation" });
   const was = doc.boundaries[own]?.was_s;
   if (was !== null && was !== undefined) found.push({ time: was, name: "automatic place" });
   const automatic = doc.boundaries[own]?.why.position_s;
