@@ -4,6 +4,7 @@ A take is a file that only grows: a line of JSON, then chunks of rows, each with
 and on the disk before the next begins. Finished, it becomes an ordinary NPZ recording.
 """
 
+import fcntl
 import json
 import os
 import struct
@@ -109,10 +110,13 @@ def take_of(path: Path) -> Path:
 def recover(folder: Path) -> tuple[Recovered, ...]:
     """Finish every take in `folder` whose recorder is gone; those too short to use are dropped.
 
-    Call it when nobody records into the folder. Raises SimulationError for a take that is not one.
+    A take that is still being recorded is left alone. Raises SimulationError for a take that is
+    not one.
     """
     recovered = []
     for take in sorted(folder.glob("*" + TAKE_SUFFIX)):
+        if _is_held(take):
+            continue
         path = take.with_name(take.name.removesuffix(TAKE_SUFFIX))
         samples, origin = read_take(take)
         if len(samples) >= 2 and not path.exists():
@@ -195,7 +199,10 @@ def _demonstration(samples: list[Sample], origin: Mapping[str, Any], path: Path)
 
 def _opened(take: Path) -> BinaryIO:
     try:
-        return take.open("xb")
+        file = take.open("xb")
+        # The system lets go of it when the process ends, however.
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        return file
     except FileExistsError as error:
         raise SimulationError(
             f"{take} must not exist when a recording begins, but does; recover or remove it."
@@ -204,3 +211,13 @@ def _opened(take: Path) -> BinaryIO:
         raise SimulationError(
             f"{take} must be writable, but is not ({error.strerror}); check the folder."
         ) from error
+
+
+def _is_held(take: Path) -> bool:
+    """Whether a recorder, in this process or another, still writes the take."""
+    with take.open("rb") as file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return True
+    return False

@@ -20,6 +20,11 @@ _MEASURE = re.compile(r"\s*\b\d+(\.\d+)?\s?(mm|cm|m|deg|°)(?!\w)")
 _DIRECTION = re.compile(r"\s+(left|right|forward|backward|back|up|down)\b")
 
 
+def _recovered(demonstration: Demonstration) -> list[str]:
+    broken_off = demonstration.metadata.get("recovered") is True
+    return ["Its recorder broke off; the last second at most is missing."] if broken_off else []
+
+
 def document_message(labeling: Labeling) -> dict[str, Any]:
     """The parts of the `document` message that the labeling determines."""
     segmentation = labeling.segmentation
@@ -30,7 +35,7 @@ def document_message(labeling: Labeling) -> dict[str, Any]:
         "end_s": demonstration.end_s,
         "rate_hz": demonstration.rate_hz,
         "channels": channels(demonstration),
-        "notices": list(demonstration.notices),
+        "notices": [*demonstration.notices, *_recovered(demonstration)],
         "parameters": asdict(segmentation.parameters),
         "threshold": segmentation.threshold,
         "automatic_threshold": (

@@ -52,13 +52,15 @@ _SHOWN: dict[str, tuple[str, str]] = {
     "frame": ("Tool frame", "The tool at the playhead."),
     "grid": ("Ground", "The grid below the path."),
     "robot": ("Robot", "The robot, its tool at the playhead."),
+    "parts": ("Parts", "The parts of the workcell it was recorded in."),
 }
 
 
 class Panel(View):
     """The panel of one session.
 
-    `record_tab` is where the controls for recording belong; none where nothing may be changed.
+    `record_tab` and `replay_tab` are where the controls for these belong; none where nothing may
+    be changed.
     """
 
     def __init__(
@@ -75,6 +77,7 @@ class Panel(View):
         with self.segment_tab:
             self._add_segment_tab()
         self.record_tab = None if read_only else self.tabs.add_tab("Record")
+        self.replay_tab = None if read_only else self.tabs.add_tab("Replay")
         with self.tabs.add_tab("Export"):
             self._add_export_tab()
 
@@ -145,6 +148,8 @@ class Panel(View):
                 self._add_shown(name)
         reset = self._gui.add_button("Reset to automatic", hint="All parameters as they were.")
         self._on_click(reset, lambda: self._session.change(Opened.reset_parameters))
+        spread = self._gui.add_button("Apply to all…", hint=_SPREAD_HINT)
+        self._on_click(spread, lambda: self._session.queue.preview_spread(self._session.current()))
         spread = self._gui.add_button(
             "Apply to all…",
             hint="Give these parameters to all recordings of the folder, after a look at what "
@@ -233,6 +238,7 @@ _ESTIMATOR_HINT = (
     "Where between two Gaussians a boundary lies: equally far from both in time, or where the "
     "later one begins to weigh more."
 )
+_SPREAD_HINT = "Shows first what these parameters would change in the folder's other recordings."
 _EXPORTS = (
     ("Segment file (JSON)", "json", "Boundaries, segments, end conditions and plan."),
     ("Table (CSV)", "csv", "One line for each segment."),

@@ -136,9 +136,9 @@ class RobotView(View):
             if self._gizmo is not None:
                 self._gizmo.remove()
                 self._gizmo = None
-            base = self.base
-            if offered and base is not None:
-                self._gizmo = self._add_gizmo(base)
+            task = self._task
+            if offered and task is not None:
+                self._gizmo = self._add_gizmo((task.placement or Placement()).inverse())
 
     def place_automatically(self) -> None:
         """Forget where a person put the robot."""

@@ -29,6 +29,9 @@ from keyphase.web.viewpoint import (
 from keyphase.web.views import View
 
 _OWN = tuple(part for part in PARTS if part != "robot")
+"""The parts that are shown and hidden here."""
+
+_DRAWN = tuple(part for part in _OWN if part != "parts")
 """The parts that are drawn here and anew for each recording."""
 
 
@@ -173,7 +176,7 @@ class Scene(View):
         scene.add_light_directional("/lights/sun", intensity=2.6, position=(2.0, 1.0, 4.0))
 
     def _build(self, opened: Opened) -> _Stage:
-        for part in _OWN:
+        for part in _DRAWN:
             self._server.scene.remove_by_name(f"/{part}")
         self.show_parts(self._hidden)
         base = self._robot_base()

@@ -20,8 +20,12 @@ from keyphase.web.lead_through_session import LeadThroughSession
 from keyphase.web.library import Library
 from keyphase.web.one_port import control_of, serve, silent
 from keyphase.web.panel import Panel
+from keyphase.web.parts_view import PartsView
 from keyphase.web.record_tab import RecordTab
+from keyphase.web.replay_scene import ReplayScene
+from keyphase.web.replay_tab import ReplayCloser, ReplayTab
 from keyphase.web.requests import hear
+from keyphase.web.robot_folder import RobotFolder
 from keyphase.web.robot_view import RobotView
 from keyphase.web.scene import Scene
 from keyphase.web.session import Session
@@ -57,18 +61,22 @@ class PageServer:
         self.port = self.viser.get_port()
         self.robot = RobotView(self.viser, self.session.telling, arms or yumi_arms())
         self.scene = Scene(self.viser, self.session.select_at, lambda: self.robot.base)
+        self.parts = PartsView(self.viser, self.session.telling)
         self.robot.on_stand = self.scene.stand_anew
         self.panel = Panel(self.viser, self.session, read_only=read_only)
         # The robot first: where it stands decides how the scene is seen.
         self.session.views.add(self.robot)
         self.session.views.add(self.scene)
+        self.session.views.add(self.parts)
         self.session.views.add(self.panel)
         self.lead_through = LeadThroughSession(
             folder or recording_folder(paths), self.session.queue, self.session.telling
         )
+        with self.panel.segment_tab:
+            RobotFolder(self.viser, self.robot, self.session.telling)
         self._offer_recording()
-        if self.session.queue.recordings:
-            self.session.queue.open(self.session.queue.recordings[0].id)
+        self._offer_replay()
+        self.session.queue.open_first()
 
     @property
     def link(self) -> str:
@@ -93,11 +101,24 @@ class PageServer:
             if not self.viser.get_clients():
                 lead.close()
 
+    def _offer_replay(self) -> None:
+        """The scene first: what follows in the panel may take its time."""
+        replay, telling = self.session.replay, self.session.telling
+        self._replay_scene = ReplayScene(self.viser, self.scene, self.robot, replay, telling.report)
+        replay.add(self._replay_scene)
+        if self.panel.replay_tab is None:
+            return
+        with self.panel.replay_tab:
+            replay.add(ReplayTab(self.viser, replay, telling, self._replay_scene.offer_push))
+        self.session.views.add(ReplayCloser(replay))
+
     def stop(self) -> None:
         """Stop serving and close the recordings."""
         self.lead_through.close()
         self.session.close()
+        self._replay_scene.close()
         self.robot.close()
+        self.parts.close()
         with silent():
             self.viser.stop()
 

@@ -22,11 +22,12 @@ from keyphase.web.page_sockets import Page, PageSockets
 from keyphase.web.playback import Clock, Playhead
 from keyphase.web.recording_queue import RecordingQueue
 from keyphase.web.recordings import recordings_message
+from keyphase.web.replay_session import ReplaySession
 from keyphase.web.telling import Telling
 from keyphase.web.views import Views
 from keyphase.web.worker import Worker
 
-PARTS = ("path", "gaussians", "forces", "labels", "frame", "grid", "robot")
+PARTS = ("path", "gaussians", "forces", "labels", "frame", "grid", "robot", "parts")
 """Parts of the scene that can be shown and hidden."""
 
 SETTLE_S = 0.4
@@ -60,6 +61,7 @@ class Session:
         self.telling = Telling(self.sockets)
         self.views = Views(self.telling.report)
         self.queue = RecordingQueue(paths, library, self.telling, self._opened, self._emptied)
+        self.replay = ReplaySession(self.current, self.queue, self.telling)
         self.opened: Opened | None = None
         self.playhead = Playhead()
         self.selected: int | None = None
@@ -77,6 +79,7 @@ class Session:
         """Stop all threads and let go of the recordings."""
         self._stop_settling()
         self._clock.stop()
+        self.replay.close()
         self._worker.stop()
         self._worker.join()
         self.queue.stop()
@@ -285,6 +288,7 @@ class Session:
                 page.send(self._document_message(self.opened, None))
                 page.send(self._playhead_message())
             self.sockets.add(page)
+            self.replay.greet(page)
 
     def _document_message(self, opened: Opened, cause: Cause | None) -> dict[str, Any]:
         return {
