@@ -39,9 +39,11 @@ def _samples(demonstration: Demonstration) -> Array:
 def _fitted(samples: Array, count: int, seed: int):
     from sklearn.exceptions import ConvergenceWarning
     from sklearn.mixture import GaussianMixture
+    from threadpoolctl import threadpool_limits
 
     model = GaussianMixture(count, covariance_type="full", random_state=seed)
-    with warnings.catch_warnings():
+    # One thread: sums in one order give the same bytes everywhere, and busy cores do not stall.
+    with threadpool_limits(limits=1), warnings.catch_warnings():
         warnings.simplefilter("ignore", ConvergenceWarning)
         return model.fit(samples)
 
