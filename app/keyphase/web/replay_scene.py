@@ -1,0 +1,266 @@
+"""A replay in the scene: robot and parts, the demonstrated path as ghost, the path that was run.
+
+It is drawn in a thread of its own that skips poses which are no longer true, so that the replay
+never waits for the scene.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import viser
+
+from keyphase.demonstration import Array
+from keyphase.web.lent_yumi import LentYumi
+from keyphase.web.palette import IDLE, LIGHT, Rgb, painted, segment_color
+from keyphase.web.part_figures import PartFigures
+from keyphase.web.path_geometry import METRES_PER_NEWTON
+from keyphase.web.replay_messages import path_of_skill
+from keyphase.web.replay_plan import PlannedSkill
+from keyphase.web.replay_run import Tick
+from keyphase.web.replay_session import ReplaySession, ReplayView, Running
+from keyphase.web.robot_view import RobotView
+from keyphase.web.scene import Scene
+from keyphase.web.worker import Worker
+
+ROOT = "/replay"
+
+LEAST_FORCE_N = 0.4
+"""What the sensor reads in free space is not drawn."""
+
+STIFFNESS_N_M = 200.0
+"""Of the spring between the tool and the gizmo that pushes it."""
+
+PIECE_M = 0.003
+"""The path that was run is drawn in pieces of this length."""
+
+_GIZMO_M = 0.11
+_SEEN_M = 0.42
+_GHOST_M, _DONE_M, _NOW_M = 0.0022, 0.005, 0.009
+_ARROW: Rgb = painted(LIGHT.origins["force"])
+
+
+@dataclass
+class _Shown:
+    """What stands in the scene for one replay."""
+
+    running: Running
+    parts: PartFigures
+    arrow: viser.ArrowsHandle
+    force: viser.LabelHandle
+    name: viser.LabelHandle
+    skill: int | None = None
+    piece: int = 0
+    last_m: Array | None = None
+
+
+class ReplayScene(ReplayView):
+    """Takes the scene over while a replay is shown."""
+
+    def __init__(
+        self,
+        server: viser.ViserServer,
+        scene: Scene,
+        robot: RobotView,
+        session: ReplaySession,
+        on_error: Callable[[Exception], None],
+    ) -> None:
+        self._server, self._scene, self._session = server, scene, session
+        self._yumi = LentYumi(server, robot)
+        self._painter = Worker(on_error)
+        self._shown: _Shown | None = None
+        self._gizmo: viser.TransformControlsHandle | None = None
+        self._tool_m = np.zeros(3)
+        self._pulled_to_m: Array | None = None
+        self._offered = False
+
+    def close(self) -> None:
+        """Draw no more."""
+        self._painter.stop()
+        self._painter.join()
+
+    def offer_push(self, offered: bool) -> None:
+        """Show or hide the gizmo that pushes the tool."""
+        self._offered = offered
+        self._painter.submit(self._show_gizmo, "gizmo")
+
+    # -- what the session says
+
+    def show_begun(self, running: Running) -> None:
+        """Clear the scene, then put the workcell and the plan into it."""
+        self._painter.submit(lambda: self._build(running))
+
+    def show_tick(self, running: Running, tick: Tick) -> None:
+        """Everything as it is now."""
+        self._painter.submit(lambda: self._draw(running, tick), "tick")
+
+    def show_closed(self) -> None:
+        """Give the scene back."""
+        self._painter.submit(self._remove)
+
+    # -- drawing, in the painter's thread
+
+    def _build(self, running: Running) -> None:
+        scene = self._server.scene
+        with self._server.atomic():
+            scene.add_frame(ROOT, show_axes=False)
+            self._yumi.take()
+            self._shown = _Shown(
+                running,
+                PartFigures(self._server, f"{ROOT}/parts", running.shapes),
+                self._add_arrow(),
+                scene.add_label(f"{ROOT}/force_size", "", visible=False, anchor="center-left"),
+                scene.add_label(f"{ROOT}/name", "", visible=False, anchor="center-left"),
+            )
+            for number, one in enumerate(running.plan.planned):
+                self._draw_path(number, one, running, now=False)
+            path = np.concatenate(
+                [path_of_skill(running.plan, one.skill) for one in running.plan.planned]
+            )
+            middle = 0.5 * (path.min(axis=0) + path.max(axis=0))
+            simulation = running.run.replay.simulation
+            self._yumi.pose(np.array(simulation.posture_rad))
+            self._shown.parts.pose(simulation.start_parts)
+            self._scene.cover(middle, _SEEN_M)
+            self._tool_m = simulation.here().position_m
+            self._show_gizmo()
+        self._server.flush()
+
+    def _draw(self, running: Running, tick: Tick) -> None:
+        shown = self._shown
+        if shown is None or shown.running.number != running.number:
+            return
+        sample = tick.state.sample
+        with self._server.atomic():
+            self._yumi.pose(sample.joints_rad)
+            shown.parts.pose(tick.parts)
+            self._draw_force(shown, sample.position_m, sample.force_N)
+            self._draw_skill(shown, tick.state.skill)
+            self._draw_done(shown, sample.position_m)
+            self._tool_m = sample.position_m
+            if self._gizmo is not None and self._pulled_to_m is None:
+                self._gizmo.position = sample.position_m
+            self._push()
+
+    def _draw_force(self, shown: _Shown, tool_m: Array, force_N: Array) -> None:
+        size = float(np.linalg.norm(force_N))
+        seen = size >= LEAST_FORCE_N
+        if seen != shown.arrow.visible:
+            shown.arrow.visible = shown.force.visible = seen
+        if not seen:
+            return
+        tip = tool_m + METRES_PER_NEWTON * force_N
+        shown.arrow.points = np.array([[tool_m, tip]], np.float32)
+        shown.force.position = tip
+        text = f"{size:.1f} N"
+        if shown.force.text != text:
+            shown.force.text = text
+
+    def _draw_skill(self, shown: _Shown, skill: int | None) -> None:
+        """The skill that runs is drawn thicker, and named."""
+        before, shown.skill = shown.skill, skill
+        if before == skill:
+            return
+        planned = shown.running.plan.planned
+        for number in (before, skill):
+            if number is not None:
+                self._draw_path(number, planned[number], shown.running, now=number == skill)
+        shown.name.visible = skill is not None
+        if skill is not None:
+            path = path_of_skill(shown.running.plan, planned[skill].skill)
+            shown.name.text = planned[skill].name
+            shown.name.position = path[len(path) // 2]
+
+    def _draw_path(self, number: int, one: PlannedSkill, running: Running, *, now: bool) -> None:
+        path = path_of_skill(running.plan, one.skill)
+        points = path[np.unique(np.linspace(0, len(path) - 1, 60).astype(int))]
+        if float(np.linalg.norm(np.ptp(points, axis=0))) < 1e-4:
+            return
+        self._server.scene.add_line_segments(
+            f"{ROOT}/ghost/{number}",
+            np.stack([points[:-1], points[1:]], axis=1).astype(np.float32),
+            np.array(_color(one) if now else IDLE, np.uint8),
+            thickness=_NOW_M if now else _GHOST_M,
+        )
+
+    def _draw_done(self, shown: _Shown, tool_m: Array) -> None:
+        """Another piece of the path that was run, once the tool has moved so far."""
+        last = shown.last_m
+        if last is None:
+            shown.last_m = tool_m
+            return
+        if float(np.linalg.norm(tool_m - last)) < PIECE_M:
+            return
+        planned = shown.running.plan.planned
+        one = planned[shown.skill] if shown.skill is not None else None
+        self._server.scene.add_line_segments(
+            f"{ROOT}/done/{shown.piece}",
+            np.array([[last, tool_m]], np.float32),
+            np.array(IDLE if one is None else _color(one), np.uint8),
+            thickness=_DONE_M,
+        )
+        shown.piece += 1
+        shown.last_m = tool_m
+
+    def _remove(self) -> None:
+        if self._shown is None:
+            return
+        with self._server.atomic():
+            self._shown = None
+            if self._gizmo is not None:
+                self._gizmo.remove()
+                self._gizmo = None
+            self._server.scene.remove_by_name(ROOT)
+            self._yumi.give_back()
+            self._scene.uncover()
+        self._server.flush()
+
+    def _add_arrow(self) -> viser.ArrowsHandle:
+        return self._server.scene.add_arrows(
+            f"{ROOT}/force",
+            np.array([[[0.0, 0.0, 0.0], [0.0, 0.0, 0.01]]], np.float32),
+            np.array(_ARROW, np.uint8),
+            shaft_radius=0.004,
+            head_radius=0.009,
+            head_length=0.02,
+            visible=False,
+        )
+
+    # -- pushing
+
+    def _show_gizmo(self) -> None:
+        wanted = self._offered and self._shown is not None
+        if wanted and self._gizmo is None:
+            self._gizmo = self._add_gizmo()
+        elif not wanted and self._gizmo is not None:
+            self._gizmo.remove()
+            self._gizmo = None
+
+    def _add_gizmo(self) -> viser.TransformControlsHandle:
+        gizmo = self._server.scene.add_transform_controls(
+            f"{ROOT}/push",
+            scale=_GIZMO_M,
+            disable_rotations=True,
+            depth_test=False,
+            position=self._tool_m,
+        )
+
+        @gizmo.on_update
+        async def _(event: viser.TransformControlsEvent) -> None:
+            if event.phase == "end":
+                self._pulled_to_m = None
+                self._session.push(np.zeros(3))
+            else:
+                self._pulled_to_m = np.array(event.target.position)
+                self._push()
+
+        return gizmo
+
+    def _push(self) -> None:
+        """The spring between tool and gizmo, which is stretched as either of them moves."""
+        if self._pulled_to_m is not None:
+            self._session.push(STIFFNESS_N_M * (self._pulled_to_m - self._tool_m))
+
+
+def _color(one: PlannedSkill) -> Rgb:
+    return painted(IDLE if one.color is None else segment_color(one.color, True))

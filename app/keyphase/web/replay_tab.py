@@ -1,0 +1,200 @@
+"""The Replay tab of viser's panel: the world, the run, and what became of each skill."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any, get_args
+
+import viser
+
+from keyphase.simulation.replay_result import SkillResult
+from keyphase.web.opened import Opened
+from keyphase.web.replay_session import ReplaySession, ReplayView, Running
+from keyphase.web.replay_settings import SPEEDS, WORKCELLS, EndBy, ReplaySettings
+from keyphase.web.telling import Telling
+from keyphase.web.views import View
+
+HIGHEST_MM = 20.0
+FURTHEST_ASIDE_MM = 10.0
+
+_WORKCELL_HINT = "The workcell the plan runs in."
+_HEIGHT_HINT = "The table with all on it is higher than it was, mm."
+_ASIDE_HINT = "The part to be met lies aside, mm."
+_END_HINT = (
+    "contact: skills that met a contact end at it again; configuration: all skills end at their "
+    "demonstrated pose, whatever is touched."
+)
+_PUSH_HINT = "Arrows at the tool: drag them, and a spring pulls the tool along while it runs."
+_NOTHING = "Run replays the plan: every kept segment, in its order."
+
+
+class ReplayTab(ReplayView):
+    """Controls of one replay session; add it inside a tab.
+
+    `offer_push` shows the gizmo or hides it.
+    """
+
+    def __init__(
+        self,
+        server: viser.ViserServer,
+        session: ReplaySession,
+        telling: Telling,
+        offer_push: Callable[[bool], None],
+    ) -> None:
+        self._gui, self._session, self._telling = server.gui, session, telling
+        with self._gui.add_folder("Workcell"):
+            self._workcell = self._choice("Scene", WORKCELLS, "workcell", _WORKCELL_HINT)
+            self._height = self._millimetres(
+                "Part height", HIGHEST_MM, "part_height_m", _HEIGHT_HINT
+            )
+            self._aside = self._millimetres(
+                "Part aside", FURTHEST_ASIDE_MM, "part_aside_m", _ASIDE_HINT
+            )
+            self._end_by = self._choice("End by", get_args(EndBy), "end_by", _END_HINT)
+        with self._gui.add_folder("Run"):
+            low, high = SPEEDS
+            self._speed = self._gui.add_slider("Speed", low, high, 0.05, 1.0, hint="× real time.")
+            self._on_change(self._speed, lambda value: self._configure(speed=float(value)))
+            self._run = self._button("Run", self._run_or_pause, icon="player-play")
+            self._step = self._button("Step", session.next_skill, icon="player-skip-forward")
+            self._stop = self._button("Stop", session.stop, icon="player-stop", color="red")
+            push = self._gui.add_checkbox("Push gizmo", False, hint=_PUSH_HINT)
+            self._on_change(push, offer_push)
+        self._table = self._gui.add_markdown(_NOTHING)
+        self._keep = self._button("Open its recording", session.keep, visible=False)
+        self._leave = self._button("Back to the demonstration", session.leave, visible=False)
+        self._stop.disabled = True
+
+    def show_settings(self, settings: ReplaySettings) -> None:
+        """Show what was chosen."""
+        _set(self._workcell, settings.workcell)
+        _set(self._end_by, settings.end_by)
+        _set(self._speed, settings.speed)
+        _set(self._height, round(1e3 * settings.part_height_m, 3))
+        _set(self._aside, round(1e3 * settings.part_aside_m, 3))
+
+    def show_begun(self, running: Running) -> None:
+        """A replay begins."""
+        self.show_status(running)
+
+    def show_status(self, running: Running) -> None:
+        """What has ended so far, and what can be done now."""
+        is_over = running.phase == "over"
+        label = {"running": "Pause", "paused": "Go on", "over": "Run again"}[running.phase]
+        _put(self._run, "label", label)
+        _put(self._run, "icon", "player-pause" if label == "Pause" else "player-play")
+        _put(self._stop, "disabled", is_over)
+        _put(self._keep, "visible", is_over and running.result is not None)
+        _put(self._leave, "visible", is_over)
+        _put(self._table, "content", outcome_table(running))
+
+    def show_closed(self) -> None:
+        """Nothing runs."""
+        _put(self._run, "label", "Run")
+        _put(self._run, "icon", "player-play")
+        _put(self._stop, "disabled", True)
+        _put(self._table, "content", _NOTHING)
+        for button in (self._keep, self._leave):
+            _put(button, "visible", False)
+
+    # -- hearing what a person does
+
+    def _run_or_pause(self) -> None:
+        running = self._session.running
+        if running is not None and running.phase == "running":
+            self._session.pause()
+        else:
+            self._session.go_on()
+
+    def _configure(self, **chosen: Any) -> None:
+        self._session.configure(lambda settings: replace(settings, **chosen))
+
+    # -- building
+
+    def _choice(
+        self, label: str, options: tuple[str, ...], name: str, hint: str
+    ) -> viser.GuiDropdownHandle[Any]:
+        dropdown = self._gui.add_dropdown(label, options, initial_value=options[0], hint=hint)
+        self._on_change(dropdown, lambda value: self._configure(**{name: value}))
+        return dropdown
+
+    def _millimetres(self, label: str, most: float, name: str, hint: str) -> Any:
+        slider = self._gui.add_slider(f"{label}, mm", -most, most, 0.5, 0.0, hint=hint)
+        self._on_change(slider, lambda value: self._configure(**{name: 1e-3 * float(value)}))
+        return slider
+
+    def _button(self, label: str, act: Callable[[], None], **look: Any) -> viser.GuiButtonHandle:
+        button = self._gui.add_button(label, **look)
+
+        @button.on_click
+        def _(_event: viser.GuiEvent[Any]) -> None:
+            self._safely(act)
+
+        return button
+
+    def _on_change(self, control: Any, act: Callable[[Any], None]) -> None:
+        @control.on_update
+        def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client is not None:
+                self._safely(lambda: act(control.value))
+
+    def _safely(self, act: Callable[[], None]) -> None:
+        try:
+            act()
+        except Exception as error:
+            self._telling.report(error)
+
+
+class ReplayCloser(View):
+    """Shows a replay no more when a person turns to another recording."""
+
+    def __init__(self, session: ReplaySession) -> None:
+        self._session = session
+
+    def show_document(self, opened: Opened) -> None:
+        """This recording is to be seen; its workcell is proposed."""
+        running = self._session.running
+        if running and running.opened.demonstration is not opened.demonstration:
+            self._session.leave()
+        self._session.propose(opened.demonstration)
+
+
+def outcome_table(running: Running) -> str:
+    """A line for each skill that began: its outcome, how long it took, its largest force.
+
+    Nothing but our own words and numbers: what people wrote must not reach Markdown unescaped.
+    """
+    lines = ["| Skill | Outcome | Time | Peak |", "|:--|:--|--:|--:|"]
+    results = running.run.replay.results
+    lines += [_line(running, result) for result in results]
+    if running.phase != "over" and len(results) < len(running.plan.planned):
+        lines.append(f"| {_name(running, len(results))} | *{running.phase}* | | |")
+    if running.result is not None:
+        verdict = "Success" if running.result.succeeded else "No success"
+        goals = ", ".join(
+            f"{name} {'✓' if holds else '✗'}" for name, holds in running.result.checks.items()
+        )
+        lines.append(f"\n**{verdict}**: {goals}")
+    return "\n".join(lines)
+
+
+def _line(running: Running, result: SkillResult) -> str:
+    time_s = result.end_s - result.start_s
+    return (
+        f"| {_name(running, result.skill)} | {result.outcome or 'stopped'} "
+        f"| {time_s:.2f} s | {result.peak_force_N:.1f} N |"
+    )
+
+
+def _name(running: Running, skill: int) -> str:
+    segment = running.plan.planned[skill].segment
+    return "connect" if segment is None else f"segment {segment + 1}"
+
+
+def _set(control: Any, value: Any) -> None:
+    if control.value != value:
+        control.value = value
+
+
+def _put(control: Any, name: str, value: Any) -> None:
+    if getattr(control, name) != value:
+        setattr(control, name, value)
