@@ -10,6 +10,7 @@ import msgspec
 from msgspec import Meta, Struct
 
 from keyphase.errors import RequestError
+from keyphase.web.replay_settings import SPEEDS, Action
 
 _Time = Annotated[float, Meta(ge=-1e9, le=1e10)]
 _Value = Annotated[float, Meta(ge=-1e12, le=1e12)]
@@ -142,6 +143,13 @@ class Theme(_Request, tag="theme", frozen=True):
     dark: bool
 
 
+class Replay(_Request, tag="replay", frozen=True):
+    """Begin, steer or end a replay of the plan."""
+
+    do: Action
+    speed: Annotated[float, Meta(ge=SPEEDS[0], le=SPEEDS[1])] | None = None
+
+
 class Latency(_Request, tag="latency", frozen=True):
     """How long it took from an input event to the first frame that shows what it did."""
 
@@ -169,6 +177,7 @@ Request = (
     | Export
     | Show
     | Theme
+    | Replay
     | Latency
 )
 

@@ -80,8 +80,17 @@ def _show(session: Session, request: ask.Request, page: Page) -> None:
             session.show(request.what, request.visible)
         case ask.Theme():
             session.set_theme(request.dark)
+        case ask.Replay():
+            _replay(session, request)
         case ask.Latency():
             session.latencies_ms.append(request.milliseconds)
+
+
+def _replay(session: Session, request: ask.Replay) -> None:
+    speed = request.speed
+    if speed is not None:
+        session.replay.configure(lambda settings: replace(settings, speed=speed))
+    session.replay.do(request.do)
 
 
 def _set(session: Session, request: ask.Set, page: Page) -> None:
