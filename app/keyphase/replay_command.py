@@ -142,9 +142,10 @@ class ReplaySegments:
         from keyphase.whole_file import write_whole
 
         worlds = drawn_worlds(self._worlds(), self.trials, self.seed)
-        with tqdm(total=self.trials, unit="world", disable=None) as bar:
+        with tqdm(unit="world", disable=None) as bar:
 
             def progress(done: int, total: int) -> None:
+                bar.total = total
                 bar.update(done - bar.n)
 
             trials = run_trials(

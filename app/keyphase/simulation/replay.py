@@ -14,9 +14,10 @@ from keyphase.errors import SimulationError
 from keyphase.segmentation.end_condition import AFTER_S
 from keyphase.simulation.impedance import Reference
 from keyphase.simulation.replay_contact import (
+    AfterContact,
     KeptContact,
+    after_contact,
     kept_contact,
-    met_contact,
     square,
 )
 from keyphase.simulation.replay_hand import Hand
@@ -99,6 +100,7 @@ class Replay:
         self._reference = simulation.here()
         self._run: SkillRun | None = None
         self._outcome: Outcome | None = None
+        self._after: AfterContact
         self._stage_ticks = 0
         self._sample = simulation.step(self._reference)
         self._begin(_AT_REST)
@@ -168,22 +170,27 @@ class Replay:
             assert self._run is not None
             self._outcome = self._run.outcome(self._sample, waits=self._hand.is_on)
             if self._outcome == "contact":
-                self._press()
+                self._meet()
             elif self._outcome is not None:
-                self._end_skill()
+                self._end_skill(self._carried())
         elif self._stage == "pressing":
             if self._has_settled():
-                self._end_skill()
+                self._shift = self._after.shift(self._sample.position_m, self._shift)
+                self._end_skill(_AT_REST)
         elif self._stage_ticks * STEP_S >= REST_S:
             self._stage = "over"
 
-    def _press(self) -> None:
-        """A contact was met: press it as the demonstration did."""
+    def _meet(self) -> None:
+        """A contact was met: press it as the demonstration did, or move on as it did."""
         assert self._run is not None
-        contact = met_contact(self.demonstration, self._run.skill, self._sample.position_m)
-        contact = contact and square(contact, self._kept)
-        self._kept = (*self._kept, *([contact] if contact else []))
-        self._enter("pressing")
+        self._after = after_contact(self.demonstration, self._run.skill)
+        contact = square(self._after.kept(self._sample.position_m), self._kept)
+        if not self._after.stayed or contact is None:
+            self._shift = shift_after(self._run.skill, self._sample.position_m, self._shift)
+            self._end_skill(self._carried())
+        else:
+            self._kept = (*self._kept, contact)
+            self._enter("pressing")
 
     def _has_settled(self) -> bool:
         least_s, most_s = PRESSED_S
@@ -191,12 +198,8 @@ class Replay:
         speed = float(np.linalg.norm(self.simulation.tool_velocity()[:3]))
         return time_s >= most_s or (time_s >= least_s and speed < STILL_M_S)
 
-    def _end_skill(self) -> None:
-        """Note how the skill ended; begin the next one, or rest."""
-        assert self._run is not None
-        met = self._outcome == "contact"
-        if met:
-            self._shift = shift_after(self._run.skill, self._sample.position_m, self._shift)
+    def _end_skill(self, velocity: Array) -> None:
+        """Note how the skill ended; begin the next one with a velocity (6,), or rest."""
         self._note_result(self._outcome)
         if not went_on(self.results[-1]):
             # What was not expected is not pressed on against.
@@ -205,7 +208,7 @@ class Replay:
         elif len(self.results) == len(self.skills):
             self._rest()
         else:
-            self._begin(_AT_REST if met else self._carried())
+            self._begin(velocity)
 
     def _begin(self, velocity: Array) -> None:
         """Begin the next skill, taking over a velocity (6,)."""
@@ -230,7 +233,7 @@ class Replay:
         self._stage, self._stage_ticks = stage, 0
 
     def _carried(self) -> Array:
-        """The velocity of the reference, without what contacts take up."""
+        """The velocity (6,) of the reference."""
         velocity = self._reference.velocity_m_s
         return np.concatenate((velocity, self._reference.angular_velocity_rad_s))
 

@@ -18,8 +18,11 @@ LEAST_FORCE_N = 0.5
 """A demonstration that presses less than this keeps no contact."""
 
 LARGEST_DEPTH_M = 0.005
-LARGEST_SLOPE = 0.1
+LARGEST_SLOPE = 0.2
 """A contact is kept by a skill that moves less than this, or this part of its way, along it."""
+
+STAYED_WITHIN_M = 0.002
+"""A demonstration that moved less than this after a contact stayed in it."""
 
 FURTHEST_M = 0.01
 """How far beyond the place where it was met a contact is followed."""
@@ -55,6 +58,35 @@ class KeptContact:
         return min(here, float(self.met_m @ self.direction) + FURTHEST_M)
 
 
+@dataclass(frozen=True, eq=False)
+class AfterContact:
+    """What a demonstration did right after a contact.
+
+    direction   (3,) unit vector in which it pressed
+    force_N     how hard
+    position_m  (3,) where the tool was
+    stayed      whether it stayed there and pressed; else it moved on in that direction
+    """
+
+    direction: Array
+    force_N: float
+    position_m: Array
+    stayed: bool
+
+    def kept(self, met_m: Array) -> KeptContact:
+        """The contact, met at `met_m` (3,), pressed as it was demonstrated."""
+        return KeptContact(self.direction, met_m, np.array([self.force_N]))
+
+    def shift(self, ended_m: Array, shift_m: Array) -> Array:
+        """How far (3,) what follows is moved, for a tool that pressed at `ended_m` (3,).
+
+        Like `keyphase.skills.skill.shift_after`, but against where the demonstration pressed:
+        that is there to the tenth of a millimetre, whenever exactly the segment was cut.
+        """
+        away = ended_m - shift_m - self.position_m
+        return shift_m + float(away @ self.direction) * self.direction
+
+
 def pressing_direction(skill: Skill) -> Array:
     """Unit vector (3,) in which a contact-terminated skill presses.
 
@@ -67,19 +99,23 @@ def pressing_direction(skill: Skill) -> Array:
     return travel if float(travel @ against) > _AGAINST_FORCE else against
 
 
-def met_contact(demonstration: Demonstration, skill: Skill, met_m: Array) -> KeptContact | None:
-    """The contact a skill has just met, pressed as the demonstration pressed right after it.
+def after_contact(demonstration: Demonstration, skill: Skill) -> AfterContact:
+    """What the demonstration did right after the contact that ends `skill`.
 
-    None where the demonstration did not press on.
+    Judged over the time that its end condition's force step was, too.
     """
     assert skill.demonstrated_s is not None
     direction = pressing_direction(skill)
     end_s = skill.demonstrated_s[1]
-    windows = [(end_s + AFTER_S[0], end_s + AFTER_S[1]), (end_s + LAST_S[0], end_s)]
-    force = next((f for w in windows if len(f := _pressed(demonstration, w, direction))), None)
-    if force is None or float(force.mean()) < LEAST_FORCE_N:
-        return None
-    return KeptContact(direction, met_m, force.mean(keepdims=True))
+    inside = _inside(demonstration, (end_s + AFTER_S[0], end_s + AFTER_S[1]))
+    if inside.stop <= inside.start:
+        inside = _inside(demonstration, (end_s + LAST_S[0], end_s))
+    path, force = demonstration.position_m[inside], demonstration.force_N
+    if force is None or not len(path):
+        return AfterContact(direction, 0.0, skill.end_position_m, stayed=False)
+    pressed = -float((force[inside] @ direction).mean())
+    stayed = pressed >= LEAST_FORCE_N and float(np.ptp(path @ direction)) <= STAYED_WITHIN_M
+    return AfterContact(direction, pressed, path.mean(axis=0), stayed)
 
 
 def kept_contact(

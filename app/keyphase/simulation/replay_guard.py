@@ -14,8 +14,8 @@ from keyphase.skills.coupling import State
 from keyphase.skills.primitive import tau_of
 from keyphase.skills.skill import Skill
 
-LEAST_SPEED_M_S = 0.02
-"""No contact is approached slower than this because of the guard."""
+SPEED_M_S = (0.02, 0.04)
+"""A contact is approached at least and at most this fast; the impedance is soft enough for that."""
 
 BRAKE_M_S2 = 0.5
 """How hard the guard brakes before the guarded stretch."""
@@ -68,11 +68,11 @@ def guard_of(skill: Skill, shift_m: Array) -> Guard | None:
         return None
     start_s, end_s = skill.demonstrated_s
     brake_s = skill.primitive.duration_s - (end_s - start_s)
-    speed = 2.0 * skill.offset_m / brake_s if brake_s > 0.0 else LEAST_SPEED_M_S
+    speed = 2.0 * skill.offset_m / brake_s if brake_s > 0.0 else SPEED_M_S[0]
     return Guard(
         contact_m=skill.end_position_m + shift_m,
         direction=np.asarray(skill.travel_direction),
         stretch_m=skill.offset_m,
-        speed_m_s=max(speed, LEAST_SPEED_M_S),
+        speed_m_s=min(max(speed, SPEED_M_S[0]), SPEED_M_S[1]),
         tau=float(tau_of(skill.primitive.duration_s)),
     )
