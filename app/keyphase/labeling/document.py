@@ -83,6 +83,13 @@ class Document:
             return self
         return self._with("Reset parameters", ParameterChange({}))
 
+    def share_parameters(self) -> "Document":
+        """With the parameters in force as its folder's, and none of its own any more."""
+        shared = self.with_shared(self.parameters)
+        if not self.own_parameters:
+            return shared
+        return shared._with("Parameters for all recordings", ParameterChange({}))
+
     def with_shared(self, shared: Parameters) -> "Document":
         """Under other parameters of the folder; not a step of this recording's history."""
         return replace(self, shared=shared)

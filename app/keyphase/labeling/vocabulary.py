@@ -49,13 +49,17 @@ class Vocabulary:
         """The colour of a label, None for one that is not in the vocabulary."""
         return next((label.color for label in self.labels if label.name == name), None)
 
-    def with_label(self, name: str) -> "Vocabulary":
-        """With one label more, in the colour least used; the same if it is there already."""
+    def with_label(self, name: str, color: str | None = None) -> "Vocabulary":
+        """With one label more, in `color` where no other has it, else in the colour least used.
+
+        The same if it is there already.
+        """
         name = check_label(name)
         if not name or self.color(name) is not None or len(self.labels) == MOST_LABELS:
             return self
         used = [label.color.upper() for label in self.labels]
-        color = min(COLORS, key=used.count)
+        if color is None or color.upper() in used:
+            color = min(COLORS, key=used.count)
         return replace(self, labels=(*self.labels, VocabularyLabel(name, color)))
 
     def without_label(self, name: str) -> "Vocabulary":

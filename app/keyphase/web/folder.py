@@ -9,7 +9,8 @@ from keyphase.labeling.folder_settings import (
     read_folder_settings,
     write_folder_settings,
 )
-from keyphase.labeling.vocabulary import Vocabulary
+from keyphase.labeling.labeling import Labeling
+from keyphase.labeling.vocabulary import COLORS, Vocabulary
 from keyphase.segmentation import Parameters
 
 
@@ -26,9 +27,13 @@ class Folder:
         """What its recordings share."""
         return self._settings
 
-    def learn(self, label: str) -> None:
-        """Put a label into the vocabulary. Raises JournalError where it cannot be kept."""
-        self._change_vocabulary(self._settings.vocabulary.with_label(label))
+    def learn(self, label: str, color: int) -> None:
+        """Put a label into the vocabulary, if it can be in the colour its segment has.
+
+        Raises JournalError where it cannot be kept.
+        """
+        preferred = COLORS[color % len(COLORS)]
+        self._change_vocabulary(self._settings.vocabulary.with_label(label, preferred))
 
     def forget(self, label: str) -> None:
         """Take a label out of the vocabulary; segments that have it keep it."""
@@ -37,6 +42,21 @@ class Folder:
     def share(self, parameters: Parameters) -> None:
         """Give all its recordings other parameters. Raises JournalError likewise."""
         self._change(replace(self._settings, parameters=parameters))
+
+    def colored(self, labeling: Labeling) -> Labeling:
+        """The labeling with segments named by the vocabulary in the colours of their names."""
+        colors = {
+            label.name: COLORS.index(label.color.upper())
+            for label in self._settings.vocabulary.labels
+            if label.color.upper() in COLORS
+        }
+        segments = tuple(
+            segment
+            if segment.proposed
+            else replace(segment, color=colors.get(segment.label, segment.color))
+            for segment in labeling.segments
+        )
+        return replace(labeling, segments=segments)
 
     def _change_vocabulary(self, vocabulary: Vocabulary) -> None:
         if vocabulary is not self._settings.vocabulary:

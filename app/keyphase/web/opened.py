@@ -9,7 +9,7 @@ from keyphase.labeling.document import Document
 from keyphase.labeling.edits import Edit, Label
 from keyphase.labeling.journal import Journal
 from keyphase.labeling.label import label
-from keyphase.labeling.labeling import Labeling
+from keyphase.labeling.labeling import LabeledSegment, Labeling
 from keyphase.labeling.spreading import Change, preview
 from keyphase.segmentation import Parameters, Segmenter
 from keyphase.web.document_message import document_message, least_confidence, strip
@@ -74,14 +74,15 @@ class Opened:
             self._keep(self.document.set_parameters(automatic))
 
     def apply(self, edit: Edit) -> None:
-        """Apply one edit; a new name goes into the vocabulary.
+        """Apply one edit; a name a person made up goes into the vocabulary.
 
         Raises LabelingError where it cannot be made.
         """
         self.keep_parameters()
-        self._keep(self.document.apply(edit, self.labeling))
-        if isinstance(edit, Label) and edit.label:
-            self.folder.learn(edit.label)
+        before = self.labeling
+        self._keep(self.document.apply(edit, before))
+        if isinstance(edit, Label):
+            self._learn(edit.label.strip(), before.segments[before.segment_at(edit.time_s)])
 
     def preview_shared(self, shared: Parameters) -> Change:
         """What it would do to this recording if its folder had other parameters."""
@@ -89,10 +90,13 @@ class Opened:
         return preview(self.document, shared, segmenter.segment, segmenter.segment_between)
 
     def share_parameters(self) -> None:
-        """Give the folder the parameters that are shown. Raises JournalError where it cannot."""
+        """Give the folder the parameters that are shown; this recording has none of its own then.
+
+        Raises JournalError where that cannot be kept.
+        """
         self.keep_parameters()
         self.folder.share(self.parameters)
-        self._keep(self.document.with_shared(self.parameters))
+        self._keep(self.document.share_parameters())
 
     def undo(self) -> None:
         """Take the last step back. Raises LabelingError where there is none."""
@@ -151,9 +155,22 @@ class Opened:
         self.parameters = document.parameters
         self.labeling = self.kept_labeling = self._labeling_under(self.parameters)
 
+    def recolor(self) -> None:
+        """Give segments the colours their names have in the folder's vocabulary by now."""
+        same = self.kept_labeling is self.labeling
+        self.labeling = self.folder.colored(self.labeling)
+        self.kept_labeling = self.labeling if same else self.folder.colored(self.kept_labeling)
+
+    def _learn(self, name: str, segment: LabeledSegment) -> None:
+        """An accepted proposal is no word of the person's own, so it is not learnt."""
+        if name and name != segment.label:
+            self.folder.learn(name, segment.color)
+            self.recolor()
+
     def _labeling_under(self, parameters: Parameters) -> Labeling:
         segmentation = self._segmenter.segment(parameters)
-        return label(segmentation, self.document.edits, self._segmenter.segment_between)
+        labeling = label(segmentation, self.document.edits, self._segmenter.segment_between)
+        return self.folder.colored(labeling)
 
     def _folder_notices(self) -> list[str]:
         notice = self.folder.settings.notice

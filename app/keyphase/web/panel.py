@@ -148,8 +148,6 @@ class Panel(View):
                 self._add_shown(name)
         reset = self._gui.add_button("Reset to automatic", hint="All parameters as they were.")
         self._on_click(reset, lambda: self._session.change(Opened.reset_parameters))
-        spread = self._gui.add_button("Apply to all…", hint=_SPREAD_HINT)
-        self._on_click(spread, lambda: self._session.queue.preview_spread(self._session.current()))
         spread = self._gui.add_button(
             "Apply to all…",
             hint="Give these parameters to all recordings of the folder, after a look at what "
@@ -238,7 +236,6 @@ _ESTIMATOR_HINT = (
     "Where between two Gaussians a boundary lies: equally far from both in time, or where the "
     "later one begins to weigh more."
 )
-_SPREAD_HINT = "Shows first what these parameters would change in the folder's other recordings."
 _EXPORTS = (
     ("Segment file (JSON)", "json", "Boundaries, segments, end conditions and plan."),
     ("Table (CSV)", "csv", "One line for each segment."),

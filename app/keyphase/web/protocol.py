@@ -76,9 +76,9 @@ class ForgetLabel(_Request, tag="forget_label", frozen=True):
 
 
 class Spread(_Request, tag="spread", frozen=True):
-    """Give these parameters to all recordings of the folder, or tell what that would do."""
+    """Tell what these parameters would do to all recordings of the folder; do it; or never mind."""
 
-    apply: bool = False
+    step: Literal["look", "apply", "leave"]
 
 
 class Compare(_Request, tag="compare", frozen=True):

@@ -55,7 +55,7 @@ def _do(session: Session, request: ask.Request, page: Page) -> None:
         case ask.Export():
             session.export(request.format)
         case ask.Spread():
-            _spread(session, apply=request.apply)
+            _spread(session, request.step)
         case ask.Compare():
             page.send(comparison_message(session.current(), request.other))
         case ask.Upload():
@@ -115,15 +115,17 @@ def _send_signals(session: Session, request: ask.Signals, page: Page) -> None:
     page.send(frame)
 
 
-def _spread(session: Session, *, apply: bool) -> None:
+def _spread(session: Session, step: str) -> None:
     def share(opened: Opened) -> None:
         opened.share_parameters()
         session.queue.follow_folder(opened)
 
-    if apply:
-        session.change(share)
-    else:
+    if step == "look":
         session.queue.preview_spread(session.current())
+        return
+    session.queue.leave_spread()
+    if step == "apply":
+        session.change(share)
 
 
 def _begin_upload(session: Session, request: ask.Upload, page: Page) -> None:
