@@ -20,6 +20,9 @@ Array = NDArray[np.float64]
 UNIT_TOLERANCE = 1e-3
 """How far a quaternion's norm may be from one before it is refused rather than normalised."""
 
+LARGEST = 1e9
+"""No pose or wrench in SI units is larger; what is has been read in the wrong unit or type."""
+
 _CHANNELS: Mapping[str, int | None] = {
     "position_m": 3,
     "orientation_wxyz": 4,
@@ -142,6 +145,7 @@ def _checked_channel(
             f"but has shape {array.shape}."
         )
     _refuse_not_finite(array, channel, name)
+    _refuse_absurd(array, channel, name)
     return array
 
 
@@ -154,6 +158,16 @@ def _refuse_not_finite(array: Array, channel: str, name: str) -> None:
         raise DemonstrationError(
             f"{name}: {channel} must be finite, but {where} holds {value}; "
             "cut the samples that were not measured or fill them before reading."
+        )
+
+
+def _refuse_absurd(array: Array, channel: str, name: str) -> None:
+    large = np.abs(array) > LARGEST
+    if large.any():
+        row, column = (int(i) for i in np.argwhere(large)[0])
+        raise DemonstrationError(
+            f"{name}: {channel} must lie within {LARGEST:g} in SI units, but row {row}, column "
+            f"{column} holds {array[row, column]:g}; check the column's unit and type."
         )
 
 
