@@ -22,7 +22,7 @@ function contentFor({ items }, connected, progress, greeted, actions) {
   if (!items.length) return noRecording();
   const broken = items.find(({ error }) => error);
   if (broken) return unreadable(broken, items, actions);
-  return { nodes: [el("h2", { text: "Choose a recording" }), el("p", { text: "The recordings of this folder are listed at the left." })] };
+  return { nodes: [el("h2", { text: "Opening" }), el("p", { text: items[0].name })] };
 }
 
 function notConnected() {

@@ -6,6 +6,7 @@ import { shortName } from "./names.js";
 import { segmentFill } from "./timeline/band.js";
 
 const CLICK_PX = 4;
+const MOST_CHIPS = 150;
 
 /**
  * @param {import("./store.js").Store} store
@@ -22,13 +23,14 @@ export function createPlan(store, actions) {
     if (!doc) return void [summary, chips, drops].forEach((node) => node.replaceChildren());
     summary.textContent = describe(doc, state.small);
     const order = planDrag ? planDrag.order : doc.plan.map((_, k) => k);
-    const nodes = order.flatMap((k, place) => {
+    const nodes = order.slice(0, MOST_CHIPS).flatMap((k, place) => {
       const entry = doc.plan[k];
       const chip = drawChip(entry, k, doc, selected, state);
       const dragged = planDrag && place === planDrag.place;
       if (dragged) chip.classList.add("dragged");
       return [place ? between(entry, planDrag) : null, chip];
     });
+    if (order.length > MOST_CHIPS) nodes.push(el("span", { class: "plan-note", text: `and ${order.length - MOST_CHIPS} more` }));
     chips.replaceChildren(...nodes.filter(Boolean));
     if (!doc.plan.length) chips.replaceChildren(el("span", { class: "plan-note", text: "No segment is kept: nothing would run." }));
     drops.replaceChildren(...drawDrops(doc, state, actions));

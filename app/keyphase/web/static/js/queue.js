@@ -5,6 +5,7 @@ import { byId, el, svg } from "./dom.js";
 import { segmentFill } from "./timeline/band.js";
 
 const UNSURE_BELOW = 0.7;
+const MOST_PIECES = 90;
 const STATES = ["done", "touched", "automatic"];
 
 /**
@@ -66,6 +67,23 @@ function stateMark(state) {
   return mark;
 }
 
+/** A strip of many segments in as many pieces as there are pixels to show them. */
+function coarse(strip) {
+  if (strip.length <= MOST_PIECES) return strip;
+  const pieces = [];
+  let share = 0;
+  let longest = strip[0];
+  for (const piece of strip) {
+    share += piece.share;
+    if (piece.share > longest.share) longest = piece;
+    if (share < 1 / MOST_PIECES) continue;
+    pieces.push({ share, color: longest.color });
+    share = 0;
+    longest = { share: 0, color: null };
+  }
+  return pieces;
+}
+
 function drawRow(item, on, actions) {
   const sure = item.confidence === null ? "" : item.confidence.toFixed(2);
   const low = item.confidence !== null && item.confidence < UNSURE_BELOW && item.state !== "done";
@@ -75,7 +93,7 @@ function drawRow(item, on, actions) {
   }, stateMark(item.state), el("span", { class: "queue-name", text: item.name }), el("span", { class: `queue-confidence ${low ? "low" : ""}`, text: sure }));
   row.append(item.error
     ? el("span", { class: "queue-error", text: "cannot be read" })
-    : el("span", { class: "queue-strip" }, ...item.strip.map(({ share, color }) =>
+    : el("span", { class: "queue-strip" }, ...coarse(item.strip).map(({ share, color }) =>
       el("i", { style: { flex: String(share), background: segmentFill({ color }) } }))));
   return row;
 }

@@ -6,6 +6,7 @@
 import { svg } from "../dom.js";
 import { duration } from "../format.js";
 import { formsOf } from "../names.js";
+import { denseSegments, MOST_IN_DETAIL, segmentsInView } from "./dense.js";
 import { textWidth } from "./text_width.js";
 
 /** As many colours as the palette has before it repeats. */
@@ -36,7 +37,10 @@ export function drawBand(state, scale, row) {
   const box = { top: row.y + 3, height: row.height - 6 };
   const nodes = [svg("rect", { y: row.y, width: scale.width, height: row.height, class: "band-ground" })];
   let ring = null;
+  const dense = segmentsInView(doc.segments, scale).length > MOST_IN_DETAIL;
+  if (dense) nodes.push(...denseSegments(doc.segments, scale, box.top, box.height));
   doc.segments.forEach((segment, index) => {
+    if (segment.end_s < scale.from || segment.start_s > scale.to || (dense && index !== selected)) return;
     const left = Math.max(scale.x(segment.start_s), 0) + 1;
     const right = Math.min(scale.x(segment.end_s), scale.width) - 1;
     if (right - left < 0.5) return;

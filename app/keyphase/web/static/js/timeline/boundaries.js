@@ -2,6 +2,7 @@
 
 import { svg } from "../dom.js";
 import { time as timeText } from "../format.js";
+import { denseBoundaries, MOST_IN_DETAIL } from "./dense.js";
 import { glyph, originColor } from "./glyphs.js";
 import { textWidth } from "./text_width.js";
 
@@ -32,9 +33,10 @@ export function drawIntervals(state, scale, layout, bottom) {
   const top = layout.rows.get("boundaries").y;
   const bandBottom = layout.headHeight;
   const nodes = [];
+  const crowded = countInView(doc, scale) > MOST_IN_DETAIL;
   doc.boundaries.forEach((boundary) => {
     const [low, high] = boundary.interval_s;
-    if (high < scale.from || low > scale.to) return;
+    if (crowded || high < scale.from || low > scale.to) return;
     const left = Math.max(scale.x(low), 0);
     const right = Math.min(Math.max(scale.x(high), left + 3), scale.width);
     nodes.push(svg("rect", { x: left, y: top, width: Math.max(0, right - left), height: bottom - top,
@@ -49,6 +51,10 @@ export function drawIntervals(state, scale, layout, bottom) {
   return nodes;
 }
 
+function countInView({ boundaries }, { from, to }) {
+  return boundaries.filter(({ time_s: time }) => time >= from && time <= to).length;
+}
+
 /** Lines over all tracks, ticks in the band, glyphs and times in the boundaries' own row. */
 export function drawBoundaries(state, scale, layout, bottom) {
   const { document: doc, hovered, current, drag, folded } = state;
@@ -57,9 +63,12 @@ export function drawBoundaries(state, scale, layout, bottom) {
   const lineBottom = folded.has("boundaries") ? layout.headHeight : bottom;
   const texts = createTextRow(scale.width);
   const nodes = [];
-  const seen = doc.boundaries.filter(({ time_s: time }) => time >= scale.from && time <= scale.to).length;
+  const seen = countInView(doc, scale);
   const dense = seen > scale.width / DENSE_PX ? "dense" : "";
+  const crowded = seen > MOST_IN_DETAIL;
+  if (crowded) nodes.push(...denseBoundaries(doc.boundaries, scale, row));
   doc.boundaries.forEach((boundary, index) => {
+    if (crowded && index !== hovered && index !== current) return;
     const time = drag?.boundary === index ? drag.time : boundary.time_s;
     if (boundary.was_s !== null || drag?.boundary === index) {
       const was = drag?.boundary === index ? boundary.time_s : boundary.was_s;

@@ -13,6 +13,8 @@ import { tickLabels } from "./tracks.js";
 import { multiples, tickStep } from "./scale.js";
 
 const FLOOR = 0.3;
+/** Beyond so many peaks in view they lose their texts. */
+const MOST_PEAKS = 150;
 const REASONS = {
   "below ratio": "below the ratio",
   "does not stay": "the force does not stay",
@@ -144,6 +146,7 @@ function drawPeaks(state, scale, y) {
   const inView = peaks.filter(({ bin_time_s: time }) => time >= scale.from && time <= scale.to);
   // Used ones first, then by height: where texts would overlap, the lower peak goes without.
   inView.sort((a, b) => (a.rejection !== "") - (b.rejection !== "") || b.height - a.height);
+  if (inView.length > MOST_PEAKS) return [manyPeaks(inView, scale, y)];
   const taken = inView.map((peak) => ({ left: scale.x(peak.bin_time_s) - 6, right: scale.x(peak.bin_time_s) + 6, y: y(peak.height) + 3 }));
   for (const peak of inView) {
     const x = scale.x(peak.bin_time_s);
@@ -153,6 +156,13 @@ function drawPeaks(state, scale, y) {
     if (text) nodes.push(text);
   }
   return nodes;
+}
+
+/** Used peaks only, small and without their heights. */
+function manyPeaks(peaks, scale, y) {
+  const used = peaks.filter(({ rejection }) => !rejection);
+  const d = used.map((peak) => `M${scale.x(peak.bin_time_s).toFixed(1)} ${(y(peak.height) - 3).toFixed(1)}l3 3-3 3-3-3z`).join("");
+  return svg("path", { d, class: "many-peaks" });
 }
 
 function hollow(x, y) {

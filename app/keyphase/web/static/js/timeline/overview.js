@@ -3,6 +3,7 @@
 import { svg } from "../dom.js";
 import { curvesOf } from "../signals.js";
 import { segmentFill } from "./band.js";
+import { denseSegments, MOST_IN_DETAIL } from "./dense.js";
 import { createScale } from "./scale.js";
 
 const LOWEST = 0.3;
@@ -12,7 +13,9 @@ const wholeScale = ({ document: doc }, width) => createScale({ from: doc.start_s
 /** The segments in small. */
 export function drawOverviewStrip(state, { y, height }, width) {
   const scale = wholeScale(state, width);
-  return state.document.segments.map((segment) => {
+  const { segments } = state.document;
+  if (segments.length > MOST_IN_DETAIL) return denseSegments(segments, scale, y + height - 7, 4);
+  return segments.map((segment) => {
     const x = scale.x(segment.start_s);
     const wide = Math.max(1, scale.x(segment.end_s) - x - 1);
     return svg("rect", { x: x + 0.5, y: y + height - 7, width: wide, height: 4, rx: 1,
