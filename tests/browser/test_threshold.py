@@ -86,7 +86,12 @@ def test_dragging_the_line_moves_the_panels_value(setup1: KeyphasePage) -> None:
     scene = setup1.wait_for_scene()
     row = setup1.row("error")
     x = row.x + 0.5 * row.width
-    setup1.drag((x, line_height(setup1)), (x, line_height(setup1) - 25))
+    target = line_height(setup1) - 25
+    wanted = setup1.page.evaluate(
+        "y => keyphase.timeline.errorAt(y)", target - setup1.box(".surface").y
+    )
+    setup1.drag((x, line_height(setup1)), (x, target))
+    setup1.until(f"Math.abs(keyphase.state.document.threshold / {wanted} - 1) < 0.05")
     threshold = setup1.document["parameters"]["force_threshold"]
     scene.wait_for_function(
         """wanted => [...document.querySelectorAll('input')].some(

@@ -28,8 +28,9 @@ export function denseSegments(segments, scale, top, height) {
   let free = -Infinity;
   for (const segment of segmentsInView(segments, scale)) {
     const left = Math.max(scale.x(segment.start_s), free, 0);
-    const right = Math.min(scale.x(segment.end_s), scale.width);
-    if (right - left < 1) continue;
+    const right = Math.min(Math.max(scale.x(segment.end_s), left + 1), scale.width);
+    // Of several segments within one pixel the first is seen.
+    if (scale.x(segment.end_s) <= free || right <= left) continue;
     free = right;
     const fill = segment.kept ? segmentFill(segment) : "var(--hatch-line)";
     paths.set(fill, `${paths.get(fill) ?? ""}M${left.toFixed(1)} ${top}h${(right - left).toFixed(1)}v${height}h${(left - right).toFixed(1)}z`);

@@ -1,0 +1,180 @@
+"""Recording in the page: the tool is dragged with the mouse, by the gizmo in the scene."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from driver import Box, KeyphasePage, Serve, Visit
+from numpy.typing import NDArray
+
+from keyphase.readers import read
+from keyphase.segmentation import segment
+from keyphase.web.server import PageServer
+from keyphase.web.workcell_scene import GIZMO_M
+
+Vector = NDArray[np.float64]
+
+FORWARD, FORWARD_M = np.array([1.0, 0.0, 0.0]), 0.12
+DOWN, DOWN_M = np.array([0.0, 0.0, -1.0]), 0.115
+"""From its start the tool is dragged forward over the housing, then down onto it and into it."""
+
+CONTACT_WITHIN_S = 0.06
+
+STEPS = 10
+"""Mouse moves of one drag; each costs a frame drawn in software."""
+
+
+class Gizmo:
+    """Where the gizmo's arrows are on the page."""
+
+    def __init__(self, server: PageServer, page: KeyphasePage) -> None:
+        self.server, self.page = server, page
+        (self.camera,) = (client.camera for client in server.viser.get_clients().values())
+
+    def pull(self, axis: Vector, distance_m: float) -> None:
+        """Drag the arrow along a direction of the base frame with the mouse."""
+        at = self.handle.position
+        turned = _rotation(self.handle.wxyz).T @ axis
+        side = np.sign(turned[np.argmax(np.abs(turned))])
+        arrow = at + side * axis * GIZMO_M * 0.93
+        start = self.pixel(arrow)
+        end = self.pixel(arrow + axis * distance_m)
+        self.page.drag(start, end, steps=STEPS)
+
+    @property
+    def handle(self):
+        (gizmo,) = self.server.viser.scene._handle_from_transform_controls_name.values()  # type: ignore
+        return gizmo
+
+    def pixel(self, point_m: Vector) -> tuple[float, float]:
+        """Where a point of the scene is on the page."""
+        found = self.page.scene.locator("canvas").first.bounding_box()
+        assert found is not None
+        box = Box(**found)
+        camera = self.camera
+        forward = _unit(np.asarray(camera.look_at) - camera.position)
+        right = _unit(np.cross(forward, camera.up_direction))
+        up = np.cross(right, forward)
+        away = point_m - camera.position
+        scale = 0.5 * box.height / np.tan(0.5 * camera.fov) / (away @ forward)
+        x, y = box.middle
+        return float(x + scale * (away @ right)), float(y - scale * (away @ up))
+
+
+@pytest.fixture
+def server(tmp_path: Path, serve: Serve) -> PageServer:
+    """A server without any recording; new ones go into the test's folder."""
+    return serve(folder=tmp_path)
+
+
+@pytest.fixture
+def page(server: PageServer, visit: Visit) -> KeyphasePage:
+    """Its page with the Record tab open."""
+    page = visit(server)
+    page.wait_for_scene().get_by_role("tab", name="Record").click()
+    return page
+
+
+def press(page: KeyphasePage, button: str) -> None:
+    page.scene.get_by_role("button", name=button, exact=True).click()
+
+
+def wait_until_at_rest(server: PageServer, page: KeyphasePage, least_s: float) -> None:
+    """Until so much has been simulated from now; the simulation may be slower than the clock."""
+    state = server.lead_through.status().running
+    assert state is not None
+    end_s = state.sample.time_s + least_s
+    while (state := server.lead_through.status().running) and state.sample.time_s < end_s:
+        page.settle()
+
+
+def record_a_contact(server: PageServer, page: KeyphasePage) -> None:
+    press(page, "Record")
+    page.scene.get_by_role("button", name="Stop", exact=True).wait_for()
+    page.wait_for_scene()
+    gizmo = Gizmo(server, page)
+    for axis, distance_m in ((FORWARD, FORWARD_M), (DOWN, DOWN_M)):
+        gizmo.pull(axis, distance_m)
+        wait_until_at_rest(server, page, 0.8)
+    press(page, "Stop")
+    page.wait_for_document()
+
+
+@pytest.mark.slow
+def test_a_contact_made_by_dragging_is_found(
+    tmp_path: Path, server: PageServer, page: KeyphasePage
+) -> None:
+    record_a_contact(server, page)
+    page.picture("recorded")
+    assert page.document["name"] == "setup1_01"
+
+    demonstration = read(tmp_path / "setup1_01.npz")
+    touched_s = demonstration.metadata["ground_truth"]["contact_onsets_s"]["snap"]
+    shown = [b["time_s"] for b in page.document["boundaries"] if b["contact_change"]]
+    assert any(abs(time_s - touched_s) < CONTACT_WITHIN_S for time_s in shown)
+    found = [b.time_s for b in segment(demonstration).boundaries if b.contact_change]
+    assert shown == pytest.approx(found)
+
+
+@pytest.mark.slow
+def test_the_force_is_seen_while_pressing(server: PageServer, page: KeyphasePage) -> None:
+    press(page, "Open workcell")
+    page.scene.get_by_role("button", name="Close workcell", exact=True).wait_for()
+    page.wait_for_scene()
+    arrow = "#e8590c"
+    scene = page.box("#viser")
+    before = page.picture("free").count(arrow, scene, tolerance=40)
+    gizmo = Gizmo(server, page)
+    for axis, distance_m in ((FORWARD, FORWARD_M), (DOWN, DOWN_M)):
+        gizmo.pull(axis, distance_m)
+        wait_until_at_rest(server, page, 0.8)
+    page.settle()
+    assert page.picture("pressing").count(arrow, scene, tolerance=40) > before + 300
+    said = page.scene.get_by_label("Force").first.input_value()
+    assert float(said.removesuffix(" N")) > 5.0
+
+
+@pytest.mark.slow
+def test_a_take_is_undone_and_brought_back(
+    tmp_path: Path, server: PageServer, page: KeyphasePage
+) -> None:
+    press(page, "Record")
+    page.scene.get_by_role("button", name="Stop", exact=True).wait_for()
+    wait_until_at_rest(server, page, 2.0)
+    press(page, "Stop")
+    page.wait_for_document()
+    press(page, "Undo last take")
+    page.until("keyphase.state.recordings.items.length === 0")
+    assert not (tmp_path / "setup1_01.npz").exists()
+    press(page, "Bring back take")
+    page.until("keyphase.state.document?.name === 'setup1_01'")
+    assert (tmp_path / "setup1_01.npz").exists()
+
+
+@pytest.mark.slow
+def test_a_take_is_kept_when_the_browser_closes_midway(
+    tmp_path: Path, server: PageServer, page: KeyphasePage, visit: Visit
+) -> None:
+    press(page, "Record")
+    page.scene.get_by_role("button", name="Stop", exact=True).wait_for()
+    wait_until_at_rest(server, page, 2.0)
+    page.page.goto("about:blank")
+    again = visit(server)
+    again.wait_for_document()
+    assert again.document["name"] == "setup1_01"
+    assert read(tmp_path / "setup1_01.npz").duration_s > 1.5
+
+
+def _unit(vector: Vector) -> Vector:
+    return vector / np.linalg.norm(vector)
+
+
+def _rotation(wxyz: Vector) -> Vector:
+    w, x, y, z = wxyz
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
