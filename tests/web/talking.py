@@ -90,6 +90,9 @@ class PageClient:
         return self
 
     def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
         self._socket.close()
 
     def send(self, kind: str, **fields: object) -> None:

@@ -95,4 +95,4 @@ def test_the_plan_says_how_far_apart_its_entries_are(labeling: Labeling) -> None
     ],
 )
 def test_names_shorten_by_what_matters_least(name: str, shorter: str, shortest: str) -> None:
-    assert short_labels(name) == [name, shorter, shortest]
+    assert short_labels(name) == (name, shorter, shortest)

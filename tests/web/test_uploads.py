@@ -1,21 +1,33 @@
 """Files from a browser: streamed to disk under a safe name, refused where they are not ours."""
 
+import io
+import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from talking import PageClient
+from talking import Message, PageClient, StartServer
 
 from keyphase.errors import RequestError
 from keyphase.shipped import shipped
-from keyphase.web.uploads import MOST_BYTES, SUFFIXES, Upload, safe_name
+from keyphase.web.uploads import SUFFIXES, Upload, safe_name
 
 
 def _send(page: PageClient, name: str, data: bytes, piece: int = 40_000) -> None:
     page.send("upload", name=name, size=len(data))
+    page.wait_for("upload_ready")
     for start in range(0, len(data), piece):
         page.send_raw(data[start : start + piece])
+
+
+def _refusal(page: PageClient) -> str:
+    return page.wait_for("upload_refused")["text"]
+
+
+def _files(folder: Path) -> set[str]:
+    return {path.name for path in folder.iterdir() if path.name != ".keyphase"}
 
 
 def test_a_recording_that_is_sent_is_saved_beside_the_others_and_opens(
@@ -40,42 +52,134 @@ def test_a_name_that_is_taken_gets_a_number(page: PageClient, own_copy: Path) ->
     assert own_copy.read_bytes() == before
 
 
-def test_what_is_no_recording_is_taken_and_its_line_says_why(page: PageClient) -> None:
-    _send(page, "attack.npz", b"\x80\x04cos\nsystem\n(S'touch hacked'\ntR.")
-    page.wait_for("uploaded")
+@pytest.mark.parametrize("name", ["attack.npz", "attack.csv"])
+def test_what_cannot_be_read_is_refused_with_the_reason_and_leaves_nothing(
+    page: PageClient, own_copy: Path, name: str
+) -> None:
+    _send(page, name, b"\x80\x04cos\nsystem\n(S'touch hacked'\ntR.")
 
-    line = page.wait_for("recordings", lambda m: len(m["items"]) == 2 and m["items"][1]["error"])
+    reason = _refusal(page)
 
-    assert "attack.npz" in line["items"][1]["error"]
+    assert name in reason
+    assert ".upload-" not in reason
+    assert _files(own_copy.parent) == {own_copy.name}
+
+
+def test_an_archive_that_holds_a_pickle_is_refused_unread(page: PageClient, own_copy: Path) -> None:
+    archive = io.BytesIO()
+    np.savez(archive, time_s=np.array([{"a": "pickle"}], dtype=object))
+    _send(page, "pickle.npz", archive.getvalue())
+
+    assert "pickle.npz" in _refusal(page)
+    assert _files(own_copy.parent) == {own_copy.name}
 
 
 @pytest.mark.parametrize("name", ["run.exe", "page.html", "script.js", "noname", "x.npz/..", ""])
 def test_other_kinds_of_files_are_refused(page: PageClient, name: str) -> None:
     page.send("upload", name=name, size=10)
 
-    assert "kinds" in page.wait_for("notice")["text"]
+    assert "none of these kinds" in _refusal(page)
 
 
-def test_too_large_a_file_is_refused_before_it_comes(page: PageClient) -> None:
-    page.send("upload", name="x.npz", size=MOST_BYTES + 1)
+def test_too_large_a_file_is_refused_before_it_comes(
+    own_copy: Path, start_server: StartServer
+) -> None:
+    with PageClient(start_server(own_copy, upload_limit_bytes=3 << 20)) as page:
+        page.wait_for("document")
+        page.send("upload", name="x.npz", size=(3 << 20) + 1)
 
-    assert "500 MB" in page.wait_for("notice")["text"]
+        assert "up to 3 MB" in _refusal(page)
 
 
 def test_more_than_was_announced_is_refused_and_leaves_nothing(
     page: PageClient, own_copy: Path
 ) -> None:
+    _send(page, "x.npz", b"12345")
+    _refusal(page)
     page.send("upload", name="x.npz", size=5)
+    page.wait_for("upload_ready")
     page.send_raw(b"123456")
 
-    assert "announced" in page.wait_for("notice")["text"]
-    assert not list(own_copy.parent.glob(".upload-*"))
+    assert "announced" in _refusal(page)
+    assert _files(own_copy.parent) == {own_copy.name}
+
+
+def test_who_may_only_look_cannot_send(own_copy: Path, start_server: StartServer) -> None:
+    server = start_server(own_copy)
+    with PageClient(server, server.access.looking_token) as page:
+        page.wait_for("document")
+        page.send("upload", name="x.npz", size=5)
+
+        assert "looking" in page.wait_for("notice")["text"]
+
+
+def test_a_page_that_leaves_while_it_sends_leaves_nothing(
+    own_copy: Path, start_server: StartServer
+) -> None:
+    server = start_server(own_copy)
+    with PageClient(server) as leaving, PageClient(server) as staying:
+        leaving.wait_for("document")
+        leaving.send("upload", name="x.npz", size=500)
+        leaving.wait_for("upload_ready")
+        leaving.send_raw(b"1" * 100)
+        leaving.close()
+        for _ in range(100):
+            staying.send("seek", time_s=0.1)
+            staying.wait_for("playhead")
+            if len(server.session.sockets) == 1:
+                break
+
+    assert _files(own_copy.parent) == {own_copy.name}
 
 
 def test_a_piece_of_nothing_is_refused(page: PageClient) -> None:
     page.send_raw(b"123")
 
     assert "binary" in page.wait_for("notice")["text"]
+
+
+def _exported(page: PageClient) -> tuple[Path, Message]:
+    page.send("export", format="json")
+    path = Path(page.wait_for("saved")["path"])
+    return path, json.loads(path.read_text())
+
+
+def test_another_persons_segment_file_is_taken_beside_the_recording(page: PageClient) -> None:
+    path, content = _exported(page)
+    _send(page, "Anna's.segments.json", json.dumps(content).encode())
+
+    uploaded = page.wait_for("uploaded")
+
+    assert uploaded["compares"]
+    assert uploaded["name"] == "Anna_s.segments.json"
+    assert json.loads((path.parent / uploaded["name"]).read_text()) == content
+
+
+def test_a_segment_file_of_another_recording_is_refused(page: PageClient) -> None:
+    path, content = _exported(page)
+    content["demonstration"]["sha256"] = "0" * 64
+    _send(page, path.name, json.dumps(content).encode())
+
+    assert "another recording" in _refusal(page)
+
+
+def test_others_are_heard_while_a_large_file_comes(
+    own_copy: Path, start_server: StartServer
+) -> None:
+    server = start_server(own_copy)
+    piece = bytes(512 << 10)
+    with PageClient(server) as sender, PageClient(server) as other:
+        sender.wait_for("document")
+        other.wait_for("document")
+        sender.send("upload", name="large.npz", size=400 * len(piece))
+        sender.wait_for("upload_ready")
+        for number in range(400):
+            sender.send_raw(piece)
+            if number % 50 == 0:
+                other.send("seek", time_s=number / 1000)
+                other.wait_for("playhead", lambda m, at=number / 1000: m["time_s"] == at)
+
+        assert "large.npz" in _refusal(sender)
 
 
 def test_what_is_given_up_leaves_nothing(tmp_path: Path) -> None:

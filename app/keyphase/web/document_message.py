@@ -1,16 +1,18 @@
 """The `document` message: a labeling as the page draws it, with the reasons in words."""
 
 import re
+from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import asdict
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
-from keyphase.demonstration import Demonstration
+from keyphase.demonstration import Array, Demonstration
 from keyphase.labeling.labeling import LabeledBoundary, LabeledSegment, Labeling, PlanEntry
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
-from keyphase.segmentation.segmentation import Peak, Segmentation
+from keyphase.segmentation.segmentation import Gaussian, Peak
 
 CONNECTING_MM = 1.0
 """A plan entry that starts nearer than this to where the last one ended needs no connection."""
@@ -42,7 +44,7 @@ def document_message(labeling: Labeling) -> dict[str, Any]:
             segmentation.curve.automatic_threshold if segmentation.curve else None
         ),
         "force_channels": segmentation.curve.channels if segmentation.curve else 0,
-        "boundaries": [_boundary(b, segmentation) for b in labeling.boundaries],
+        "boundaries": _boundaries(labeling),
         "segments": [_segment(segment) for segment in labeling.segments],
         "peaks": [_peak(peak) for peak in segmentation.peaks],
         "gaussians": [
@@ -89,42 +91,48 @@ def least_confidence(labeling: Labeling) -> float | None:
     return min(open_ones, default=None)
 
 
-def short_labels(label: str) -> list[str]:
+@lru_cache(maxsize=4096)
+def short_labels(label: str) -> tuple[str, str, str]:
     """The label, a shorter one without measures and directions, and its first word."""
     without_measure = _MEASURE.sub("", label)
     shorter = without_measure if len(without_measure) <= 16 else _DIRECTION.sub("", without_measure)
     first, _, rest = shorter.partition(" ")
-    return [label, shorter or label, f"{first}…" if rest else shorter or label]
+    return label, shorter or label, f"{first}…" if rest else shorter or label
 
 
-def _boundary(boundary: LabeledBoundary, segmentation: Segmentation) -> dict[str, Any]:
-    return {
-        "time_s": boundary.time_s,
-        "origin": boundary.origin,
-        "interval_s": list(boundary.interval_s),
-        "confidence": boundary.confidence,
-        "contact_change": boundary.contact_change,
-        "was_s": boundary.was_s,
-        "accepted": boundary.accepted,
-        "why": _why(boundary, segmentation),
-    }
+def _boundaries(labeling: Labeling) -> list[dict[str, Any]]:
+    segmentation = labeling.segmentation
+    meeting = _Meeting(segmentation.gaussians)
+    return [
+        {
+            "time_s": boundary.time_s,
+            "origin": boundary.origin,
+            "interval_s": boundary.interval_s,
+            "confidence": boundary.confidence,
+            "contact_change": boundary.contact_change,
+            "was_s": boundary.was_s,
+            "accepted": boundary.accepted,
+            "why": _why(boundary, segmentation.threshold, meeting),
+        }
+        for boundary in labeling.boundaries
+    ]
 
 
-def _why(boundary: LabeledBoundary, segmentation: Segmentation) -> dict[str, Any]:
+def _why(boundary: LabeledBoundary, threshold: float | None, meeting: "_Meeting") -> dict[str, Any]:
     found = boundary.automatic
     peak = found.peak if found else None
-    position_s = found.position_s if found else None
-    threshold = segmentation.threshold
     return {
-        "sentences": _sentences(boundary, segmentation),
+        "sentences": _sentences(boundary, threshold, meeting),
         "height": peak.height if peak else None,
         "times_threshold": peak.height / threshold if peak and threshold else None,
-        "position_s": position_s,
+        "position_s": found.position_s if found else None,
         "steps": _steps(peak),
     }
 
 
-def _sentences(boundary: LabeledBoundary, segmentation: Segmentation) -> list[str]:
+def _sentences(
+    boundary: LabeledBoundary, threshold: float | None, meeting: "_Meeting"
+) -> list[str]:
     said: list[str] = []
     found = boundary.automatic
     if found is None:
@@ -132,11 +140,11 @@ def _sentences(boundary: LabeledBoundary, segmentation: Segmentation) -> list[st
     if boundary.was_s is not None:
         said.append(f"Moved by you from {boundary.was_s:.3f} s.")
     if found.peak is not None:
-        said.append(_about_peak(found.peak, segmentation.threshold))
+        said.append(_about_peak(found.peak, threshold))
     if found.peak is not None and found.position_s is not None:
         said.append(_about_position(found.position_s - found.time_s))
     if found.peak is None and found.position_s is not None:
-        said += _about_gaussians(found.position_s, segmentation)
+        said += meeting.sentences(found.position_s)
     if not boundary.contact_change and found.peak is not None:
         said.append("It counts as no contact change.")
     return said
@@ -156,19 +164,27 @@ def _about_position(lead_s: float) -> str:
     return f"Position alone puts the boundary {abs(lead_s) * 1e3:.0f} ms {way}."
 
 
-def _about_gaussians(time_s: float, segmentation: Segmentation) -> list[str]:
-    """Which two Gaussians meet at a boundary that position alone found."""
-    order = sorted(segmentation.gaussians, key=lambda gaussian: gaussian.mean_time_s)
-    after = next((i for i, g in enumerate(order) if g.mean_time_s > time_s), len(order))
-    if not 0 < after < len(order):
-        return ["The movement changes here; the force does not."]
-    spans = [
-        f"{i + 1} ({order[i].mean_time_s - order[i].sigma_time_s:.2f} to "
-        f"{order[i].mean_time_s + order[i].sigma_time_s:.2f} s, "
-        f"{100 * order[i].weight:.0f} % of the samples)"
-        for i in (after - 1, after)
-    ]
-    return [f"Gaussian {spans[0]} gives way to {spans[1]}.", "The force shows no change here."]
+class _Meeting:
+    """Which two Gaussians meet at a time, in words."""
+
+    def __init__(self, gaussians: Sequence[Gaussian]) -> None:
+        self._order = sorted(gaussians, key=lambda gaussian: gaussian.mean_time_s)
+        self._means = [gaussian.mean_time_s for gaussian in self._order]
+
+    def sentences(self, time_s: float) -> list[str]:
+        """About a boundary that position alone found."""
+        after = bisect_right(self._means, time_s)
+        if not 0 < after < len(self._order):
+            return ["The movement changes here; the force does not."]
+        before, now = self._span(after - 1), self._span(after)
+        return [f"Gaussian {before} gives way to {now}.", "The force shows no change here."]
+
+    def _span(self, index: int) -> str:
+        gaussian = self._order[index]
+        start_s = gaussian.mean_time_s - gaussian.sigma_time_s
+        end_s = gaussian.mean_time_s + gaussian.sigma_time_s
+        part = f"{100 * gaussian.weight:.0f} % of the samples"
+        return f"{index + 1} ({start_s:.2f} to {end_s:.2f} s, {part})"
 
 
 def _steps(peak: Peak | None) -> list[dict[str, Any]]:
@@ -198,8 +214,17 @@ def _segment(segment: LabeledSegment) -> dict[str, Any]:
 
 
 def _end_condition(condition: EndCondition) -> dict[str, Any]:
-    kind = "contact" if isinstance(condition, ContactEnd) else "configuration"
-    return {"kind": kind, **asdict(condition)}
+    if isinstance(condition, ContactEnd):
+        return {
+            "kind": "contact",
+            "direction": condition.direction,
+            "threshold_N": condition.threshold_N,
+        }
+    return {
+        "kind": "configuration",
+        "position_tolerance_m": condition.position_tolerance_m,
+        "rotation_tolerance_rad": condition.rotation_tolerance_rad,
+    }
 
 
 def _peak(peak: Peak) -> dict[str, Any]:
@@ -229,17 +254,18 @@ def _gaps_mm(
     plan: Sequence[PlanEntry], segments: Sequence[LabeledSegment], demonstration: Demonstration
 ) -> list[float | None]:
     """How far each entry starts from where the one before it ended."""
-    position = demonstration.position_m
-    gaps: list[float | None] = []
-    for before, entry in zip([None, *plan], plan, strict=False):
-        if before is None:
-            gaps.append(None)
-            continue
-        ended = position[demonstration.index_at(segments[before.segment].end_s)]
-        starts = position[demonstration.index_at(segments[entry.segment].start_s)]
-        gap = 1e3 * float(np.linalg.norm(starts - ended))
-        gaps.append(gap if gap >= CONNECTING_MM else None)
-    return gaps
+    if not plan:
+        return []
+    starts = _positions(demonstration, [segments[entry.segment].start_s for entry in plan[1:]])
+    ends = _positions(demonstration, [segments[entry.segment].end_s for entry in plan[:-1]])
+    gaps = 1e3 * np.linalg.norm(starts - ends, axis=1)
+    return [None, *(gap if gap >= CONNECTING_MM else None for gap in gaps.tolist())]
+
+
+def _positions(demonstration: Demonstration, times_s: Sequence[float]) -> Array:
+    """(M, 3) where the tool was at the first sample from each time on."""
+    rows = np.searchsorted(demonstration.time_s, times_s).clip(0, len(demonstration) - 1)
+    return demonstration.position_m[rows]
 
 
 def _number(value: float) -> str:

@@ -1,7 +1,6 @@
 """The websockets of all open pages: sending to one or all of them, and hearing them in order."""
 
 import asyncio
-import json
 import logging
 import time
 from collections.abc import Callable, Mapping
@@ -9,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import Any
 
+import msgspec
 from websockets.asyncio.server import ServerConnection
 from websockets.exceptions import ConnectionClosed
 
@@ -119,8 +119,8 @@ class PageSockets:
 
 
 def encode(message: Mapping[str, Any]) -> str:
-    """A message as text; refuses NaN, which is no JSON."""
-    return json.dumps(message, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+    """A message as JSON text."""
+    return msgspec.json.encode(message).decode()
 
 
 def call_soon(loop: asyncio.AbstractEventLoop, action: Callable[[], object]) -> None:
