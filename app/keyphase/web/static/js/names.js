@@ -1,6 +1,6 @@
 /** Shorter and shorter ways to write a segment's label, where room is short. */
 
-const MEASURE = /\s*\b\d+(\.\d+)?\s?(mm|cm|m|deg|°)(?!\w)/g;
+const MEASURE = /\s*[−-]?\b\d+(\.\d+)?\s?(mm|cm|m|deg|°)(?!\w)/g;
 
 /** "Move down 86 mm until contact" is "Move down until contact". @param {string} label */
 export function withoutMeasure(label) {
