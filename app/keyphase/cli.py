@@ -34,6 +34,8 @@ class Open:
     """Open the page in the browser."""
     read_only: bool = False
     """Give a link for looking: nothing can be changed."""
+    upload_limit_mb: int = 2048
+    """The largest file that can be dropped on the page [MB]."""
     recipe: Path | None = None
     """How to read tables that are not in keyphase's own form (TOML)."""
     robot: Path | None = None
@@ -51,6 +53,7 @@ class Open:
             port=self.port,
             open_browser=self.browser,
             read_only=self.read_only,
+            upload_limit_bytes=self.upload_limit_mb << 20,
             recipe=self.recipe,
             robot=self.robot,
             tool_frame=self.tool_frame,

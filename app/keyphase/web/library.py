@@ -9,6 +9,7 @@ from keyphase.web.folder import Folder
 from keyphase.web.opened import Opened
 from keyphase.web.recordings import Recording
 from keyphase.web.telling import Progress
+from keyphase.web.uploads import Upload
 
 KEPT_OPEN = 3
 """So many recordings stay open, so that going back to one is quick."""
@@ -42,6 +43,14 @@ class Library:
     def look(self, recording: Recording) -> Opened:
         """The recording as it stands on disk, which is not kept open; close it after use."""
         return self._opened(recording, lambda _what, _fraction: None, read_only=True)
+
+    def take_in(self, upload: Upload, beside: Opened | None) -> Path:
+        """A file that was sent, read and named; `beside` is open, and a segment file is about it.
+
+        Raises RequestError with the reason where it cannot be used.
+        """
+        source = beside.demonstration.source if beside else None
+        return upload.finish(self._recipe, source.sha256 if source else None)
 
     def drop(self, recording_id: str) -> None:
         """Close a recording that is no longer in the list."""

@@ -15,6 +15,7 @@ from keyphase.web.library import Library
 from keyphase.web.opened import Opened
 from keyphase.web.recordings import Recording, queue, recordings_message
 from keyphase.web.telling import Progress, Telling
+from keyphase.web.uploads import Upload
 from keyphase.web.worker import Worker
 
 
@@ -96,6 +97,12 @@ class RecordingQueue:
             self.tell()
         self.open(recording.id)
 
+    def take_in(
+        self, upload: Upload, beside: Opened | None, answer: Callable[[dict[str, Any]], None]
+    ) -> None:
+        """Read a file that was sent, put it into the list, and answer what became of it."""
+        self._worker.submit(lambda: self._take_in(upload, beside, answer))
+
     def remove(self, path: Path) -> None:
         """A recording less; where it was the open one, its neighbour is opened."""
         self._worker.submit(lambda: self._remove(path))
@@ -163,6 +170,21 @@ class RecordingQueue:
         self._looking = iter(self.recordings)
         self.look_at_all()
         self._telling.notice("info", "All recordings of this folder now have these parameters.")
+
+    def _take_in(
+        self, upload: Upload, beside: Opened | None, answer: Callable[[dict[str, Any]], None]
+    ) -> None:
+        self._telling.progress(f"{upload.name}: reading", None)
+        try:
+            path = self._library.take_in(upload, beside)
+        except KeyphaseError as error:
+            answer({"type": "upload_refused", "text": str(error)})
+            return
+        finally:
+            self._telling.progress_done()
+        answer({"type": "uploaded", "name": path.name, "compares": upload.is_segment_file})
+        if not upload.is_segment_file:
+            self.add(path)
 
     def _remove(self, path: Path) -> None:
         with self._lock:

@@ -131,21 +131,27 @@ def _spread(session: Session, step: str) -> None:
 def _begin_upload(session: Session, request: ask.Upload, page: Page) -> None:
     if page.upload is not None:
         page.upload.abandon()
-    folder = upload_folder([recording.path for recording in session.queue.recordings])
-    page.upload = Upload(folder, request.name, request.size)
+        page.upload = None
+    open_first = [session.opened.recording.path] if session.opened else []
+    folder = upload_folder([*open_first, *(one.path for one in session.queue.recordings)])
+    try:
+        page.upload = Upload(folder, request.name, request.size, session.upload_limit_bytes)
+    except RequestError as error:
+        page.send({"type": "upload_refused", "text": str(error)})
+        return
+    page.send({"type": "upload_ready", "name": page.upload.name})
 
 
 def _take_piece(session: Session, page: Page, upload: Upload, piece: bytes) -> None:
     try:
         upload.write(piece)
-    except RequestError:
+    except RequestError as error:
         page.upload = None
-        raise
+        page.send({"type": "upload_refused", "text": str(error)})
+        return
     if upload.is_whole:
         page.upload = None
-        path = upload.finish()
-        page.send({"type": "uploaded", "name": path.name})
-        session.queue.add(path)
+        session.queue.take_in(upload, session.opened, page.send)
 
 
 def with_parameter(parameters: Parameters, name: str, value: float | str | None) -> Parameters:

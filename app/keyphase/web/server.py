@@ -30,6 +30,7 @@ from keyphase.web.robot_view import RobotView
 from keyphase.web.scene import Scene
 from keyphase.web.session import Session
 from keyphase.web.site import OurSite
+from keyphase.web.uploads import DEFAULT_LIMIT_BYTES
 from keyphase.web.viser_controls import takes
 from keyphase.web.workcell_scene import WorkcellCloser, WorkcellScene
 
@@ -45,11 +46,13 @@ class PageServer:
         host: str = "127.0.0.1",
         port: int = 0,
         read_only: bool = False,
+        upload_limit_bytes: int = DEFAULT_LIMIT_BYTES,
         arms: Sequence[RobotDescription] | None = None,
         folder: Path | None = None,
     ) -> None:
         library = Library(recipe, read_only=read_only)
         self.session = Session(paths, library, _hello(), hear)
+        self.session.upload_limit_bytes = upload_limit_bytes
         self.access = Access(host)
         self._grant = Grant.LOOKING if read_only else Grant.EVERYTHING
         site = OurSite(self.access, self.session.sockets, self.accepts)
@@ -130,6 +133,7 @@ def open_page(
     port: int = 0,
     open_browser: bool = True,
     read_only: bool = False,
+    upload_limit_bytes: int = DEFAULT_LIMIT_BYTES,
     recipe: Path | None = None,
     robot: Path | None = None,
     tool_frame: str | None = None,
@@ -151,6 +155,7 @@ def open_page(
         host=host,
         port=port,
         read_only=read_only,
+        upload_limit_bytes=upload_limit_bytes,
         arms=arms,
         folder=folder,
     )

@@ -24,6 +24,7 @@ from keyphase.web.recording_queue import RecordingQueue
 from keyphase.web.recordings import recordings_message
 from keyphase.web.replay_session import ReplaySession
 from keyphase.web.telling import Telling
+from keyphase.web.uploads import DEFAULT_LIMIT_BYTES
 from keyphase.web.views import Views
 from keyphase.web.worker import Worker
 
@@ -67,6 +68,7 @@ class Session:
         self.selected: int | None = None
         self.hidden: frozenset[str] = frozenset()
         self.latencies_ms: deque[float] = deque(maxlen=1000)
+        self.upload_limit_bytes = DEFAULT_LIMIT_BYTES
         self._hello = hello
         self._revision = 0
         self._wanted = Parameters()

@@ -1,21 +1,31 @@
-"""Recordings sent from a browser: in pieces, straight to disk, under a name made safe."""
+"""Files sent from a browser: in pieces, straight to disk, under a name made safe.
+
+They lie beside the recordings under a hidden name until they are whole and could be read; only
+then they get a name of their own, never that of another file.
+"""
 
 import os
 import re
+import shutil
 import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import BinaryIO
 
-from keyphase.errors import RequestError
+from keyphase.errors import KeyphaseError, RequestError
+from keyphase.labeling.segment_file import SUFFIX as SEGMENTS
+from keyphase.labeling.segment_file import read_segment_file
+from keyphase.readers import Recipe, read
 
-MOST_BYTES = 500 << 20
-"""Larger files are put into the folder by hand."""
+DEFAULT_LIMIT_BYTES = 2 << 30
+"""The largest file a browser may send unless the server is told otherwise."""
 
 SUFFIXES = frozenset({".npz", ".csv", ".tsv", ".txt", ".dat", ".log", ".asc"})
+"""How recordings end; a segment file ends as it always does."""
 
 _LONGEST_NAME = 80
 _UNSAFE = re.compile(r"[^A-Za-z0-9._-]+")
+_SPARE_BYTES = 64 << 20
 
 
 class Upload:
@@ -24,17 +34,20 @@ class Upload:
     Nothing of it is read before it is whole, and nothing in it is ever executed.
     """
 
-    def __init__(self, folder: Path, name: str, size: int) -> None:
-        """Raises RequestError for a kind of file that is no recording, or one too large."""
+    def __init__(
+        self, folder: Path, name: str, size: int, limit_bytes: int = DEFAULT_LIMIT_BYTES
+    ) -> None:
+        """Raises RequestError for a kind of file that is none of ours, or one too large."""
         self._folder = folder
-        self._name = safe_name(name)
-        if not 0 < size <= MOST_BYTES:
-            raise RequestError(
-                f"A file sent from the browser has up to {MOST_BYTES >> 20} MB, but {self._name} "
-                f"has {size / (1 << 20):.0f}; put it into the folder by hand."
-            )
+        self.name = safe_name(name)
+        _check_size(self.name, size, limit_bytes, folder)
         self._left = size
-        descriptor, path = tempfile.mkstemp(prefix=".upload-", dir=folder)
+        try:
+            descriptor, path = tempfile.mkstemp(prefix=".upload-", dir=folder)
+        except OSError as error:
+            raise RequestError(
+                f"Nothing can be written into {folder} ({error.strerror})."
+            ) from error
         self._part = Path(path)
         self._file: BinaryIO = os.fdopen(descriptor, "wb")
 
@@ -43,44 +56,85 @@ class Upload:
         """Whether every byte has come."""
         return self._left == 0
 
+    @property
+    def is_segment_file(self) -> bool:
+        """Whether it is another's segmentation, not a recording."""
+        return self.name.endswith(SEGMENTS)
+
     def write(self, piece: bytes) -> None:
-        """Put the next piece on disk. Raises RequestError where more comes than was announced."""
+        """Put the next piece on disk.
+
+        Raises RequestError where more comes than was announced, or the disk is full.
+        """
         if len(piece) > self._left:
             self.abandon()
-            raise RequestError(f"More of {self._name} came than was announced; send it again.")
-        self._file.write(piece)
+            raise RequestError(f"More of {self.name} came than was announced; send it again.")
+        try:
+            self._file.write(piece)
+        except OSError as error:
+            self.abandon()
+            raise RequestError(f"{self.name} cannot be written ({error.strerror}).") from error
         self._left -= len(piece)
 
-    def finish(self) -> Path:
-        """Give the whole file its name, beside others of that name; where it now is."""
-        self._file.flush()
-        os.fsync(self._file.fileno())
-        self._file.close()
-        for path in _free_names(self._folder / self._name):
-            try:
-                os.link(self._part, path)
-            except FileExistsError:
-                continue
-            self._part.unlink()
-            return path
-        raise AssertionError("names never end")
+    def finish(self, recipe: Recipe | None = None, open_sha256: str | None = None) -> Path:
+        """Read the whole file and give it its name, beside others of that name; where it now is.
+
+        Raises KeyphaseError with the reason where it is no recording, or no segment file of the
+        recording with the hash `open_sha256`; then nothing is left of it.
+        """
+        try:
+            self._file.flush()
+            os.fsync(self._file.fileno())
+            self._file.close()
+            self._check(recipe, open_sha256)
+            return self._named()
+        except (KeyphaseError, OSError) as error:
+            self.abandon()
+            raise RequestError(str(error).replace(str(self._part), self.name)) from error
 
     def abandon(self) -> None:
         """Forget what has come so far."""
         self._file.close()
         self._part.unlink(missing_ok=True)
 
+    def _check(self, recipe: Recipe | None, open_sha256: str | None) -> None:
+        if not self.is_segment_file:
+            read(self._part, recipe)
+            return
+        about = read_segment_file(self._part, check_recording=False).demonstration
+        if about.sha256 != open_sha256:
+            raise RequestError(
+                f"{self.name} is about another recording than the open one, {about.name[:80]!r}; "
+                "open that one first."
+            )
+
+    def _named(self) -> Path:
+        for name in _free_names(self.name):
+            path = self._folder / name
+            try:
+                # Claims the name, so that a file that appears meanwhile is not written over.
+                path.open("xb").close()
+            except FileExistsError:
+                continue
+            self._part.chmod(0o644)
+            self._part.replace(path)
+            return path
+        raise AssertionError("names never end")
+
 
 def safe_name(name: str) -> str:
     """A name without folders, spaces and anything a shell or a browser could read otherwise.
 
-    Raises RequestError for a name that is not a recording's.
+    Raises RequestError for a name that is neither a recording's nor a segment file's.
     """
     last = re.split(r"[/\\]", name)[-1]
-    stem, suffix = os.path.splitext(last)
-    if suffix.lower() not in SUFFIXES:
+    stem, suffix = _split(last)
+    if suffix.lower() not in SUFFIXES | {SEGMENTS}:
         kinds = ", ".join(sorted(SUFFIXES))
-        raise RequestError(f"A recording is a file of the kinds {kinds}, but not {last[:80]!r}.")
+        raise RequestError(
+            f"Expected a recording ({kinds}) or a segment file ({SEGMENTS}), but got "
+            f"{last[:80]!r}, which is of none of these kinds."
+        )
     stem = _UNSAFE.sub("_", stem).strip("._-")[:_LONGEST_NAME]
     return (stem or "recording") + suffix.lower()
 
@@ -91,9 +145,27 @@ def upload_folder(recordings: Sequence[Path]) -> Path:
     return beside if os.access(beside, os.W_OK) else Path.cwd()
 
 
-def _free_names(path: Path) -> Iterator[Path]:
-    yield path
+def _check_size(name: str, size: int, limit_bytes: int, folder: Path) -> None:
+    megabytes = size / (1 << 20)
+    if not 0 < size <= limit_bytes:
+        raise RequestError(
+            f"A file sent from the browser has up to {limit_bytes >> 20} MB, but {name} has "
+            f"{megabytes:.0f}; put it into the folder by hand."
+        )
+    if shutil.disk_usage(folder).free < size + _SPARE_BYTES:
+        raise RequestError(f"There is no room for the {megabytes:.0f} MB of {name}; make some.")
+
+
+def _split(name: str) -> tuple[str, str]:
+    if name.lower().endswith(SEGMENTS):
+        return name[: -len(SEGMENTS)], SEGMENTS
+    return os.path.splitext(name)
+
+
+def _free_names(name: str) -> Iterator[str]:
+    stem, suffix = _split(name)
+    yield name
     number = 2
     while True:
-        yield path.with_stem(f"{path.stem}_{number}")
+        yield f"{stem}_{number}{suffix}"
         number += 1
