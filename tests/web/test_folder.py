@@ -168,6 +168,37 @@ def test_a_labeling_is_compared_with_a_segment_file_of_the_same_recording(
     assert page.wait_for("comparison", lambda m: m["with"])["f1"] == 1.0
 
 
+def test_anothers_segment_file_is_taken_over_in_one_step(page: PageClient) -> None:
+    page.send("edit", edit={"kind": "add", "time_s": 0.4})
+    theirs = page.wait_for("document", lambda m: m["edits"] == 1)
+    page.send("export", format="json")
+    name = Path(page.wait_for("saved")["path"]).name
+    page.send("undo")
+    page.wait_for("document", lambda m: m["edits"] == 0)
+    page.send("take_over", **{"from": name})
+    taken = page.wait_for("document", lambda m: m["edits"] == 1)
+
+    assert [b["time_s"] for b in taken["boundaries"]] == pytest.approx(
+        [b["time_s"] for b in theirs["boundaries"]]
+    )
+    assert taken["undo"] == f"Take over “{name[:23]}…”"
+
+
+def test_taking_over_the_programs_own_takes_all_edits_back(page: PageClient) -> None:
+    before = page.heard[-1]
+    page.send("edit", edit={"kind": "add", "time_s": 0.4})
+    page.wait_for("document", lambda m: m["edits"] == 1)
+    page.send("take_over", **{"from": "automatic"})
+
+    assert page.wait_for("document", lambda m: m["edits"] == 2)["segments"] == before["segments"]
+
+
+def test_only_what_is_offered_is_taken_over(page: PageClient) -> None:
+    page.send("take_over", **{"from": "../x.segments.json"})
+
+    assert "no such segment file" in page.wait_for("notice")["text"]
+
+
 def test_a_segment_file_of_another_recording_is_refused(page: PageClient, own_copy: Path) -> None:
     page.send("export", format="json")
     path = Path(page.wait_for("saved")["path"])

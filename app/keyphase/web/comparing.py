@@ -1,12 +1,15 @@
 """Another segmentation of the open recording beside the one that is shown."""
 
 from collections.abc import Sequence
+from statistics import median
 from typing import Any
 
 from keyphase.errors import KeyphaseError, RequestError
 from keyphase.labeling.comparison import Outline, compare
+from keyphase.labeling.edits import Reset
 from keyphase.labeling.label import label
-from keyphase.labeling.segment_file import SUFFIX, read_segment_file
+from keyphase.labeling.segment_file import SUFFIX, SegmentFile, read_segment_file
+from keyphase.labeling.taking_over import taking_over
 from keyphase.web.opened import Opened
 from keyphase.web.recordings import printable
 
@@ -30,10 +33,11 @@ def comparison_message(opened: Opened, other: str | None) -> dict[str, Any]:
     if other is None:
         return message
     if other not in options:
-        raise RequestError("There is no such segment file beside this recording.")
+        raise _unknown()
     index = options.index(other)
-    second = _automatic(opened) if index == 0 else _filed(opened, names[index - 1])
+    second = _automatic(opened) if index == 0 else Outline.of_file(_filed(opened, names[index - 1]))
     result = compare(Outline.of_labeling(opened.kept_labeling), second)
+    distances = [abs(pair.distance_s) for pair in result.shared]
     return {
         **message,
         "boundaries_s": list(second.boundaries_s),
@@ -42,9 +46,29 @@ def comparison_message(opened: Opened, other: str | None) -> dict[str, Any]:
         "only_first_s": list(result.only_first_s),
         "only_second_s": list(result.only_second_s),
         "f1": result.f1,
+        "timing_s": median(distances) if distances else None,
         "covering": result.covering,
         "same_label": result.same_label,
     }
+
+
+def take_over(opened: Opened, other: str) -> None:
+    """Make another segmentation this recording's, as one edit; the program's own resets it.
+
+    Raises as `comparison_message` does, and JournalError where it cannot be kept.
+    """
+    names = _segment_files(opened)
+    if other == AUTOMATIC:
+        opened.apply(Reset())
+    elif other in map(printable, names):
+        name = next(name for name in names if printable(name) == other)
+        opened.apply(taking_over(_filed(opened, name), opened.kept_labeling.segmentation))
+    else:
+        raise _unknown()
+
+
+def _unknown() -> RequestError:
+    return RequestError("There is no such segment file beside this recording.")
 
 
 def _segment_files(opened: Opened) -> Sequence[str]:
@@ -60,8 +84,8 @@ def _automatic(opened: Opened) -> Outline:
     return Outline.of_labeling(label(opened.kept_labeling.segmentation))
 
 
-def _filed(opened: Opened, name: str) -> Outline:
-    """The outline of a segment file, which must be about the same bytes."""
+def _filed(opened: Opened, name: str) -> SegmentFile:
+    """A segment file, which must be about the same bytes."""
     file = read_segment_file(opened.recording.path.parent / name, check_recording=False)
     source = opened.demonstration.source
     if source is None or file.demonstration.sha256 != source.sha256:
@@ -69,4 +93,4 @@ def _filed(opened: Opened, name: str) -> Outline:
             f"{printable(name)} is about another recording than {opened.recording.name}; choose a "
             "segment file of this one."
         )
-    return Outline.of_file(file)
+    return file

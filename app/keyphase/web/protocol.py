@@ -87,6 +87,12 @@ class Compare(_Request, tag="compare", frozen=True):
     other: _Id | None = msgspec.field(name="with", default=None)
 
 
+class TakeOver(_Request, tag="take_over", frozen=True):
+    """Make another segmentation of this recording its own, as one edit."""
+
+    other: _Id = msgspec.field(name="from")
+
+
 class Upload(_Request, tag="upload", frozen=True):
     """A file follows in binary messages."""
 
@@ -169,6 +175,7 @@ Request = (
     | ForgetLabel
     | Spread
     | Compare
+    | TakeOver
     | Upload
     | Select
     | Seek

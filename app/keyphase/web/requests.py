@@ -6,7 +6,7 @@ from keyphase.errors import KeyphaseError, RequestError
 from keyphase.labeling.edits import edit_from_json
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web import protocol as ask
-from keyphase.web.comparing import comparison_message
+from keyphase.web.comparing import comparison_message, take_over
 from keyphase.web.opened import Opened
 from keyphase.web.page_sockets import Page
 from keyphase.web.session import Cause, Session
@@ -58,6 +58,8 @@ def _do(session: Session, request: ask.Request, page: Page) -> None:
             _spread(session, request.step)
         case ask.Compare():
             page.send(comparison_message(session.current(), request.other))
+        case ask.TakeOver():
+            session.change(lambda opened: take_over(opened, request.other))
         case ask.Upload():
             _begin_upload(session, request, page)
         case _:
