@@ -213,6 +213,7 @@ class ReplaySession:
             "stop": self.stop,
             "leave": self.leave,
             "keep": self.keep,
+            "speed": lambda: None,
         }[what]()
 
     def greet(self, page: Page) -> None:

@@ -56,6 +56,10 @@ export function createCommands(actions, store, dialogs) {
       ["Later in the plan", ["}"], () => actions.shift(1)],
       ["Take out of the plan", ["Shift X"], actions.takeOut],
     ]),
+    ...group("Replay", [
+      ["Replay the plan", ["P"], actions.replay.run],
+      ["Replay skill by skill", [], actions.replay.next],
+    ]),
     ...group("View", [
       ["The whole recording", ["F"], actions.fit],
       ["Closer", ["+"], () => actions.zoom(1.5)],

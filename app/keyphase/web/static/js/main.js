@@ -17,6 +17,8 @@ import { createPlan } from "./plan.js";
 import { createPlayback } from "./playback.js";
 import { createQueue } from "./queue.js";
 import { createReceiver } from "./receive.js";
+import { createReplayKeys } from "./replay/keys.js";
+import { createReplay, createReplayActions } from "./replay/replay.js";
 import { createRename } from "./rename.js";
 import { createScene, sceneFrames } from "./scene.js";
 import { createSignals } from "./signals.js";
@@ -43,6 +45,7 @@ const store = createStore({
   selected: null, hovered: null, current: null, explained: null, pointer: null, drag: null, range: null,
   planDrag: null, renaming: null, heldThreshold: null, comparison: null, spread: null,
   small: isSmall(), dark: null, snap: null, logarithmic: true, leastCertainFirst: false, ...firstChoice(isSmall()),
+  replay: null, samples: null, replayShown: false, replayFolded: new Set(["torque"]),
 });
 
 /** @type {import("./socket.js").Socket|null} */
@@ -52,6 +55,8 @@ const latency = createLatency(store, send, sceneFrames);
 const signals = createSignals(store, send, () => wantedTracks(store.state));
 const actions = createActions(store, send, latency);
 const dialogs = { openPalette: (query) => palette.open(query), openKeys: () => keysSheet.open() };
+const replayActions = createReplayActions(store, send);
+Object.assign(actions, { replay: replayActions });
 const commands = createCommands(actions, store, dialogs);
 const palette = createPalette(store, actions, () => commands);
 const keysSheet = createKeysSheet(() => commands);
@@ -84,6 +89,7 @@ createQueue(store, actions);
 createTransport(store, actions, menu);
 createPlan(store, actions);
 createStatus(store);
+const replay = createReplay(store, replayActions);
 createEmpty(store, actions);
 createSpread(store, actions);
 createExplain(store, timeline, actions);
@@ -102,7 +108,9 @@ function escape() {
   return true;
 }
 
-const onKey = createKeys(store, actions, commands, escape);
+const replayKey = createReplayKeys(store, replayActions, commands);
+const plainKey = createKeys(store, actions, commands, escape);
+const onKey = (event) => replayKey(event) || plainKey(event);
 addEventListener("keydown", onKey);
 addEventListener("resize", () => {
   const small = isSmall();
@@ -110,7 +118,7 @@ addEventListener("resize", () => {
   store.set({ small, ...firstChoice(small) });
 });
 
-const receive = createReceiver(store, { latency, playback, notices, signals, upload: () => upload });
+const receive = createReceiver(store, { latency, playback, notices, signals, replay, upload: () => upload });
 socket = openSocket({
   onMessage: receive,
   onSignals: (frame) => signals.receive(frame),

@@ -2,10 +2,10 @@
 
 /**
  * @param {import("./store.js").Store} store
- * @param {{latency: any, playback: any, notices: any, signals: any, upload: () => any}} parts
+ * @param {{latency: any, playback: any, notices: any, signals: any, replay: any, upload: () => any}} parts
  * @returns {(message: import("./types.js").Message) => void}
  */
-export function createReceiver(store, { latency, playback, notices, signals, upload }) {
+export function createReceiver(store, { latency, playback, notices, signals, replay, upload }) {
   const { state } = store;
   let client = "";
 
@@ -35,6 +35,8 @@ export function createReceiver(store, { latency, playback, notices, signals, upl
     },
     comparison: (message) => store.set({ comparison: message }),
     spread: (message) => store.set({ spread: message }),
+    replay: (message) => replay.replay(message),
+    replay_samples: (message) => replay.samples(message),
     notice(message) {
       store.set({ saving: false });
       if (message.level !== "info") upload().refused();

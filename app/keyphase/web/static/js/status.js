@@ -20,7 +20,7 @@ export function createStatus(store) {
   const progressText = el("span");
   const progressGroup = el("span", { hidden: true }, progressText, el("div", { class: "progress" }, progress));
   const latency = el("span", { id: "latency", class: "wide", hidden: true });
-  byId("status").append(where, at, errorGroup, ...Object.values(vectors).map(({ node }) => node), progressGroup,
+  byId("status").append(el("span", { id: "replay-status" }), where, at, errorGroup, ...Object.values(vectors).map(({ node }) => node), progressGroup,
     el("span", { class: "space" }), latency, ...legend());
 
   store.later(["pointer", "clock", "whole", "fine", "document"], (state) => {

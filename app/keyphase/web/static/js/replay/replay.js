@@ -1,0 +1,82 @@
+/** Replay in the page: turns it from the demonstration to the replay and back. */
+
+import { byId, el, svg } from "../dom.js";
+import { createReplayPlan } from "./plan.js";
+import { withRows } from "./samples.js";
+import { placeText } from "./schedule.js";
+import { createReplayTimeline } from "./timeline.js";
+import { createReplayTransport } from "./transport.js";
+
+const PLACES = ["timeline", "transport", "plan"];
+
+/**
+ * What a person can ask of a replay, as one function each.
+ * @param {import("../store.js").Store} store
+ * @param {(message: import("../types.js").Message) => boolean} send
+ */
+export function createReplayActions(store, send) {
+  const ask = (what) => () => send({ type: "replay", do: what });
+  return {
+    run: ask("run"), again: ask("again"), next: ask("next"), stop: ask("stop"), leave: ask("leave"), keep: ask("keep"),
+    toggle: () => send({ type: "replay", do: store.state.replay?.phase === "running" ? "pause" : "run" }),
+    hold: () => send({ type: "replay", do: store.state.replay?.held ? "release" : "hold" }),
+    setSpeed: (speed) => send({ type: "replay", do: "speed", speed }),
+  };
+}
+
+/**
+ * @param {import("../store.js").Store} store
+ * @param {ReturnType<typeof createReplayActions>} actions
+ * @returns {{replay: (message: any) => void, samples: (message: any) => void}} what to do with messages
+ */
+export function createReplay(store, actions) {
+  createReplayTimeline(store);
+  createReplayTransport(store, actions);
+  createReplayPlan(store);
+  createReplayHud(store);
+  const status = byId("replay-status");
+  store.on(["replay"], ({ replay, replayShown }) => {
+    const shown = replay !== null;
+    if (shown === replayShown) return;
+    document.documentElement.dataset.mode = shown ? "replay" : "";
+    for (const id of PLACES) byId(`replay-${id}`).hidden = !shown;
+    store.set({ replayShown: shown });
+  });
+  store.later(["replay"], ({ replay }) => {
+    if (replay) status.replaceChildren("Replay of ", el("b", { text: replay.name }), el("span", { class: "wide", text: ending(replay) }));
+  });
+  return {
+    replay: (message) => store.set(message.phase === null ? { replay: null, samples: null } : { replay: message }),
+    samples: (message) => store.set({ samples: withRows(store.state.samples, message) }),
+  };
+}
+
+/** When the skill that runs will be over. */
+function ending({ skills, current }) {
+  return current === null ? "" : `${skills[current].label}: ${skills[current].until}`;
+}
+
+/** What is replayed where, and how far and how fast it is, over the scene; and the legend of it. */
+function createReplayHud(store) {
+  const what = byId("replay-what");
+  const how = byId("replay-how");
+  store.on(["replay"], ({ replay }) => {
+    what.replaceChildren(...(replay ? [el("b", { text: "● Replay" }), ` ${replay.words}`] : []));
+  });
+  store.on(["replay", "samples"], ({ replay, samples }) => {
+    how.textContent = replay ? [placeText(replay), ...(pace(replay, samples))].join(" · ") : "";
+  });
+  byId("replay-legend").append(
+    el("span", {}, line("var(--idle)", 2), "demonstration"),
+    el("span", {}, line("var(--segment-2)", 3), "replay"),
+    el("span", {}, svg("svg", { width: 26, height: 8 },
+      svg("path", { d: "M0 4h20", "stroke-width": 3, style: { stroke: "var(--origin-force)" } }),
+      svg("path", { d: "M18 0l8 4-8 4z", style: { fill: "var(--origin-force)" } })), "force, 5 N"));
+}
+
+function pace({ phase, held }, samples) {
+  if (phase !== "running") return [phase];
+  return [...(samples?.factor ? [`${samples.factor.toFixed(2)}× real time`] : []), ...(held ? ["held"] : [])];
+}
+
+const line = (color, width) => svg("svg", { width: 16, height: 8 }, svg("path", { d: "M0 4h16", "stroke-width": width, style: { stroke: color } }));
