@@ -11,16 +11,14 @@ export function sceneFrames() {
 
 /**
  * @param {import("./store.js").Store} store
- * @param {{onKey: (event: KeyboardEvent) => void, onSlide: (value: number, at: number) => void,
- *   onWindow: (inside: Window) => void}} handlers
+ * @param {{onKey: (event: KeyboardEvent) => void, onSlide: (value: number, at: number) => void}} handlers
  */
-export function createScene(store, { onKey, onSlide, onWindow }) {
+export function createScene(store, { onKey, onSlide }) {
   const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
   frame.addEventListener("load", () => {
     const inside = frame.contentWindow;
     // Keys pressed while the scene has the focus never reach our page by themselves.
     inside.addEventListener("keydown", onKey);
-    onWindow(inside);
     watchSliders(frame.contentDocument, onSlide);
   });
   frame.src = "/viser/";
