@@ -33,6 +33,7 @@ class Gizmo:
 
     def pull(self, axis: Vector, distance_m: float) -> None:
         """Drag the arrow along a direction of the base frame with the mouse."""
+        self.page.wait_for_scene()
         at = self.handle.position
         turned = _rotation(self.handle.wxyz).T @ axis
         side = np.sign(turned[np.argmax(np.abs(turned))])
@@ -91,7 +92,6 @@ def wait_until_at_rest(server: PageServer, page: KeyphasePage, least_s: float) -
 def record_a_contact(server: PageServer, page: KeyphasePage) -> None:
     press(page, "Record")
     page.scene.get_by_role("button", name="Stop", exact=True).wait_for()
-    page.wait_for_scene()
     gizmo = Gizmo(server, page)
     for axis, distance_m in ((FORWARD, FORWARD_M), (DOWN, DOWN_M)):
         gizmo.pull(axis, distance_m)

@@ -30,6 +30,10 @@ class PartsView(View):
         self._worker.stop()
         self._worker.join()
 
+    def wait_until_idle(self, timeout_s: float) -> bool:
+        """Whether the parts are worked out within `timeout_s`."""
+        return self._worker.wait_until_idle(timeout_s)
+
     def show_document(self, opened: Opened) -> None:
         """Work out where the parts were, in the background."""
         demonstration = opened.demonstration

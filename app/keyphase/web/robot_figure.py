@@ -20,11 +20,11 @@ FADED: Rgb = (150, 150, 150)
 FADED_OPACITY = 0.35
 """A robot that is not where it should be."""
 
+UNSEEN = 2e-6
+"""Metres, or parts of a quaternion, that nobody sees a link move by."""
+
 PLAIN: Rgb = (190, 192, 192)
 """Where a description gives no colour."""
-
-_METAL_FROM = 0.35
-"""Paint of this brightness and more is a shell, drawn a little brighter than it is told."""
 
 
 class RobotFigure:
@@ -67,13 +67,11 @@ class RobotFigure:
         turns = Rotation.from_matrix(wanted[:, :3, :3]).as_quat(scalar_first=True)
         poses = np.concatenate([wanted[:, :3, 3], turns], axis=1)
         before = self._shown if self._shown is not None else np.full_like(poses, np.nan)
-        moved = ~(np.abs(poses - before) < 1e-7)
+        moved = ~(np.abs(poses - before) < UNSEEN).all(axis=1)
         for row, handle in enumerate(self._links.values()):
-            if moved[row, :3].any():
-                handle.position = poses[row, :3]
-            if moved[row, 3:].any():
-                handle.wxyz = poses[row, 3:]
-        self._shown = poses
+            if moved[row]:
+                handle.position, handle.wxyz = poses[row, :3], poses[row, 3:]
+        self._shown = np.where(moved[:, None], poses, before)
 
     def fade(self, faded: bool) -> None:
         """Draw it grey and translucent, or as it is."""

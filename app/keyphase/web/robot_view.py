@@ -97,6 +97,10 @@ class RobotView(View):
                 return None
             return task.placement.inverse()
 
+    def wait_until_idle(self, timeout_s: float) -> bool:
+        """Whether everything there was to work out is worked out within `timeout_s`."""
+        return self._worker.wait_until_idle(timeout_s)
+
     # -- what the session says
 
     def show_document(self, opened: Opened) -> None:

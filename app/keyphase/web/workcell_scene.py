@@ -28,7 +28,7 @@ ROOT = "/workcell"
 GIZMO = f"{ROOT}/gizmo"
 GIZMO_M = 0.14
 
-LEAST_FORCE_N = 0.3
+LEAST_FORCE_N = 0.6
 """What the sensor reads in free space is not drawn."""
 
 _SEEN_M = 0.42

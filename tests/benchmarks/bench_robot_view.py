@@ -1,0 +1,148 @@
+"""The robot in the page: time for each pose on the server, and bytes a page loads.
+
+Poses are set as the playhead sets them, on a server that a client listens to; the time is that of
+the whole update, kinematics included. Bytes are those on the wire, compressed as they are sent,
+of everything a browser asks for until robot, parts and path stand in the scene.
+"""
+
+import re
+import shutil
+import statistics
+import sys
+import time
+from dataclasses import replace
+from http.client import HTTPConnection
+from pathlib import Path
+from urllib.parse import urljoin
+
+import numpy as np
+import pytest
+import viser
+from websockets.sync.client import connect
+from websockets.typing import Subprotocol
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "web"))
+from talking import PageClient, cookie
+
+from keyphase.shipped import shipped
+from keyphase.web.server import PageServer
+
+UPDATES = 600
+RATE_HZ = 60.0
+MOST_MS = 2.0
+MOST_LATE_MS = 50.0
+MOST_BYTES = 4_000_000
+QUIET_S = 3.0
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("recordings")
+    server = PageServer([Path(shutil.copy(shipped("data") / "setup1.npz", folder))])
+    with PageClient(server) as page:
+        page.wait_for("document")
+    assert server.session.views.wait_until_shown(60.0)
+    assert server.robot.wait_until_idle(60.0)
+    assert server.parts.wait_until_idle(60.0)
+    yield server
+    server.stop()
+
+
+def scene_socket(server):
+    """viser's client, as far as it listens."""
+    protocol = Subprotocol(f"viser-v{viser.__version__}")
+    url = f"ws://127.0.0.1:{server.port}/viser"
+    return connect(url, additional_headers=cookie(server), max_size=None, subprotocols=[protocol])
+
+
+def received_bytes(socket, quiet_s=QUIET_S):
+    total = 0
+    while True:
+        try:
+            message = socket.recv(timeout=quiet_s)
+        except TimeoutError:
+            return total
+        total += len(message)
+
+
+def at_sixty_hertz(server):
+    """Set poses all along the recording, 60 a second: milliseconds of each, and how late at last."""
+    head = server.session.playhead
+    times = np.linspace(head.start_s, head.end_s, UPDATES).tolist()
+    taken, begun = [], time.perf_counter()
+    for number, time_s in enumerate(times):
+        before = time.perf_counter()
+        server.robot.show_playhead(replace(head, time_s=time_s))
+        taken.append(1e3 * (time.perf_counter() - before))
+        due = begun + (number + 1) / RATE_HZ
+        time.sleep(max(0.0, due - time.perf_counter()))
+    return taken, 1e3 * (time.perf_counter() - begun - UPDATES / RATE_HZ)
+
+
+def test_sixty_poses_a_second(server):
+    with scene_socket(server) as socket:
+        received_bytes(socket)
+        taken, late = at_sixty_hertz(server)
+        batches, arrived = 0, 0
+        while True:
+            try:
+                arrived += len(socket.recv(timeout=0.2))
+                batches += 1
+            except TimeoutError:
+                break
+    median, worst = statistics.median(taken), float(np.quantile(taken, 0.95))
+    rate = 1e-3 * arrived * RATE_HZ / UPDATES
+    print(
+        f"\none pose: median {median:.2f} ms, 95 % under {worst:.2f} ms; the last of {UPDATES} "
+        f"{max(late, 0.0):.1f} ms late; {batches} batches, {rate:.0f} kB/s"
+    )
+    assert median < MOST_MS
+    assert worst < MOST_MS
+    assert late < MOST_LATE_MS
+
+
+def test_page_load(server):
+    http = sum(loaded_bytes(server).values())
+    with scene_socket(server) as socket:
+        scene = received_bytes(socket)
+    with connect(
+        f"ws://127.0.0.1:{server.port}/app/ws", additional_headers=cookie(server), max_size=None
+    ) as socket:
+        page = received_bytes(socket)
+    total = http + scene + page
+    print(
+        f"\nfiles {http / 1e6:.2f} MB, scene {scene / 1e6:.2f} MB, page {page / 1e6:.2f} MB, "
+        f"together {total / 1e6:.2f} MB"
+    )
+    assert scene > 500_000, "the robot must have been in it"
+    assert total < MOST_BYTES
+
+
+def loaded_bytes(server):
+    """Bytes of every file our page and viser's client are made of, by path."""
+    sizes, wanted = {}, ["/", "/viser/"]
+    while wanted:
+        path = wanted.pop()
+        if path in sizes:
+            continue
+        body, text = get(server, path)
+        sizes[path] = body
+        if path.startswith("/viser/"):
+            continue
+        found = re.findall(
+            r"""(?:src|href)="([^"]+)"|(?:from|import) "([^"]+)"|url\("?([^")]+)""", text
+        )
+        for link in (next(filter(None, groups)) for groups in found):
+            if link.endswith((".js", ".css", ".svg")):
+                base = "/app/static/" if path == "/" else path
+                wanted.append(urljoin(base, link))
+    return sizes
+
+
+def get(server, path):
+    connection = HTTPConnection("127.0.0.1", server.port)
+    connection.request("GET", path, headers={**cookie(server), "Accept-Encoding": "gzip"})
+    answer = connection.getresponse()
+    body = answer.read()
+    assert answer.status == 200, path
+    return len(body), body.decode("utf-8", "ignore")
