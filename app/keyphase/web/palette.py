@@ -19,7 +19,11 @@ class Theme(NamedTuple):
     origins: dict[str, Rgb]
 
 
-PAINT_GAMMA = 1.7
+PAINT_GAMMA = 2.6
+"""For thin things, of which the lit side is seen."""
+
+PART_GAMMA = 1.7
+"""For large things, whose shaded sides are seen as well."""
 
 
 def _rgb(code: str) -> Rgb:
@@ -75,7 +79,7 @@ def segment_color(color: int, kept: bool) -> Rgb:
     return red, green, blue
 
 
-def painted(color: Rgb) -> Rgb:
+def painted(color: Rgb, gamma: float = PAINT_GAMMA) -> Rgb:
     """The paint that looks like `color` in the scene, whose tone mapping takes colour away."""
-    red, green, blue = (round(255 * (value / 255) ** PAINT_GAMMA) for value in color)
+    red, green, blue = (round(255 * (value / 255) ** gamma) for value in color)
     return red, green, blue

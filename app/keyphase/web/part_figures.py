@@ -7,7 +7,7 @@ import viser
 
 from keyphase.demonstration import Array
 from keyphase.simulation.shapes import Shape
-from keyphase.web.palette import Rgb, painted
+from keyphase.web.palette import PART_GAMMA, Rgb, painted
 
 TABLE_TOP = "table"
 """The table itself is not drawn: the ground is it."""
@@ -53,4 +53,4 @@ class PartFigures:
 
 def _rgb(rgba: tuple[float, float, float, float]) -> Rgb:
     red, green, blue = (round(255 * value) for value in rgba[:3])
-    return painted((red, green, blue))
+    return painted((red, green, blue), PART_GAMMA)

@@ -172,8 +172,8 @@ class Scene(View):
         scene = self._server.scene
         scene.configure_default_lights(enabled=False)
         scene.configure_environment_map(None)
-        scene.add_light_ambient("/lights/ambient", intensity=1.9)
-        scene.add_light_directional("/lights/sun", intensity=2.6, position=(2.0, 1.0, 4.0))
+        scene.add_light_ambient("/lights/ambient", intensity=2.1)
+        scene.add_light_directional("/lights/sun", intensity=1.9, position=(2.0, 1.0, 4.0))
 
     def _build(self, opened: Opened) -> _Stage:
         for part in _DRAWN:
