@@ -40,15 +40,15 @@ def comparison_message(opened: Opened, other: str | None) -> dict[str, Any]:
     distances = [abs(pair.distance_s) for pair in result.shared]
     return {
         **message,
-        "boundaries_s": list(second.boundaries_s),
+        "boundaries_s": _plain(second.boundaries_s),
         "labels": list(second.labels),
-        "shared": [[pair.first_s, pair.second_s] for pair in result.shared],
-        "only_first_s": list(result.only_first_s),
-        "only_second_s": list(result.only_second_s),
-        "f1": result.f1,
-        "timing_s": median(distances) if distances else None,
-        "covering": result.covering,
-        "same_label": result.same_label,
+        "shared": [_plain((pair.first_s, pair.second_s)) for pair in result.shared],
+        "only_first_s": _plain(result.only_first_s),
+        "only_second_s": _plain(result.only_second_s),
+        "f1": float(result.f1),
+        "timing_s": float(median(distances)) if distances else None,
+        "covering": float(result.covering),
+        "same_label": float(result.same_label),
     }
 
 
@@ -65,6 +65,11 @@ def take_over(opened: Opened, other: str) -> None:
         opened.apply(taking_over(_filed(opened, name), opened.kept_labeling.segmentation))
     else:
         raise _unknown()
+
+
+def _plain(times_s: Sequence[float]) -> list[float]:
+    """Times as JSON takes them, which knows no numbers of numpy's."""
+    return [float(time) for time in times_s]
 
 
 def _unknown() -> RequestError:

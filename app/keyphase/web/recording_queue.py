@@ -9,6 +9,7 @@ from typing import Any
 
 from keyphase.errors import KeyphaseError, RequestError
 from keyphase.labeling.journal import summarize
+from keyphase.labeling.spreading import Change
 from keyphase.segmentation import Parameters
 from keyphase.web.exports import export
 from keyphase.web.library import Library
@@ -152,8 +153,8 @@ class RecordingQueue:
         try:
             looked = self._library.look(recording)
             looked.close()
-            change = asdict(looked.preview_shared(preview.parameters))
-            item = {"id": recording.id, "name": recording.name, "error": None, **change}
+            change = looked.preview_shared(preview.parameters)
+            item = {"id": recording.id, "name": recording.name, "error": None, **_as_json(change)}
         except KeyphaseError as error:
             item = {"id": recording.id, "name": recording.name, "error": str(error)}
         finally:
@@ -257,6 +258,16 @@ class _Preview:
 
     def message(self) -> dict[str, Any]:
         return {"type": "spread", "total": len(self.recordings), "items": list(self.items)}
+
+
+def _as_json(change: Change) -> dict[str, Any]:
+    """A change as JSON takes it, which knows no numbers of numpy's."""
+    return {
+        **asdict(change),
+        "comes_s": list(map(float, change.comes_s)),
+        "goes_s": list(map(float, change.goes_s)),
+        "moves_s": [(float(a), float(b)) for a, b in change.moves_s],
+    }
 
 
 def _as_journaled(recording: Recording) -> Recording:
