@@ -20,8 +20,8 @@ OUTCOME_COLORS = {
     "not begun": "#ced4da",
 }
 
-_LEFT, _TOP, _PLOT_WIDTH, _PLOT_HEIGHT = 64, 76, 400, 268
-_BARS_LEFT, _BARS_WIDTH = 700, 230
+_LEFT, _TOP, _PLOT_WIDTH, _PLOT_HEIGHT = 64, 92, 400, 252
+_BARS_LEFT, _BARS_WIDTH = 738, 198
 _INK, _FAINT = "#343a40", "#dee2e6"
 
 
@@ -58,7 +58,7 @@ def _scatter(trials: Trials) -> Iterator[str]:
     for trial, height in zip(trials.trials, heights, strict=True):
         yield _mark(_across(height, reach), _down(trial.peak_force_N, most), trial)
     yield _text(_LEFT + _PLOT_WIDTH / 2, HEIGHT - 34, "part height [mm]", anchor="middle")
-    yield _text(_LEFT - 40, _TOP - 10, "peak force [N]")
+    yield _text(_LEFT - 40, _TOP - 14, "peak force [N]")
     yield _legend(_LEFT, HEIGHT - 12, [("succeeded", GOOD), ("failed", BAD)])
 
 
@@ -72,10 +72,10 @@ def _bars(trials: Trials) -> Iterator[str]:
     count = max(len(trials.labels), 1)
     pitch = min(44.0, _PLOT_HEIGHT / count)
     seen = [o for o in OUTCOME_COLORS if any(trials.outcomes(i)[o] for i in range(count))]
-    yield _text(_BARS_LEFT, _TOP - 10, "how the skills ended")
+    yield _text(_BARS_LEFT, _TOP - 14, "how the skills ended")
     for index, label in enumerate(trials.labels):
         y = _TOP + index * pitch
-        shown = label if len(label) <= 28 else label[:27] + "…"
+        shown = label if len(label) <= 32 else label[:31] + "…"
         yield _text(_BARS_LEFT - 10, y + 0.5 * pitch + 4, shown, anchor="end")
         x = float(_BARS_LEFT)
         for outcome in seen:
@@ -85,7 +85,7 @@ def _bars(trials: Trials) -> Iterator[str]:
                 f'height="{0.7 * pitch:.1f}" fill="{OUTCOME_COLORS[outcome]}"/>'
             )
             x += wide
-    yield _legend(_BARS_LEFT - 150, HEIGHT - 12, [(o, OUTCOME_COLORS[o]) for o in seen])
+    yield _legend(_BARS_LEFT - 206, HEIGHT - 12, [(o, OUTCOME_COLORS[o]) for o in seen])
 
 
 def _legend(left: float, y: float, entries: list[tuple[str, str]]) -> str:

@@ -1,0 +1,62 @@
+"""A replay against the clock, on one core: everything it does is logged.
+
+OMP_NUM_THREADS=1 pytest tests/benchmarks/bench_replay.py -o addopts= --benchmark-only
+"""
+
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "simulation"))
+from replaying import NAMES, begun, bundled, plan
+
+from keyphase.simulation import workcell
+from keyphase.simulation.replay import run
+from keyphase.skills.library import skills_of
+
+REPLAYED_S = 10.0
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_replay_of_10_s_computes_in_1_s(benchmark, name) -> None:
+    demonstration = bundled(name)[0]
+    skills = skills_of(demonstration, plan(name))
+
+    def replayed_s() -> float:
+        return run(workcell(name).build(), skills, demonstration).duration_s
+
+    replayed = benchmark(replayed_s)
+    per_10_s = benchmark.stats["median"] * REPLAYED_S / replayed
+    benchmark.extra_info["seconds for 10 s of replay"] = round(per_10_s, 3)
+    assert per_10_s < 1.0
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_stopping_takes_no_longer_than_a_tick(benchmark, name) -> None:
+    def prepared():
+        replay = begun(name)
+        for _ in range(50):
+            replay.step()
+        return (replay,), {}
+
+    def stop(replay) -> None:
+        replay.stop()
+
+    benchmark.pedantic(stop, setup=prepared, rounds=5)
+    assert benchmark.stats["max"] < 0.1
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_tick_leaves_time_for_the_page(benchmark, name) -> None:
+    replay = begun(name)
+    took = []
+
+    def tick() -> None:
+        began = time.perf_counter()
+        replay.step()
+        took.append(time.perf_counter() - began)
+
+    benchmark.pedantic(tick, rounds=1000)
+    assert sorted(took)[len(took) // 2] < 0.001
