@@ -1,20 +1,9 @@
-"""A folder of recordings: vocabulary, parameters for all, comparison, files dropped on the page."""
+"""A folder of recordings: its vocabulary, its parameters, its queue, by mouse and by keys."""
 
-import base64
 from pathlib import Path
 
 import pytest
 from driver import KeyphasePage, Serve, Visit
-
-from keyphase.shipped import shipped
-
-_DROP = """({ name, data }) => {
-  const bytes = Uint8Array.from(atob(data), letter => letter.charCodeAt(0));
-  const transfer = new DataTransfer();
-  transfer.items.add(new File([bytes], name));
-  const drop = new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true });
-  document.body.dispatchEvent(drop);
-}"""
 
 
 @pytest.fixture
@@ -25,49 +14,176 @@ def two(folder: Path, serve: Serve, visit: Visit) -> KeyphasePage:
     return page
 
 
+def _open(page: KeyphasePage, name: str) -> None:
+    page.page.locator(".queue-row", has_text=name).first.click()
+    page.until(f"keyphase.state.document.name === '{name}'")
+
+
+def _name_selected(page: KeyphasePage, name: str) -> None:
+    page.press("l")
+    page.page.keyboard.type(name)
+    page.change(lambda: page.press("Enter"))
+
+
 def test_a_name_once_given_is_a_number_key_in_the_next_recording(two: KeyphasePage) -> None:
-    two.change(lambda: two.page.evaluate("() => keyphase.actions.label('Reach', 0)"))
-    two.press("PageDown")
-    two.until("keyphase.state.document.name === 'synthetic_setup1'")
-    two.until("keyphase.state.labels.some(label => label.name === 'Reach')")
     two.press("]")
     two.until("keyphase.state.selected === 0")
+    _name_selected(two, "Reach")
+    color = two.document["segments"][0]["color"]
+    two.press("PageDown")
+    two.until("keyphase.state.document.name === 'synthetic_setup1'")
+    two.press("]")
+    two.press("]")
+    two.until("keyphase.state.selected === 1")
     two.change(lambda: two.press("1"))
-    assert two.labels()[0] == "Reach"
+
+    assert two.labels()[1] == "Reach"
+    assert two.document["segments"][1]["color"] == color
 
 
-def test_parameters_are_given_to_all_after_a_look_at_what_would_change(two: KeyphasePage) -> None:
+def test_a_name_is_completed_and_can_be_taken_out_of_the_vocabulary(two: KeyphasePage) -> None:
+    two.press("]")
+    _name_selected(two, "Reach")
+    two.click(two.middle_of(2), count=2)
+    two.page.locator("#rename li", has_text="Reach").first.wait_for()
+    two.page.keyboard.type("rea")
+    two.press("ArrowDown")
+    two.settle()
+    two.picture("vocabulary")
+    two.change(lambda: two.press("Enter"))
+    assert two.labels()[2] == "Reach"
+
+    two.click(two.middle_of(3), count=2)
+    entry = two.page.locator("#rename li", has_text="Reach").first
+    entry.hover()
+    entry.get_by_role("button").dispatch_event("pointerdown")
+    two.until("keyphase.state.labels.length === 0")
+    assert two.labels()[2] == "Reach"
+
+
+def test_parameters_are_applied_to_all_by_keys_after_a_look_at_what_would_change(
+    two: KeyphasePage,
+) -> None:
     two.change(lambda: two.page.evaluate("() => keyphase.actions.setThreshold(1e6, false, null)"))
     two.press("Control+k")
     two.page.keyboard.type("parameters to all")
     two.press("Enter")
-    two.page.locator("#spread").wait_for()
+    two.page.locator("#spread button:focus", has_text="Apply to all").wait_for()
     two.picture("spread")
-    assert "synthetic_setup1" in two.text("#spread")
-    two.page.get_by_role("button", name="Apply to all").click()
+    assert "would change" in two.text("#spread p")
+    assert "boundar" in two.text("[data-recording='2'] .goes")
+
+    two.press("Enter")
+    two.page.locator(".notice", has_text="All recordings").wait_for()
     two.press("PageDown")
     two.until("keyphase.state.document.name === 'synthetic_setup1'")
     assert two.document["parameters"]["force_threshold"] == 1e6
 
 
-def test_a_comparison_shows_what_only_one_of_the_two_has(two: KeyphasePage) -> None:
-    two.change(lambda: two.page.evaluate("() => keyphase.actions.addBoundary(0.6)"))
-    two.page.get_by_role("button", name="Tracks").click()
-    two.page.get_by_role("menuitemcheckbox", name="What the program found").click()
-    two.page.locator(".other-segment").first.wait_for()
-    two.picture("comparison")
-    assert two.page.locator(".only-first").count() == 1
-    assert two.text("[data-gutter=comparison]").startswith("Compared F1 0.")
+def test_parameters_are_not_applied_where_a_person_thinks_better_of_it(two: KeyphasePage) -> None:
+    two.change(lambda: two.page.evaluate("() => keyphase.actions.setThreshold(1e6, false, null)"))
+    two.page.evaluate("() => keyphase.actions.spread('look')")
+    two.page.locator("#spread").get_by_role("button", name="Cancel").click()
+    _open(two, "synthetic_setup1")
+
+    assert two.document["parameters"]["force_threshold"] is None
 
 
-def test_a_dropped_file_opens(two: KeyphasePage) -> None:
-    data = base64.b64encode((shipped("data") / "setup2.npz").read_bytes()).decode()
-    two.page.evaluate(_DROP, {"name": "setup2.npz", "data": data})
-    two.until("keyphase.state.document.name.startsWith('setup2')")
-    assert two.page.locator(".queue-row").count() == 3
+def test_a_recording_is_done_and_the_next_one_opens(two: KeyphasePage) -> None:
+    two.press("k")
+    two.until("keyphase.state.document.name === 'synthetic_setup1'")
+    two.until("keyphase.state.recordings.items[0].state === 'done'")
+    two.change(lambda: two.page.locator("#badge").click())
+    two.until("keyphase.state.recordings.items[1].state === 'done'")
+    assert two.page.locator(".queue-row svg[aria-label=done]").count() == 2
+
+    two.change(lambda: two.press("Shift+K"))
+    two.until("keyphase.state.recordings.items[1].state === 'automatic'")
 
 
-def test_a_dropped_file_that_is_no_recording_is_refused_with_a_reason(two: KeyphasePage) -> None:
-    two.page.evaluate(_DROP, {"name": "run.exe", "data": base64.b64encode(b"MZ").decode()})
-    two.page.locator(".notice.warning").wait_for()
-    assert "run.exe" in two.text(".notice.warning")
+def test_the_least_certain_recording_opens(two: KeyphasePage) -> None:
+    two.until("keyphase.state.recordings.items.every(item => item.confidence !== null)")
+    items = two.state("recordings")["items"]
+    least = min(items, key=lambda item: item["confidence"])["name"]
+    two.press("u")
+    two.until(f"keyphase.state.document.name === '{least}'")
+    _open(two, next(item["name"] for item in items if item["name"] != least))
+    two.page.locator("#least-certain").click()
+    two.until(f"keyphase.state.document.name === '{least}'")
+
+
+def test_a_second_server_opens_the_recording_for_looking_and_says_so(
+    folder: Path, serve: Serve, visit: Visit
+) -> None:
+    first = visit(serve(folder / "setup1.npz"), scene=False)
+    first.wait_for_document()
+    second = visit(serve(folder / "setup1.npz"), scene=False)
+    second.wait_for_document()
+    second.settle()
+    second.picture("second_server")
+
+    assert "Read only" in second.text("#banners")
+    assert "editing setup1.npz" in second.text("#banners")
+    second.press("]")
+    second.press("x")
+    second.press("Control+s")
+    second.page.get_by_text("Written to").wait_for()
+    assert second.document["edits"] == 0
+
+
+def _changed_recording(folder: Path, serve: Serve, visit: Visit) -> KeyphasePage:
+    """A page on a recording that was labeled and has other bytes since."""
+    path = folder / "setup1.npz"
+    server = serve(path)
+    before = visit(server, scene=False)
+    before.wait_for_document()
+    before.change(lambda: before.page.evaluate("() => keyphase.actions.addBoundary(0.6)"))
+    before.close()
+    server.stop()
+    path.write_bytes((folder / "synthetic_setup1.npz").read_bytes())
+    after = visit(serve(path), scene=False)
+    after.wait_for_document()
+    return after
+
+
+def test_labels_of_a_recording_that_changed_are_kept_when_a_person_says_so(
+    folder: Path, serve: Serve, visit: Visit
+) -> None:
+    page = _changed_recording(folder, serve, visit)
+    assert "has changed since" in page.text("#banners")
+    page.picture("changed")
+    page.change(lambda: page.page.get_by_role("button", name="Keep them").click())
+
+    page.until("!keyphase.state.document.changed")
+    assert page.document["edits"] == 1
+
+
+def test_a_recording_that_changed_is_started_over_when_a_person_says_so(
+    folder: Path, serve: Serve, visit: Visit
+) -> None:
+    page = _changed_recording(folder, serve, visit)
+    page.page.get_by_role("button", name="Start over").click()
+
+    page.until("!keyphase.state.document.changed")
+    assert all(abs(b["time_s"] - 0.6) > 1e-6 for b in page.document["boundaries"])
+
+
+def test_edits_that_lost_their_place_are_brought_back_or_forgotten(two: KeyphasePage) -> None:
+    moved = two.document["boundaries"][0]["time_s"]
+    two.change(lambda: two.page.evaluate("t => keyphase.actions.moveBoundary(t, t + 0.05)", moved))
+    last = two.document["boundaries"][-1]["time_s"]
+    two.change(lambda: two.page.evaluate("t => keyphase.actions.moveBoundary(t, t + 0.05)", last))
+    two.change(lambda: two.page.evaluate("() => keyphase.actions.setThreshold(1e6, false, null)"))
+    two.change(
+        lambda: two.page.evaluate(
+            "() => keyphase.actions.send({type: 'set', parameter: 'gaussians', value: 1})"
+        )
+    )
+    lost = two.document["inapplicable"]
+    assert lost
+    two.picture("inapplicable")
+    two.change(lambda: two.page.get_by_role("button", name="Bring back").first.click())
+    assert len(two.document["inapplicable"]) == len(lost) - 1
+    if len(lost) > 1:
+        two.change(lambda: two.page.get_by_role("button", name="Forget").first.click())
+        assert len(two.document["inapplicable"]) == len(lost) - 2

@@ -214,6 +214,7 @@ export function createActions(store, send, latency) {
     setDone(done) {
       if (doc() && !state.readOnly) send({ type: "done", done });
     },
+    toggleDone: () => actions.setDone(doc().state !== "done"),
     doneAndOn() {
       actions.setDone(true);
       const { items, current } = state.recordings;
@@ -228,6 +229,25 @@ export function createActions(store, send, latency) {
     compare(other) {
       if (other === null) store.set({ comparison: null });
       if (doc()) send({ type: "compare", with: other });
+    },
+    toggleCompare: () => actions.compare(state.comparison?.with ? null : "automatic"),
+    /** Goes to the next boundary that only one of the two has. */
+    visitDifference(direction) {
+      if (!state.comparison?.with) return;
+      const times = [...state.comparison.only_first_s, ...state.comparison.only_second_s].sort((a, b) => a - b);
+      const next = direction > 0 ? times.find((time) => time > state.clock + 1e-4) : times.findLast((time) => time < state.clock - 1e-4);
+      if (next === undefined) return store.set({ notice: { level: "info", text: times.length ? "No further difference." : "Both have the same boundaries." } });
+      return actions.goTo(next);
+    },
+    /** Makes the other segmentation this recording's, as one step. */
+    takeOver() {
+      const from = state.comparison?.with;
+      if (from && !state.readOnly) send({ type: "take_over", from });
+    },
+    /** The recording as it now is, without what was made of it as it was. */
+    startOver() {
+      actions.resetEdits();
+      actions.keepLabels();
     },
     keepLabels: () => send({ type: "keep_labels" }),
     bringBack: (index) => edit({ kind: "bring_back", edit: index }),

@@ -22,10 +22,10 @@ export function createBanners(store, actions) {
 function state(doc, lookingOnly, actions) {
   const lines = [];
   if (lookingOnly) lines.push(line("This link is for looking: nothing can be changed here."));
-  else if (doc.locked) lines.push(line(doc.locked));
-  if (doc.changed) {
-    lines.push(line("The recording has changed since it was labeled. The labels were kept; look whether they still fit.",
-      button("They fit", actions.keepLabels, "primary"), button("Take back all edits", actions.resetEdits)));
+  else if (doc.locked) lines.push(line(`Read only: ${doc.locked}.`));
+  if (doc.changed && !lookingOnly && !doc.locked) {
+    lines.push(line("The recording has changed since it was labeled. Its labels are still there; look whether they fit.",
+      button("Keep them", actions.keepLabels, "primary"), button("Start over", actions.startOver)));
   }
   return lines;
 }

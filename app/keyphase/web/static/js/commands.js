@@ -10,7 +10,7 @@
 /**
  * @param {any} actions
  * @param {import("./store.js").Store} store
- * @param {{openPalette: () => void, openKeys: () => void}} dialogs
+ * @param {{openPalette: () => void, openKeys: () => void, chooseFiles: () => void}} dialogs
  * @returns {Command[]}
  */
 export function createCommands(actions, store, dialogs) {
@@ -73,10 +73,13 @@ export function createCommands(actions, store, dialogs) {
       ["Next recording", ["PageDown"], () => actions.nextRecording(1), true],
       ["Least certain recording", ["U"], actions.leastCertain, true],
       ["Done with this recording, on to the next", ["K"], actions.doneAndOn],
-      ["Not done yet", [], () => actions.setDone(false)],
+      ["Done, or not done after all", ["Shift K"], actions.toggleDone],
+      ["Add recordings or segment files…", ["Ctrl O"], dialogs.chooseFiles, true],
       ["Apply these parameters to all recordings…", [], () => actions.spread("look")],
-      ["Compare with what the program found", [], () => actions.compare("automatic")],
-      ["Compare no longer", [], () => actions.compare(null)],
+      ["Compare with what the program found, or no longer", ["G"], actions.toggleCompare],
+      ["Next difference", ["J"], () => actions.visitDifference(1)],
+      ["Previous difference", ["Shift J"], () => actions.visitDifference(-1)],
+      ["Take over what is compared", [], actions.takeOver],
       ["Export the segment file", ["Ctrl S"], () => actions.exportAs("json")],
       ["Export as CSV", [], () => actions.exportAs("csv")],
       ["Export all recordings", [], () => actions.exportAs("all")],

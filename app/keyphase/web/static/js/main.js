@@ -54,7 +54,7 @@ const send = (message) => socket?.send(message) ?? false;
 const latency = createLatency(store, send, sceneFrames);
 const signals = createSignals(store, send, () => wantedTracks(store.state));
 const actions = createActions(store, send, latency);
-const dialogs = { openPalette: (query) => palette.open(query), openKeys: () => keysSheet.open() };
+const dialogs = { openPalette: (query) => palette.open(query), openKeys: () => keysSheet.open(), chooseFiles: () => upload.choose() };
 const replayActions = createReplayActions(store, send);
 Object.assign(actions, { replay: replayActions });
 const commands = createCommands(actions, store, dialogs);
@@ -77,6 +77,7 @@ placeIcons();
 createTheme(store, send);
 // A comparison is with what is shown now, whatever has been edited since.
 store.later(["document"], ({ comparison }) => comparison?.with && actions.compare(comparison.with));
+store.later(["recording"], () => actions.compare(null));
 const applySize = () => (document.documentElement.dataset.size = store.state.small ? "small" : "large");
 applySize();
 store.on(["small"], applySize);
@@ -122,10 +123,13 @@ const receive = createReceiver(store, { latency, playback, notices, signals, rep
 socket = openSocket({
   onMessage: receive,
   onSignals: (frame) => signals.receive(frame),
-  onState: (connected) => store.set(connected ? { connected } : { connected, saving: false, greeted: store.state.document !== null }),
+  onState(connected) {
+    if (!connected) upload.broke();
+    store.set(connected ? { connected } : { connected, saving: false, greeted: store.state.document !== null });
+  },
 });
-const upload = createUpload(store, socket);
-createScene(store, { onKey, onSlide: latency.slid, onWindow: upload.watch });
+const upload = createUpload(store, socket, actions);
+createScene(store, { onKey, onSlide: latency.slid });
 store.set({ dark: firstDark(), snap: true });
 
 /** For tests and for anyone who wants to know how fast it is. */

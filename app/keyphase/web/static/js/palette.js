@@ -18,12 +18,14 @@ export function createPalette(store, actions, commands) {
   let at = 0;
 
   function everything() {
-    const { document: doc, recordings, labels } = store.state;
+    const { document: doc, recordings, labels, comparison } = store.state;
     const named = commands().filter((command) => doc || command.always)
       .map(({ name, keys, run, group }) => ({ text: name, kind: group, key: keys[0] ?? "", run }));
     const open = recordings.items.map(({ id, name, error }) => ({ text: name, kind: error ? "Recording, cannot be read" : "Recording", key: "", run: () => actions.open(id) }));
     const label = doc ? labels.map(({ name }, k) => ({ text: name, kind: "Label the segment", key: k < 9 ? String(k + 1) : "", run: () => actions.label(name) })) : [];
-    return [...named, ...open, ...label];
+    const compare = doc ? (comparison?.options ?? []).filter((name) => name !== "automatic")
+      .map((name) => ({ text: `Compare with ${name}`, kind: "Recordings", key: "", run: () => actions.compare(name) })) : [];
+    return [...named, ...compare, ...open, ...label];
   }
 
   function search() {

@@ -29,17 +29,19 @@ export function createReceiver(store, { latency, playback, notices, signals, rep
     playhead: (message) => playback.receive(message),
     selection: (message) => store.set({ selected: message.segment }),
     progress: (message) => store.set({ progress: message.done ? null : message }),
+    upload_ready: (message) => upload().heard(message),
+    upload_refused: (message) => upload().heard(message),
     uploaded(message) {
-      upload().ended();
+      upload().heard(message);
       notices.show({ level: "info", text: `${message.name} has arrived.` });
     },
     comparison: (message) => store.set({ comparison: message }),
-    spread: (message) => store.set({ spread: message }),
+    spread: (message) => store.set({ spread: state.lookingOnly ? null : message }),
     replay: (message) => replay.replay(message),
     replay_samples: (message) => replay.samples(message),
+    trials: (message) => replay.trials(message),
     notice(message) {
       store.set({ saving: false });
-      if (message.level !== "info") upload().refused();
       notices.show(message);
     },
     saved: (message) => notices.show({ level: "info", text: `Written to ${message.path}` }),

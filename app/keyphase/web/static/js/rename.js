@@ -1,6 +1,6 @@
 /** Naming a segment where it stands, with the folder's labels to choose from. */
 
-import { byId, el } from "./dom.js";
+import { byId, el, icon } from "./dom.js";
 import { segmentFill } from "./timeline/band.js";
 
 const LEAST_WIDTH = 220;
@@ -37,7 +37,15 @@ export function createRename(store, timeline, actions) {
     list.replaceChildren(...choices.map(({ name, color, number }, k) => el("li", {
       class: k === at ? "on" : "", role: "option", "aria-selected": String(k === at),
       on: { pointerdown: (event) => (event.preventDefault(), finish(name)) },
-    }, el("i", { style: { background: typeof color === "string" ? color : segmentFill({ color }) } }), el("span", { text: name }), number ? el("kbd", { text: number }) : "")));
+    }, el("i", { style: { background: typeof color === "string" ? color : segmentFill({ color }) } }), el("span", { text: name }), number ? el("kbd", { text: number }) : "", inVocabulary(name) ? forgetting(name) : "")));
+  }
+
+  const inVocabulary = (name) => store.state.labels.some((label) => label.name === name);
+
+  /** Takes a label out of the folder's vocabulary; segments that have it keep it. */
+  function forgetting(name) {
+    return el("button", { type: "button", class: "tool", title: "Take out of the vocabulary (Shift Delete)", "aria-label": `Take ${name} out of the vocabulary`, tabindex: "-1",
+      on: { pointerdown: (event) => (event.preventDefault(), event.stopPropagation(), actions.forgetLabel(name)) } }, icon("close", "small"));
   }
 
   function finish(label, goesOn = false) {
@@ -56,6 +64,7 @@ export function createRename(store, timeline, actions) {
     else if (event.key === "Enter") finish(choices[at]?.name ?? input.value);
     else if (event.key === "Tab") finish(choices[at]?.name ?? input.value, true);
     else if (event.key === "Escape") finish(null);
+    else if (event.key === "Delete" && event.shiftKey && choices[at] && inVocabulary(choices[at].name)) actions.forgetLabel(choices[at].name);
     else return;
     event.preventDefault();
     event.stopPropagation();
@@ -63,6 +72,7 @@ export function createRename(store, timeline, actions) {
   input.addEventListener("blur", () => finish(null));
   form.addEventListener("submit", (event) => event.preventDefault());
 
+  store.on(["labels"], ({ renaming }) => renaming !== null && complete());
   store.on(["renaming"], ({ renaming, document: doc }) => {
     const segment = renaming === null ? null : doc?.segments[renaming];
     const wasOpen = !form.hidden;

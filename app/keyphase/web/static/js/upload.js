@@ -1,80 +1,96 @@
-/** Files dropped on the page are sent to the server in pieces, one file at a time. */
+/** Files dropped on the page or chosen are sent to the server in pieces, one file at a time. */
 
-import { byId } from "./dom.js";
+import { byId, el } from "./dom.js";
 
 const PIECE_BYTES = 256 * 1024;
 /** No more than this waits in the browser, so that a large file does not fill its memory. */
 const WAITING_BYTES = 4 * PIECE_BYTES;
+const KINDS = ".npz,.csv,.tsv,.txt,.dat,.log,.asc,.json";
 
 /**
  * @param {import("./store.js").Store} store
  * @param {import("./socket.js").Socket} socket
+ * @param {any} actions
  */
-export function createUpload(store, socket) {
+export function createUpload(store, socket, actions) {
   const target = byId("drop-target");
+  const input = /** @type {HTMLInputElement} */ (el("input", { type: "file", multiple: true, accept: KINDS, hidden: true, "aria-label": "Files to add" }));
+  document.body.append(input);
   /** @type {File[]} */
-  let waiting = [];
+  const waiting = [];
   let sending = false;
-  let answered = () => {};
+  /** @type {(message: import("./types.js").Message) => void} */
+  let hear = () => {};
+  const answer = () => new Promise((resolve) => (hear = resolve));
 
-  function drops(event) {
-    return !store.state.lookingOnly && event.dataTransfer?.types.includes("Files");
-  }
+  input.addEventListener("change", () => {
+    add(input.files ?? []);
+    input.value = "";
+  });
+  byId("add-recording").addEventListener("click", () => input.click());
+  store.later(["lookingOnly"], ({ lookingOnly }) => (byId("add-recording").hidden = lookingOnly));
 
-  /** Files may be dropped on our page and on the scene's frame alike. */
-  function watch(page) {
-    page.addEventListener("dragover", (event) => {
+  /** Lets files be dropped on a window: ours, and that of the scene's frame. */
+  function watch(where) {
+    const drops = (event) => !store.state.lookingOnly && event.dataTransfer?.types.includes("Files");
+    where.addEventListener("dragover", (event) => {
       if (!drops(event)) return;
       event.preventDefault();
       target.hidden = false;
     });
-    page.addEventListener("dragleave", (event) => {
+    where.addEventListener("dragleave", (event) => {
       if (!event.relatedTarget) target.hidden = true;
     });
-    page.addEventListener("drop", (event) => {
+    where.addEventListener("drop", (event) => {
       target.hidden = true;
       if (!drops(event)) return;
       event.preventDefault();
-      waiting.push(...event.dataTransfer.files);
-      sendNext();
+      add(event.dataTransfer.files);
     });
   }
   watch(window);
+  const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
+  frame.addEventListener("load", () => frame.contentWindow && watch(frame.contentWindow));
 
-  async function sendNext() {
-    const file = waiting.shift();
-    if (sending || !file) return;
-    sending = true;
-    const done = new Promise((resolve) => (answered = resolve));
-    const whole = await send(file);
-    if (whole) await done;
-    store.set({ progress: null });
-    sending = false;
-    sendNext();
+  function add(files) {
+    waiting.push(...files);
+    if (!sending) sendAll();
   }
 
-  /** @returns {Promise<boolean>} whether all of it was sent */
+  async function sendAll() {
+    sending = true;
+    for (let file = waiting.shift(); file; file = waiting.shift()) {
+      const { type, text, name, compares } = await send(file);
+      if (type === "upload_refused") store.set({ notice: { level: "warning", text } });
+      if (compares) actions.compare(name);
+    }
+    store.set({ progress: null });
+    sending = false;
+  }
+
+  /** Sends one file and waits for what the server says to it. */
   async function send(file) {
-    if (!socket.send({ type: "upload", name: file.name, size: file.size })) return false;
-    for (let at = 0; at < file.size; at += PIECE_BYTES) {
+    const lost = { type: "upload_refused", text: `The connection broke while ${file.name} was sent; drop it again.` };
+    const first = answer();
+    if (!socket.send({ type: "upload", name: file.name, size: file.size })) return lost;
+    const greeting = await first;
+    if (greeting.type !== "upload_ready") return greeting;
+    let refusal = null;
+    const last = answer().then((message) => (refusal = message));
+    for (let at = 0; at < file.size && !refusal; at += PIECE_BYTES) {
       const piece = await file.slice(at, at + PIECE_BYTES).arrayBuffer();
       await socket.roomFor(WAITING_BYTES);
-      if (!sending || !socket.sendPiece(piece)) return false;
+      if (!refusal && !socket.sendPiece(piece)) return lost;
       store.set({ progress: { what: `Sending ${file.name}`, fraction: at / file.size, done: false } });
     }
-    return true;
+    return last;
   }
 
   return {
-    watch,
-    /** The server has the file, or refused it. */
-    ended() {
-      answered();
-    },
-    refused() {
-      if (sending) answered();
-      sending = false;
-      waiting = [];
-    },
+    choose: () => input.click(),
+    /** What the server says to a file: ready, refused, or uploaded. */
+    heard: (message) => hear(message),
+    /** The connection is gone, and with it what was on its way. */
+    broke: () => hear({ type: "upload_refused", text: "The connection broke while a file was sent; drop it again." }),
   };
 }

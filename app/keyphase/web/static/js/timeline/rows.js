@@ -62,7 +62,7 @@ export function layOut(state, room = 0) {
     const isFolded = key === "segments" && folded.has(key);
     put(key, isFolded ? 24 : small ? low : large, folded.has(key));
   }
-  if (state.comparison?.with) put("comparison", small ? 22 : 26);
+  if (state.comparison?.with) put("comparison", small ? 32 : 36);
   const headHeight = y;
   const tracks = tracksOf(state);
   const natural = tracks.map((track) =>

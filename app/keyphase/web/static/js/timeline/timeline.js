@@ -6,7 +6,7 @@
 import { el, svg } from "../dom.js";
 import { drawBand } from "./band.js";
 import { drawBoundaries, drawGhosts, drawIntervals } from "./boundaries.js";
-import { describeComparison, drawComparison } from "./comparison.js";
+import { createComparisonGutter, drawComparison } from "./comparison.js";
 import { withDrag } from "./drag.js";
 import { createErrorTrack } from "./error_track.js";
 import { createGutter } from "./gutter.js";
@@ -22,7 +22,7 @@ const GUTTER_PX = { large: 172, small: 132 };
 /**
  * @param {HTMLElement} pane
  * @param {import("../store.js").Store} store
- * @param {{acceptNames: () => void}} actions
+ * @param {any} actions
  */
 export function createTimeline(pane, store, actions) {
   const below = layer("below");
@@ -242,9 +242,6 @@ function createGutters(pane, store, actions) {
     accept.textContent = `Accept ${proposed} ${proposed === 1 ? "name" : "names"}`;
   };
   const compared = gutters.get("comparison");
-  compared.describe = (comparison) => {
-    compared.small.textContent = ` ${describeComparison(comparison)}`;
-    compared.node.title = `Compared with ${comparison.with}: ${describeComparison(comparison)}`;
-  };
+  compared.describe = createComparisonGutter(compared, store, actions);
   return gutters;
 }
