@@ -4,26 +4,36 @@ It is drawn in a thread of its own that skips poses which are no longer true, so
 never waits for the scene.
 """
 
-from collections.abc import Callable
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 import viser
 
 from keyphase.demonstration import Array
+from keyphase.simulation.replay_result import Frame, ReplayResult, ReplayState
+from keyphase.simulation.replay_skill import STEP_S
 from keyphase.web.lent_yumi import LentYumi
 from keyphase.web.palette import IDLE, LIGHT, Rgb, painted, segment_color
 from keyphase.web.part_figures import PartFigures
 from keyphase.web.path_geometry import METRES_PER_NEWTON
+from keyphase.web.recordings import printable
+from keyphase.web.replay_exports import write_page
 from keyphase.web.replay_messages import path_of_skill
 from keyphase.web.replay_plan import PlannedSkill
 from keyphase.web.replay_run import Tick
 from keyphase.web.replay_session import ReplaySession, ReplayView, Running
 from keyphase.web.robot_view import RobotView
 from keyphase.web.scene import Scene
+from keyphase.web.telling import Telling
 from keyphase.web.worker import Worker
 
+PartPoses = Mapping[str, tuple[Array, Array]]
+
 ROOT = "/replay"
+
+FRAME_S = 0.04
+"""Between two frames of a result."""
 
 LEAST_FORCE_N = 0.4
 """What the sensor reads in free space is not drawn."""
@@ -35,8 +45,11 @@ PIECE_M = 0.003
 """The path that was run is drawn in pieces of this length."""
 
 _GIZMO_M = 0.11
-_SEEN_M = 0.42
-_GHOST_M, _DONE_M, _NOW_M = 0.0022, 0.005, 0.009
+_SEEN_M = 0.36
+_GHOST_M, _DONE_M, _NOW_M = 0.0018, 0.004, 0.006
+_BESIDE_M = np.array([0.055, 0.0, 0.0])
+"""The arrow stands in front of the gripper, which would hide it."""
+
 _ARROW: Rgb = painted(LIGHT.origins["force"])
 
 
@@ -63,11 +76,12 @@ class ReplayScene(ReplayView):
         scene: Scene,
         robot: RobotView,
         session: ReplaySession,
-        on_error: Callable[[Exception], None],
+        telling: Telling,
     ) -> None:
         self._server, self._scene, self._session = server, scene, session
         self._yumi = LentYumi(server, robot)
-        self._painter = Worker(on_error)
+        self._telling = telling
+        self._painter = Worker(telling.report)
         self._shown: _Shown | None = None
         self._gizmo: viser.TransformControlsHandle | None = None
         self._tool_m = np.zeros(3)
@@ -83,6 +97,14 @@ class ReplayScene(ReplayView):
         """Show or hide the gizmo that pushes the tool."""
         self._offered = offered
         self._painter.submit(self._show_gizmo, "gizmo")
+
+    def share(self) -> None:
+        """Write the replay that is over as one page that opens without a server.
+
+        Raises SimulationError where none is over.
+        """
+        running = self._session.over()
+        self._painter.submit(lambda: self._share(running))
 
     # -- what the session says
 
@@ -110,7 +132,7 @@ class ReplayScene(ReplayView):
                 PartFigures(self._server, f"{ROOT}/parts", running.shapes),
                 self._add_arrow(),
                 scene.add_label(f"{ROOT}/force_size", "", visible=False, anchor="center-left"),
-                scene.add_label(f"{ROOT}/name", "", visible=False, anchor="center-left"),
+                scene.add_label(f"{ROOT}/name", "", visible=False, anchor="center-right"),
             )
             for number, one in enumerate(running.plan.planned):
                 self._draw_path(number, one, running, now=False)
@@ -130,17 +152,20 @@ class ReplayScene(ReplayView):
         shown = self._shown
         if shown is None or shown.running.number != running.number:
             return
-        sample = tick.state.sample
         with self._server.atomic():
-            self._yumi.pose(sample.joints_rad)
-            shown.parts.pose(tick.parts)
-            self._draw_force(shown, sample.position_m, sample.force_N)
-            self._draw_skill(shown, tick.state.skill)
-            self._draw_done(shown, sample.position_m)
-            self._tool_m = sample.position_m
+            self._draw_state(shown, tick.state, tick.parts)
+            self._tool_m = tick.state.sample.position_m
             if self._gizmo is not None and self._pulled_to_m is None:
-                self._gizmo.position = sample.position_m
+                self._gizmo.position = self._tool_m
             self._push()
+
+    def _draw_state(self, shown: _Shown, state: ReplayState, parts: PartPoses) -> None:
+        sample = state.sample
+        self._yumi.pose(sample.joints_rad)
+        shown.parts.pose(parts)
+        self._draw_force(shown, sample.position_m, sample.force_N)
+        self._draw_skill(shown, state.skill)
+        self._draw_done(shown, sample.position_m)
 
     def _draw_force(self, shown: _Shown, tool_m: Array, force_N: Array) -> None:
         size = float(np.linalg.norm(force_N))
@@ -149,8 +174,9 @@ class ReplayScene(ReplayView):
             shown.arrow.visible = shown.force.visible = seen
         if not seen:
             return
-        tip = tool_m + METRES_PER_NEWTON * force_N
-        shown.arrow.points = np.array([[tool_m, tip]], np.float32)
+        start = tool_m + _BESIDE_M
+        tip = start + METRES_PER_NEWTON * force_N
+        shown.arrow.points = np.array([[start, tip]], np.float32)
         shown.force.position = tip
         text = f"{size:.1f} N"
         if shown.force.text != text:
@@ -215,6 +241,21 @@ class ReplayScene(ReplayView):
             self._scene.uncover()
         self._server.flush()
 
+    def _share(self, running: Running) -> None:
+        """Show the replay once more, all within one message, to whoever writes messages down."""
+        shown, result = self._shown, running.result
+        if shown is None or result is None:
+            return
+        with self._server.atomic():
+            self._server.scene.remove_by_name(f"{ROOT}/done")
+            shown.piece, shown.last_m = 0, None
+            film = self._server.get_scene_serializer()
+            for frame in result.frames:
+                self._draw_state(shown, state_at(result, frame.time_s), parts_in(result, frame))
+                film.insert_sleep(FRAME_S)
+        path = write_page(film.as_html(dark_mode=False), running.opened.recording.path)
+        self._telling.all({"type": "saved", "path": printable(str(path))})
+
     def _add_arrow(self) -> viser.ArrowsHandle:
         return self._server.scene.add_arrows(
             f"{ROOT}/force",
@@ -260,6 +301,17 @@ class ReplayScene(ReplayView):
         """The spring between tool and gizmo, which is stretched as either of them moves."""
         if self._pulled_to_m is not None:
             self._session.push(STIFFNESS_N_M * (self._pulled_to_m - self._tool_m))
+
+
+def state_at(result: ReplayResult, time_s: float) -> ReplayState:
+    """The tick nearest to a time."""
+    return result.states[min(round(time_s / STEP_S), len(result.states) - 1)]
+
+
+def parts_in(result: ReplayResult, frame: Frame) -> PartPoses:
+    """Where everything that is no link of the robot was."""
+    poses = zip(result.bodies, frame.position_m, frame.orientation_wxyz, strict=True)
+    return {name: (position, wxyz) for name, position, wxyz in poses}
 
 
 def _color(one: PlannedSkill) -> Rgb:

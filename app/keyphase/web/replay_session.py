@@ -17,10 +17,13 @@ from keyphase.simulation.workcell import workcell
 from keyphase.web.opened import Opened
 from keyphase.web.page_sockets import Page
 from keyphase.web.recording_queue import RecordingQueue
+from keyphase.web.recordings import printable
+from keyphase.web.replay_exports import export_plan
 from keyphase.web.replay_messages import Streamed, replay_message
 from keyphase.web.replay_plan import ReplayPlan, plan_of
 from keyphase.web.replay_run import Phase, ReplayRun, Tick
 from keyphase.web.replay_settings import WORKCELLS, Action, ReplaySettings
+from keyphase.web.replay_trials import run_and_tell
 from keyphase.web.telling import Telling
 from keyphase.web.worker import Worker
 
@@ -69,6 +72,9 @@ class ReplayView:
     def show_closed(self) -> None:
         """It is not shown any more."""
 
+    def show_trials(self, outcome: str) -> None:
+        """Trials are over, with this outcome in one line."""
+
 
 class ReplaySession:
     """Methods may be called from any thread."""
@@ -82,6 +88,7 @@ class ReplaySession:
         self._views: tuple[ReplayView, ...] = ()
         self._lock = threading.RLock()
         self._worker = Worker(telling.report)
+        self._trials = Worker(telling.report)
         self._streamed: Streamed | None = None
         self._shown_s = 0.0
         self._count = 0
@@ -95,6 +102,7 @@ class ReplaySession:
 
     def close(self) -> None:
         """End everything."""
+        self._trials.stop()
         self._worker.stop()
         self._worker.join()
         self.leave()
@@ -193,6 +201,24 @@ class ReplaySession:
         self._telling.notice("info", f"Recorded: {path.name}")
         self._queue.add(path)
         self.leave()
+
+    def export(self, kind: str) -> None:
+        """Write the open recording's plan: its `skills`, a `behavior tree`, or a `program`."""
+        opened = self._current()
+        plan = plan_of(opened.labeling, self.settings.end_by)
+        path = export_plan(plan, opened.recording.path, kind)
+        self._telling.all({"type": "saved", "path": printable(str(path))})
+
+    def run_trials(self, count: int) -> None:
+        """Run the open recording's plan in `count` disturbed worlds, in the background."""
+        opened, settings = self._current(), self.settings
+
+        def tell(outcome: str) -> None:
+            self._each(lambda view: view.show_trials(outcome))
+
+        self._trials.submit(
+            lambda: run_and_tell(opened, settings, count, self._telling, tell), "trials"
+        )
 
     def over(self) -> Running:
         """The replay that is over. Raises SimulationError where there is none."""

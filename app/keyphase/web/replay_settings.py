@@ -14,7 +14,9 @@ EndBy = Literal["contact", "configuration"]
 
 SPEEDS = (0.1, 4.0)
 
-Action = Literal["run", "again", "pause", "next", "hold", "release", "stop", "leave", "keep", "speed"]
+Action = Literal[
+    "run", "again", "pause", "next", "hold", "release", "stop", "leave", "keep", "speed"
+]
 """What a page may ask of a replay."""
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any, get_args
 
 import viser
@@ -12,6 +13,8 @@ from keyphase.web.replay_session import ReplaySession, ReplayView, Running
 from keyphase.web.replay_settings import SPEEDS, WORKCELLS, EndBy, ReplaySettings
 from keyphase.web.telling import Telling
 from keyphase.web.views import View
+
+STEP, STOP = "Step", "Stop"
 
 HIGHEST_MM = 20.0
 FURTHEST_ASIDE_MM = 10.0
@@ -24,13 +27,24 @@ _END_HINT = (
     "demonstrated pose, whatever is touched."
 )
 _PUSH_HINT = "Arrows at the tool: drag them, and a spring pulls the tool along while it runs."
+_STEER_HINT = "Step goes on until the skill that runs has ended. Esc stops at once."
+_WORLDS_HINT = (
+    "Each with parts up to 10 mm higher or lower and 5 mm aside, friction 0.2 to 0.6 and twice the "
+    "sensor noise."
+)
+_SHARE_HINT = "The replay that is over as one page that opens without a server."
+_EXPORTS = (
+    ("Behaviour tree (XML)", "behavior tree", "For BehaviorTree.CPP, with its skills beside it."),
+    ("Program listing", "program", "The plan as text that people read."),
+    ("Skills (JSON)", "skills", "The skills as data."),
+)
 _NOTHING = "Run replays the plan: every kept segment, in its order."
 
 
 class ReplayTab(ReplayView):
     """Controls of one replay session; add it inside a tab.
 
-    `offer_push` shows the gizmo or hides it.
+    `offer_push` shows the gizmo or hides it, `share` writes the replay as a page of its own.
     """
 
     def __init__(
@@ -39,6 +53,7 @@ class ReplayTab(ReplayView):
         session: ReplaySession,
         telling: Telling,
         offer_push: Callable[[bool], None],
+        share: Callable[[], None],
     ) -> None:
         self._gui, self._session, self._telling = server.gui, session, telling
         with self._gui.add_folder("Workcell"):
@@ -54,15 +69,21 @@ class ReplayTab(ReplayView):
             low, high = SPEEDS
             self._speed = self._gui.add_slider("Speed", low, high, 0.05, 1.0, hint="× real time.")
             self._on_change(self._speed, lambda value: self._configure(speed=float(value)))
-            self._run = self._button("Run", self._run_or_pause, icon="player-play")
-            self._step = self._button("Step", session.next_skill, icon="player-skip-forward")
-            self._stop = self._button("Stop", session.stop, icon="player-stop", color="red")
+            self._steer = self._gui.add_button_group("", ("Run", STEP, STOP), hint=_STEER_HINT)
+            self._steer.on_click(lambda _event: self._safely(self._steered))
             push = self._gui.add_checkbox("Push gizmo", False, hint=_PUSH_HINT)
             self._on_change(push, offer_push)
         self._table = self._gui.add_markdown(_NOTHING)
         self._keep = self._button("Open its recording", session.keep, visible=False)
-        self._leave = self._button("Back to the demonstration", session.leave, visible=False)
-        self._stop.disabled = True
+        self._leave = self._button("Close the replay", session.leave, visible=False)
+        with self._gui.add_folder("Trials", expand_by_default=False):
+            self._count = self._gui.add_slider("Worlds", 10, 200, 10, 20, hint=_WORLDS_HINT)
+            self._button("Run trials", lambda: session.run_trials(int(self._count.value)))
+            self._trials = self._gui.add_markdown("")
+        with self._gui.add_folder("Carry on elsewhere", expand_by_default=False):
+            for label, kind, hint in _EXPORTS:
+                self._button(label, partial(session.export, kind), hint=hint)
+            self._share = self._button("Shareable replay (HTML)", share, hint=_SHARE_HINT)
 
     def show_settings(self, settings: ReplaySettings) -> None:
         """Show what was chosen."""
@@ -79,31 +100,33 @@ class ReplayTab(ReplayView):
     def show_status(self, running: Running) -> None:
         """What has ended so far, and what can be done now."""
         is_over = running.phase == "over"
-        label = {"running": "Pause", "paused": "Go on", "over": "Run again"}[running.phase]
-        _put(self._run, "label", label)
-        _put(self._run, "icon", "player-pause" if label == "Pause" else "player-play")
-        _put(self._stop, "disabled", is_over)
+        self._offer({"running": "Pause", "paused": "Go on", "over": "Again"}[running.phase])
         _put(self._keep, "visible", is_over and running.result is not None)
         _put(self._leave, "visible", is_over)
         _put(self._table, "content", outcome_table(running))
 
     def show_closed(self) -> None:
         """Nothing runs."""
-        _put(self._run, "label", "Run")
-        _put(self._run, "icon", "player-play")
-        _put(self._stop, "disabled", True)
+        self._offer("Run")
         _put(self._table, "content", _NOTHING)
         for button in (self._keep, self._leave):
             _put(button, "visible", False)
 
     # -- hearing what a person does
 
-    def _run_or_pause(self) -> None:
-        running = self._session.running
-        if running is not None and running.phase == "running":
-            self._session.pause()
-        else:
-            self._session.go_on()
+    def show_trials(self, outcome: str) -> None:
+        """What came of the trials, in one line."""
+        _put(self._trials, "content", outcome)
+
+    def _steered(self) -> None:
+        {
+            STEP: self._session.next_skill,
+            STOP: self._session.stop,
+            "Pause": self._session.pause,
+        }.get(self._steer.value, self._session.go_on)()
+
+    def _offer(self, first: str) -> None:
+        _put(self._steer, "options", (first, STEP, STOP))
 
     def _configure(self, **chosen: Any) -> None:
         self._session.configure(lambda settings: replace(settings, **chosen))

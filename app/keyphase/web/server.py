@@ -107,12 +107,13 @@ class PageServer:
     def _offer_replay(self) -> None:
         """The scene first: what follows in the panel may take its time."""
         replay, telling = self.session.replay, self.session.telling
-        self._replay_scene = ReplayScene(self.viser, self.scene, self.robot, replay, telling.report)
+        self._replay_scene = ReplayScene(self.viser, self.scene, self.robot, replay, telling)
         replay.add(self._replay_scene)
         if self.panel.replay_tab is None:
             return
         with self.panel.replay_tab:
-            replay.add(ReplayTab(self.viser, replay, telling, self._replay_scene.offer_push))
+            scene = self._replay_scene
+            replay.add(ReplayTab(self.viser, replay, telling, scene.offer_push, scene.share))
         self.session.views.add(ReplayCloser(replay))
 
     def stop(self) -> None:

@@ -40,6 +40,7 @@ export function createReceiver(store, { latency, playback, notices, signals, rep
     replay: (message) => replay.replay(message),
     replay_samples: (message) => replay.samples(message),
     trials: (message) => replay.trials(message),
+    trials: (message) => replay.trials(message),
     notice(message) {
       store.set({ saving: false });
       notices.show(message);

@@ -5,6 +5,7 @@ import { createReplayPlan } from "./plan.js";
 import { withRows } from "./samples.js";
 import { placeText } from "./schedule.js";
 import { createReplayTimeline } from "./timeline.js";
+import { showTrials } from "./trials.js";
 import { createReplayTransport } from "./transport.js";
 
 const PLACES = ["timeline", "transport", "plan"];
@@ -27,7 +28,7 @@ export function createReplayActions(store, send) {
 /**
  * @param {import("../store.js").Store} store
  * @param {ReturnType<typeof createReplayActions>} actions
- * @returns {{replay: (message: any) => void, samples: (message: any) => void}} what to do with messages
+ * @returns {Object<string, (message: any) => void>} what to do with messages
  */
 export function createReplay(store, actions) {
   createReplayTimeline(store);
@@ -48,6 +49,7 @@ export function createReplay(store, actions) {
   return {
     replay: (message) => store.set(message.phase === null ? { replay: null, samples: null } : { replay: message }),
     samples: (message) => store.set({ samples: withRows(store.state.samples, message) }),
+    trials: showTrials,
   };
 }
 
