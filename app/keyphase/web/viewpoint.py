@@ -16,15 +16,16 @@ FIELD_OF_VIEW_RAD = 0.7
 BESIDE_ROBOT_RAD = -0.75
 """How far from straight in front of a robot it is looked at, towards its right arm."""
 
-WITH_ROBOT_M = 0.3
+WITH_ROBOT_M = 0.34
 """With a robot so much is seen at least."""
 
-ABOVE_PATH = 0.06
-"""With a robot the middle of the picture lies above the path's by this share of its size."""
+ABOVE_PATH = -0.03
+"""With a robot the picture's middle lies so much higher than the path's, as a share of its size;
+lower, since the parts lie there."""
 
 _ELEVATION_RAD = 0.42
 _ROOM = 1.15
-_LINE = 0.062
+_LINE = 0.072
 
 
 @dataclass(frozen=True, eq=False)
