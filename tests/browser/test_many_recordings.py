@@ -21,8 +21,15 @@ def _open(page: KeyphasePage, name: str) -> None:
 
 def _name_selected(page: KeyphasePage, name: str) -> None:
     page.press("l")
+    page.until("keyphase.state.renaming !== null && !document.getElementById('rename').hidden")
     page.page.keyboard.type(name)
     page.change(lambda: page.press("Enter"))
+
+
+def _one_gaussian(page: KeyphasePage) -> None:
+    page.page.evaluate(
+        "() => keyphase.actions.send({type: 'set', parameter: 'gaussians', value: 1})"
+    )
 
 
 def test_a_name_once_given_is_a_number_key_in_the_next_recording(two: KeyphasePage) -> None:
@@ -64,20 +71,21 @@ def test_a_name_is_completed_and_can_be_taken_out_of_the_vocabulary(two: Keyphas
 def test_parameters_are_applied_to_all_by_keys_after_a_look_at_what_would_change(
     two: KeyphasePage,
 ) -> None:
-    two.change(lambda: two.page.evaluate("() => keyphase.actions.setThreshold(1e6, false, null)"))
+    two.change(lambda: _one_gaussian(two))
     two.press("Control+k")
     two.page.keyboard.type("parameters to all")
     two.press("Enter")
     two.page.locator("#spread button:focus", has_text="Apply to all").wait_for()
     two.picture("spread")
     assert "would change" in two.text("#spread p")
-    assert "boundar" in two.text("[data-recording='2'] .goes")
+    assert "boundar" in two.text("#spread [data-recording='2'] .goes")
+    assert "Gaussians 1" in two.text("#spread [data-recording='1']")
 
     two.press("Enter")
     two.page.locator(".notice", has_text="All recordings").wait_for()
     two.press("PageDown")
     two.until("keyphase.state.document.name === 'synthetic_setup1'")
-    assert two.document["parameters"]["force_threshold"] == 1e6
+    assert two.document["parameters"]["gaussians"] == 1
 
 
 def test_parameters_are_not_applied_where_a_person_thinks_better_of_it(two: KeyphasePage) -> None:
@@ -174,11 +182,7 @@ def test_edits_that_lost_their_place_are_brought_back_or_forgotten(two: Keyphase
     last = two.document["boundaries"][-1]["time_s"]
     two.change(lambda: two.page.evaluate("t => keyphase.actions.moveBoundary(t, t + 0.05)", last))
     two.change(lambda: two.page.evaluate("() => keyphase.actions.setThreshold(1e6, false, null)"))
-    two.change(
-        lambda: two.page.evaluate(
-            "() => keyphase.actions.send({type: 'set', parameter: 'gaussians', value: 1})"
-        )
-    )
+    two.change(lambda: _one_gaussian(two))
     lost = two.document["inapplicable"]
     assert lost
     two.picture("inapplicable")

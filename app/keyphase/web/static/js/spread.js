@@ -27,20 +27,20 @@ export function createSpread(store, actions) {
     actions.spread("apply");
   });
 
-  store.on(["spread"], ({ spread, lookingOnly }) => {
+  store.on(["spread"], ({ spread, recordings: { current }, lookingOnly }) => {
     if (!spread || lookingOnly) return dialog.open && dialog.close();
     const { items, total } = spread;
     const isWhole = items.length === total;
     summary.textContent = isWhole ? outcome(items) : `Trying them on ${plural(total, "recording")}: ${items.length} done.`;
     bar.style.setProperty("width", `${(100 * items.length) / Math.max(total, 1)}%`);
     bar.classList.toggle("whole", isWhole);
-    for (const item of items.slice(rows.children.length)) rows.append(drawItem(item));
+    for (const item of items.slice(rows.children.length)) rows.append(drawItem(item, current));
     apply.disabled = !isWhole;
     if (dialog.open) {
       if (isWhole) apply.focus();
       return undefined;
     }
-    rows.replaceChildren(...items.map(drawItem));
+    rows.replaceChildren(...items.map((item) => drawItem(item, current)));
     return dialog.showModal();
   });
 }
@@ -52,9 +52,10 @@ function outcome(items) {
   return changing ? `${plural(changing, "recording")} of ${items.length} would change. Edits stay.` : "No boundary would change.";
 }
 
-function drawItem(item) {
+function drawItem(item, current) {
   return el("div", { class: `spread-row ${changes(item) ? "" : "same"}`, data: { recording: item.id } },
-    el("b", { text: item.name, title: item.name }), el("div", {}, ...(item.error ? [el("span", { class: "lost", text: `cannot be read: ${item.error}` })] : lines(item))));
+    el("b", { text: item.name, title: item.name }), el("div", {}, ...(item.id === current ? [el("span", { class: "quiet", text: `gives them: ${item.own?.join(", ") || "as its folder has them"}` })]
+      : item.error ? [el("span", { class: "lost", text: `cannot be read: ${item.error}` })] : lines(item))));
 }
 
 /** What comes, goes and moves, what edits lose their place, and what is this recording's own. */
@@ -64,7 +65,7 @@ function lines({ comes_s: comes, goes_s: goes, moves_s: moves, newly_inapplicabl
   const said = [
     comes.length ? ["comes", `+ ${count(comes)} at ${times(comes)} s`] : null,
     goes.length ? ["goes", `− ${count(goes)} at ${times(goes)} s`] : null,
-    moves.length ? ["", moves.map(([from, to]) => `${timeText(from)} → ${timeText(to)} s`).join(", ")] : null,
+    moves.length ? ["moves", `moves ${moves.map(([from, to]) => `${timeText(from)} → ${timeText(to)} s`).join(", ")}`] : null,
     ...lost.map((text) => ["lost", `no longer applies: ${text}`]),
     own.length ? ["quiet", `keeps its own ${own.join(", ")}`] : null,
   ].filter(Boolean);
