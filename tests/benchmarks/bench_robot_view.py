@@ -66,7 +66,7 @@ def received_bytes(socket, quiet_s=QUIET_S):
 
 
 def at_sixty_hertz(server):
-    """Set poses all along the recording, 60 a second: milliseconds of each, and how late at last."""
+    """Set poses all along the recording: milliseconds of each, and how late the last was."""
     head = server.session.playhead
     times = np.linspace(head.start_s, head.end_s, UPDATES).tolist()
     taken, begun = [], time.perf_counter()

@@ -96,6 +96,7 @@ class LeadThroughSession:
             for view in self._views:
                 view.show_workcell(status, shapes)
             self._lead.start()
+            self._telling.all({"type": "workcell", "open": True})
             self._teller = threading.Thread(
                 target=self._tell_of, args=(self._lead,), name="lead-through view", daemon=True
             )
@@ -108,6 +109,7 @@ class LeadThroughSession:
             self._lead = self._workcell = self._path = None
             if lead is None:
                 return
+            self._telling.all({"type": "workcell", "open": False})
             try:
                 lead.close()
             finally:

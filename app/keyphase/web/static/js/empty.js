@@ -8,8 +8,8 @@ import { byId, el } from "./dom.js";
  */
 export function createEmpty(store, actions) {
   const node = byId("empty");
-  store.later(["document", "recordings", "connected", "progress", "greeted"], ({ document: doc, recordings, connected, progress, greeted }) => {
-    const content = doc ? null : contentFor(recordings, connected, progress, greeted, actions);
+  store.later(["document", "recordings", "connected", "progress", "greeted", "workcell"], ({ document: doc, recordings, connected, progress, greeted, workcell }) => {
+    const content = doc || (workcell && connected) ? null : contentFor(recordings, connected, progress, greeted, actions);
     node.hidden = !content;
     node.classList.toggle("bad", Boolean(content?.bad));
     if (content) node.replaceChildren(...content.nodes);

@@ -15,6 +15,7 @@ export function createReceiver(store, { latency, playback, notices, signals, rep
       store.set({ greeted: true, lookingOnly: message.read_only, readOnly: message.read_only });
     },
     recordings: (message) => store.set({ recordings: message, ...(message.items.length ? {} : { document: null }) }),
+    workcell: (message) => store.set({ workcell: message.open }),
     document(message) {
       const before = state.document;
       const other = before?.id !== message.id;
@@ -39,7 +40,6 @@ export function createReceiver(store, { latency, playback, notices, signals, rep
     spread: (message) => store.set({ spread: state.lookingOnly ? null : message }),
     replay: (message) => replay.replay(message),
     replay_samples: (message) => replay.samples(message),
-    trials: (message) => replay.trials(message),
     trials: (message) => replay.trials(message),
     notice(message) {
       store.set({ saving: false });
