@@ -83,6 +83,7 @@ class PageClient:
             f"ws://127.0.0.1:{server.port}/app/ws",
             additional_headers=cookie(server, token),
             max_size=None,
+            max_queue=None,
         )
         self.heard: list[Message] = []
 
