@@ -80,7 +80,7 @@ def test_the_demonstration_stayed_in_its_first_contact_and_kept_it(name) -> None
     after = after_contact(bundled(name)[0], down)
     assert after.stayed
     assert after.direction @ DOWN > 0.99
-    kept = kept_contact(after.kept(down.end_position_m), bundled(name)[0], following)
+    kept = kept_contact(after.kept(), bundled(name)[0], following)
     assert kept is not None
     assert kept.force_N.min() > 1.0
 
@@ -94,7 +94,7 @@ def test_a_push_that_goes_on_does_not_stay_in_its_contact() -> None:
 def test_a_demonstration_that_leaves_a_contact_does_not_keep_it() -> None:
     demonstration = bundled("setup1")[0]
     down, _ = first_contact("setup1")
-    contact = after_contact(demonstration, down).kept(down.end_position_m)
+    contact = after_contact(demonstration, down).kept()
     forward = skill_of(demonstration, plan("setup1")[0])
     assert kept_contact(contact, demonstration, forward) is None
 
@@ -112,18 +112,27 @@ def test_travel_that_does_not_go_against_the_force_is_not_pressed_along() -> Non
 
 
 def test_contacts_are_kept_at_right_angles() -> None:
-    floor = KeptContact(DOWN, np.zeros(3), np.array([2.0]))
+    floor = KeptContact(DOWN, np.array([2.0]))
     tilted = np.array([0.0, 0.96, -0.28])
-    wall = square(KeptContact(tilted, np.zeros(3), np.array([3.0])), (floor,))
+    wall = square(KeptContact(tilted, np.array([3.0])), (floor,))
     assert wall is not None
     assert np.allclose(wall.direction, (0.0, 1.0, 0.0))
     assert square(floor, (floor,)) is None
 
 
 def test_a_contact_that_is_gone_is_not_followed_far() -> None:
-    contact = KeptContact(DOWN, np.array([0.0, 0.0, 0.1]), np.array([4.0]))
-    pressed = contact.pressed_m(np.array([0.0, 0.0, 0.05]), 0.5, 2000.0)
-    assert -pressed == pytest.approx(0.1 - 0.01)
+    contact = KeptContact(DOWN, np.array([4.0]))
+    fallen, path = np.array([0.0, 0.0, 0.05]), np.array([0.0, 0.0, 0.1])
+    assert -contact.pressed_m(fallen, path, 0.5, 2000.0) == pytest.approx(0.1 - 0.01)
+
+
+def test_the_way_that_is_slid_tells_the_surface() -> None:
+    demonstration = bundled("setup1")[0]
+    _, slide = first_contact("setup1")
+    tilted = np.array([0.0, 0.25, -np.sqrt(1 - 0.25**2)])
+    kept = kept_contact(KeptContact(tilted, np.array([2.0])), demonstration, slide)
+    assert kept is not None
+    assert kept.direction @ DOWN > 0.999
 
 
 def test_without_force_conditions_nothing_is_pressed() -> None:

@@ -161,8 +161,7 @@ class Replay:
         stiffness = self.simulation.controller.gains.stiffness_N_m
         if self._stage == "moving" and self._run is not None:
             return self._run.reference(self._measured(), stiffness)
-        still = Reference(self._reference.position_m, self._reference.orientation_wxyz)
-        return pressing(still, self._sample.position_m, self._kept, 1.0, stiffness)
+        return pressing(self._still, self._sample.position_m, self._kept, 1.0, stiffness)
 
     def _go_on(self) -> None:
         """Enter the next stage where this one is over."""
@@ -184,7 +183,7 @@ class Replay:
         """A contact was met: press it as the demonstration did, or move on as it did."""
         assert self._run is not None
         self._after = after_contact(self.demonstration, self._run.skill)
-        contact = square(self._after.kept(self._sample.position_m), self._kept)
+        contact = square(self._after.kept(), self._kept)
         if not self._after.stayed or contact is None:
             self._shift = shift_after(self._run.skill, self._sample.position_m, self._shift)
             self._end_skill(self._carried())
@@ -231,6 +230,8 @@ class Replay:
 
     def _enter(self, stage: Stage) -> None:
         self._stage, self._stage_ticks = stage, 0
+        at = self._reference
+        self._still = Reference(at.position_m, at.orientation_wxyz)
 
     def _carried(self) -> Array:
         """The velocity (6,) of the reference."""

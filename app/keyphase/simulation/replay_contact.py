@@ -17,15 +17,20 @@ from keyphase.skills.skill import Skill
 LEAST_FORCE_N = 0.5
 """A demonstration that presses less than this keeps no contact."""
 
-LARGEST_DEPTH_M = 0.005
-LARGEST_SLOPE = 0.2
+LARGEST_DEPTH_M, LARGEST_SLOPE = 0.005, 0.1
 """A contact is kept by a skill that moves less than this, or this part of its way, along it."""
+
+STEEPEST = 0.4
+"""Largest part of a way that may lie along a contact for the way to have slid on the surface."""
+
+LEAST_SLIDE_M = 0.01
+"""A way shorter than this says nothing about the surface."""
 
 STAYED_WITHIN_M = 0.002
 """A demonstration that moved less than this after a contact stayed in it."""
 
 FURTHEST_M = 0.01
-"""How far beyond the place where it was met a contact is followed."""
+"""How far beyond the skill's own path a contact is followed."""
 
 WINDOW_S = 0.2
 """The demonstrated force is averaged over this time: the hand's tremor is not to be repeated."""
@@ -39,12 +44,10 @@ class KeptContact:
     """A contact and the force that is kept up in it.
 
     direction  (3,) unit vector in which the tool presses, base frame
-    met_m      (3,) where the contact was met
     force_N    (G,) what to press with, evenly over the demonstrated time of the skill
     """
 
     direction: Array
-    met_m: Array
     force_N: Array
 
     def force_at(self, fraction: float) -> float:
@@ -52,10 +55,15 @@ class KeptContact:
         place = fraction * (len(self.force_N) - 1)
         return float(np.interp(place, np.arange(len(self.force_N)), self.force_N))
 
-    def pressed_m(self, position_m: Array, fraction: float, stiffness_N_m: float) -> float:
-        """Where along `direction` the reference of a spring presses as wanted [m]."""
+    def pressed_m(
+        self, position_m: Array, own_m: Array, fraction: float, stiffness_N_m: float
+    ) -> float:
+        """Where along `direction` the reference of a spring presses as wanted [m].
+
+        position_m (3,) is where the tool is, own_m (3,) where the skill's path is.
+        """
         here = float(position_m @ self.direction) + self.force_at(fraction) / stiffness_N_m
-        return min(here, float(self.met_m @ self.direction) + FURTHEST_M)
+        return min(here, float(own_m @ self.direction) + FURTHEST_M)
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,9 +81,9 @@ class AfterContact:
     position_m: Array
     stayed: bool
 
-    def kept(self, met_m: Array) -> KeptContact:
-        """The contact, met at `met_m` (3,), pressed as it was demonstrated."""
-        return KeptContact(self.direction, met_m, np.array([self.force_N]))
+    def kept(self) -> KeptContact:
+        """The contact, pressed as it was demonstrated."""
+        return KeptContact(self.direction, np.array([self.force_N]))
 
     def shift(self, ended_m: Array, shift_m: Array) -> Array:
         """How far (3,) what follows is moved, for a tool that pressed at `ended_m` (3,).
@@ -127,19 +135,18 @@ def kept_contact(
     """
     if skill.demonstrated_s is None:
         return None
-    start_s, end_s = skill.demonstrated_s
-    force = _pressed(demonstration, (start_s, end_s), contact.direction)
-    inside = _inside(demonstration, (start_s, end_s))
-    if not len(force) or float(np.median(force)) < LEAST_FORCE_N:
-        return None
+    inside = _inside(demonstration, skill.demonstrated_s)
     path = demonstration.position_m[inside]
-    way = float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
-    if float(np.ptp(path @ contact.direction)) > max(LARGEST_DEPTH_M, LARGEST_SLOPE * way):
+    direction = _off_the_way(contact.direction, path)
+    if demonstration.force_N is None or direction is None:
+        return None
+    force = -(demonstration.force_N[inside] @ direction)
+    if float(np.median(force)) < LEAST_FORCE_N:
         return None
     smooth = _smoothed(force, demonstration.rate_hz)
     grid = np.linspace(0, len(smooth) - 1, _GRID)
     profile = np.interp(grid, np.arange(len(smooth)), smooth)
-    return replace(contact, force_N=np.maximum(profile, LEAST_FORCE_N))
+    return KeptContact(direction, np.maximum(profile, LEAST_FORCE_N))
 
 
 def square(contact: KeptContact, others: tuple[KeptContact, ...]) -> KeptContact | None:
@@ -168,11 +175,24 @@ def given_way(measured: Measured, state: State, contacts: tuple[KeptContact, ...
     return replace(measured, position_m=position, velocity=velocity)
 
 
-def _pressed(demonstration: Demonstration, span_s: tuple[float, float], direction: Array) -> Array:
-    """What the demonstration pressed with along `direction`, sample by sample [N]."""
-    if demonstration.force_N is None:
-        return np.zeros(0)
-    return -(demonstration.force_N[_inside(demonstration, span_s)] @ direction)
+def _off_the_way(direction: Array, path: Array) -> Array | None:
+    """The direction of a contact, made square to a way along its surface; None if it left it.
+
+    The way that was slid tells the surface better than the way into the contact does.
+    """
+    if len(path) < 2:
+        return None
+    slid = path[-1] - path[0]
+    length = float(np.linalg.norm(slid))
+    if length > LEAST_SLIDE_M:
+        slope = float(direction @ slid) / length
+        if abs(slope) > STEEPEST:
+            return None
+        direction = direction - slope * slid / length
+        direction = direction / np.linalg.norm(direction)
+    way = float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
+    deep = float(np.ptp(path @ direction)) > max(LARGEST_DEPTH_M, LARGEST_SLOPE * way)
+    return None if deep else direction
 
 
 def _inside(demonstration: Demonstration, span_s: tuple[float, float]) -> slice:

@@ -127,7 +127,7 @@ def pressing(
     at, velocity = reference.position_m, reference.velocity_m_s
     for contact in kept:
         d = contact.direction
-        wanted = contact.pressed_m(position_m, fraction, stiffness_N_m)
+        wanted = contact.pressed_m(position_m, reference.position_m, fraction, stiffness_N_m)
         at = at + (wanted - float(at @ d)) * d
         velocity = velocity - float(velocity @ d) * d
     return replace(reference, position_m=at, velocity_m_s=velocity)

@@ -45,7 +45,7 @@ def trials_svg(trials: Trials, title: str) -> str:
 
 def _scatter(trials: Trials) -> Iterator[str]:
     heights = np.array([1e3 * t.world.disturbance.part_height_m for t in trials.trials])
-    reach = max(1.0, float(np.ceil(abs(heights).max())))
+    reach = 2.0 * max(1.0, float(np.ceil(abs(heights).max() / 2.0)))
     most = 5.0 * max(1.0, float(np.ceil(trials.peak_forces().max() / 5.0)))
     for force in np.arange(0.0, most + 1.0, 5.0):
         y = _down(force, most)
