@@ -67,6 +67,8 @@ class RecordTab(LeadThroughView):
         if wanted == self._shown:
             return
         self._shown = wanted
+        if status.workcell is not None:
+            _set(self._workcell, status.workcell)
         self._record.label = "Stop" if status.recording else "Record"
         self._open.label = "Close workcell" if is_open else "Open workcell"
         self._open.disabled = self._workcell.disabled = status.recording
