@@ -43,7 +43,7 @@ const store = createStore({
   view: null, plotWidth: 0, paneHeight: 0, paneWidth: 0, layout: null, whole: null, fine: null, lens: null,
   clock: 0, playhead: { time_s: 0, playing: false, speed: 1, loop: false },
   selected: null, hovered: null, current: null, explained: null, pointer: null, drag: null, range: null,
-  planDrag: null, renaming: null, heldThreshold: null, comparison: null, spread: null,
+  planDrag: null, renaming: null, heldThreshold: null, holding: false, comparison: null, spread: null,
   small: isSmall(), dark: null, snap: null, logarithmic: true, leastCertainFirst: false, ...firstChoice(isSmall()),
   replay: null, samples: null, replayShown: false, replayFolded: new Set(["torque"]),
 });

@@ -1,5 +1,6 @@
 /** viser's client in its frame, what lies over it, and the inputs inside it we have to know of. */
 
+import { createCalmScene } from "./calm_scene.js";
 import { byId, el, svg } from "./dom.js";
 import { time as timeText } from "./format.js";
 
@@ -14,12 +15,23 @@ export function sceneFrames() {
  * @param {{onKey: (event: KeyboardEvent) => void, onSlide: (value: number, at: number) => void}} handlers
  */
 export function createScene(store, { onKey, onSlide }) {
+  const calm = createCalmScene(sceneFrames);
+  let segments = "";
+  store.on(["clock", "selected", "dark", "recording"], calm.changed);
+  store.on(["document"], ({ document: doc }) => {
+    const now = doc?.segments.map((one) => `${one.start_s} ${one.label} ${one.kept}`).join() ?? "";
+    if (now !== segments) calm.changed();
+    segments = now;
+  });
+  store.on(["holding"], ({ holding }) => (holding ? calm.hold() : calm.release()));
   const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
   frame.addEventListener("load", () => {
     const inside = frame.contentWindow;
     // Keys pressed while the scene has the focus never reach our page by themselves.
     inside.addEventListener("keydown", onKey);
     watchSliders(frame.contentDocument, onSlide);
+    watchHolding(inside, store);
+    calm.watch(inside);
   });
   frame.src = "/viser/";
 
@@ -42,6 +54,14 @@ function legend(doc) {
   }
   parts.push(el("span", {}, svg("svg", { width: 10, height: 10 }, svg("circle", { cx: 5, cy: 5, r: 4, style: { fill: "var(--idle)" } })), "idle"));
   return parts;
+}
+
+/** A control of the panel is being dragged, as something on the timeline may be. */
+function watchHolding(inside, store) {
+  inside.addEventListener("pointerdown", ({ target }) => {
+    if (target.tagName !== "CANVAS") store.set({ holding: true });
+  }, true);
+  for (const end of ["pointerup", "pointercancel"]) inside.addEventListener(end, () => store.set({ holding: false }), true);
 }
 
 const INPUTS = ["pointerdown", "pointermove", "keydown", "input", "change", "wheel"];

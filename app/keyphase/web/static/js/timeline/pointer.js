@@ -58,6 +58,7 @@ export function attachPointer(store, timeline, actions) {
     gesture = startGesture(store, timeline, actions, hit, start);
     if (!gesture) return;
     surface.setPointerCapture(event.pointerId);
+    store.set({ holding: true });
     surface.classList.add("held");
     if (gesture.cursor) surface.style.cursor = gesture.cursor;
     surface.focus({ preventScroll: true });
@@ -67,6 +68,7 @@ export function attachPointer(store, timeline, actions) {
     if (!gesture) return;
     const ending = gesture;
     gesture = null;
+    store.set({ holding: false });
     surface.classList.remove("held");
     if (event.type === "pointerup") ending.end(at(event), moved);
     else ending.cancel?.();
@@ -115,6 +117,7 @@ export function attachPointer(store, timeline, actions) {
       if (!gesture) return false;
       gesture.cancel?.();
       gesture = null;
+      store.set({ holding: false });
       surface.classList.remove("held");
       return true;
     },
