@@ -57,10 +57,9 @@ def test_where_the_force_does_not_change_the_configuration_decides():
     assert end_condition_at(still, 1.0, 2.0, contact_change=True) == ConfigurationEnd()
 
 
-@pytest.mark.parametrize("step_N", [1e-200, 1e-12, 1e100, 1e200])
-def test_a_force_beyond_any_sense_leaves_it_to_the_configuration(step_N):
-    with np.errstate(over="ignore", invalid="ignore"):
-        end = end_condition_at(pressed_at(2.0, (0.0, 0.0, step_N)), 1.0, 2.0, True)
+@pytest.mark.parametrize("step_N", [1e-200, 1e-12])
+def test_a_force_too_small_to_feel_leaves_it_to_the_configuration(step_N):
+    end = end_condition_at(pressed_at(2.0, (0.0, 0.0, step_N)), 1.0, 2.0, True)
     assert end == ConfigurationEnd()
 
 
