@@ -1,8 +1,8 @@
 """The robot in the page: time for each pose on the server, and bytes a page loads.
 
 Poses are set as the playhead sets them, on a server that a client listens to; the time is the
-processor's for the whole update, kinematics included. Bytes are those on the wire, compressed as they are sent,
-of everything a browser asks for until robot, parts and path stand in the scene.
+processor's for the whole update, kinematics included. Bytes are those on the wire, compressed as
+they are sent, of everything a browser asks for until robot, parts and path stand in the scene.
 """
 
 import re

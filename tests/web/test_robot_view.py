@@ -14,7 +14,7 @@ from keyphase.errors import RobotError
 from keyphase.readers import read, save_npz
 from keyphase.robot.arms import robot_arms
 from keyphase.robot.link_frames import link_frames
-from keyphase.robot.pose import Placement
+from keyphase.robot.pose import Placement, matrix
 from keyphase.robot.yumi import yumi
 from keyphase.shipped import shipped
 from keyphase.web.placements import save_placement, saved_placement
@@ -72,7 +72,12 @@ def moved(path: Path, to: Path, offset_m: tuple[float, float, float]) -> Demonst
 
 def link(server: PageServer, name: str) -> np.ndarray:
     """Where a link is drawn, in the robot's base frame."""
-    return np.array(server.robot.figure._links[name].position)
+    links = server.robot.figure._links
+    chain = links[name].name.split("/")[2:]
+    pose = np.eye(4)
+    for each in chain:
+        pose = pose @ matrix(links[each].position, links[each].wxyz)
+    return pose[:3, 3]
 
 
 def test_the_hand_is_where_the_recorded_joints_put_it(recorded: Path, opened: Opened) -> None:

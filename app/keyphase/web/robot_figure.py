@@ -37,11 +37,15 @@ class RobotFigure:
         self._meshes: list[tuple[viser.MeshHandle, Rgb]] = []
         self._shown: Array | None = None
         self._faded = False
-        for link in robot.links:
-            shapes = [shape for shape in robot.shapes if shape.link == link]
-            if shapes:
-                self._links[link] = self._scene.add_frame(f"{root}/{link}", show_axes=False)
-                self._add_meshes(f"{root}/{link}", shapes)
+        self._carriers: list[int] = []
+        names: dict[str, str] = {}
+        seen = {shape.link for shape in robot.shapes}
+        for link in _outwards(robot, seen):
+            carrier = _carrier(robot, link, seen)
+            names[link] = f"{names.get(carrier, root)}/{link}"
+            self._carriers.append(list(self._links).index(carrier) if carrier else -1)
+            self._links[link] = self._scene.add_frame(names[link], show_axes=False)
+            self._add_meshes(names[link], [s for s in robot.shapes if s.link == link])
 
     @property
     def links(self) -> tuple[str, ...]:
@@ -63,15 +67,27 @@ class RobotFigure:
 
     def pose(self, frames: Mapping[str, Array]) -> None:
         """Put each link to its frame (4, 4) in the base's frame; those that stay send nothing."""
-        wanted = np.stack([frames[link] for link in self._links])
+        wanted = self._relative(np.stack([frames[link] for link in self._links]))
         turns = Rotation.from_matrix(wanted[:, :3, :3]).as_quat(scalar_first=True)
         poses = np.concatenate([wanted[:, :3, 3], turns], axis=1)
         before = self._shown if self._shown is not None else np.full_like(poses, np.nan)
-        moved = ~(np.abs(poses - before) < UNSEEN).all(axis=1)
+        moved = ~(np.abs(poses - before) < UNSEEN)
         for row, handle in enumerate(self._links.values()):
-            if moved[row]:
-                handle.position, handle.wxyz = poses[row, :3], poses[row, 3:]
-        self._shown = np.where(moved[:, None], poses, before)
+            if moved[row, :3].any():
+                handle.position = poses[row, :3]
+            if moved[row, 3:].any():
+                handle.wxyz = poses[row, 3:]
+        self._shown = np.where(_whole(moved), poses, before)
+
+    def _relative(self, frames: Array) -> Array:
+        """Frames (L, 4, 4) seen from the link that carries each: most joints only turn there."""
+        carriers = np.concatenate([frames, np.eye(4)[None]])[self._carriers]
+        turns = carriers[:, :3, :3].transpose(0, 2, 1)
+        relative = frames.copy()
+        relative[:, :3, :3] = turns @ frames[:, :3, :3]
+        away = frames[:, :3, 3:] - carriers[:, :3, 3:]
+        relative[:, :3, 3:] = turns @ away
+        return relative
 
     def fade(self, faded: bool) -> None:
         """Draw it grey and translucent, or as it is."""
@@ -95,6 +111,34 @@ class RobotFigure:
                 f"{name}/{number}", vertices, faces, color=color, receive_shadow=0.4
             )
             self._meshes.append((handle, color))
+
+
+def _carrier(robot: RobotDescription, link: str, seen: set[str]) -> str:
+    """The next link towards the root that is seen; nothing where there is none."""
+    model, frame = robot.model, robot.frames[link]
+    while frame > 0:
+        frame = model.frames[frame].parentFrame
+        name = str(model.frames[frame].name)
+        if name in seen and robot.frames[name] == frame:
+            return name
+    return ""
+
+
+def _outwards(robot: RobotDescription, seen: set[str]) -> list[str]:
+    """The links that are seen, each after the one that carries it."""
+    order: list[str] = []
+    waiting = [link for link in robot.links if link in seen]
+    while waiting:
+        ready = [link for link in waiting if _carrier(robot, link, seen) in ("", *order)]
+        order += ready
+        waiting = [link for link in waiting if link not in ready]
+    return order
+
+
+def _whole(moved: np.ndarray) -> np.ndarray:
+    """(L, 7) what is sent: the whole position or the whole orientation of a link."""
+    position, orientation = moved[:, :3].any(axis=1), moved[:, 3:].any(axis=1)
+    return np.repeat(np.stack([position, orientation], axis=1), [3, 4], axis=1)
 
 
 def _joined(meshes: list[trimesh.Trimesh]) -> tuple[Array, np.ndarray]:
