@@ -1,5 +1,6 @@
 """Open the page: build the session, put it behind one port, print the link, wait."""
 
+import signal
 import sys
 import threading
 import webbrowser
@@ -139,10 +140,10 @@ def open_page(
     robot: Path | None = None,
     tool_frame: str | None = None,
 ) -> None:
-    """Serve the page on `paths` (recordings, or folders of them) until interrupted.
+    """Serve the page on `paths` (recordings, or folders of them) until told to stop.
 
-    Raises RobotError for a robot that cannot be used, KeyphaseError if nothing can listen on
-    `host` and `port`.
+    Called from the main thread. Raises RobotError for a robot that cannot be used, KeyphaseError
+    if nothing can listen on `host` and `port`.
     """
     arms = robot_arms(robot, tool_frame)
     folder = recording_folder(paths)
@@ -160,15 +161,28 @@ def open_page(
         arms=arms,
         folder=folder,
     )
+    told = _told_to_stop()
     print(server.link, flush=True)
     if open_browser:
         webbrowser.open(server.link)
     try:
-        threading.Event().wait()
-    except KeyboardInterrupt:
-        print()
+        while not told.wait(0.5):
+            continue
     finally:
         server.stop()
+
+
+def _told_to_stop() -> threading.Event:
+    """Set by Ctrl-C, or when the system asks; a second time ends the program at once."""
+    told = threading.Event()
+
+    def stop(_number: int, _frame: object) -> None:
+        told.set()
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+    before = {number: signal.signal(number, stop) for number in (signal.SIGINT, signal.SIGTERM)}
+    return told
 
 
 def recording_folder(paths: Sequence[Path]) -> Path:
