@@ -284,9 +284,10 @@ class ReplaySession:
             self.running = Running(number, opened, settings, plan, run, shapes, goals)
             self._streamed = Streamed(number, plan)
             running = self.running
+            # Told before anything of it is, and all of it before anyone can leave it again.
             self._telling.all(self._message(running))
-        self._each(lambda view: view.show_begun(running))
-        run.start(one_skill=one_skill)
+            self._each(lambda view: view.show_begun(running))
+            run.start(one_skill=one_skill)
 
     def _ticked(self, tick: Tick) -> None:
         now = time.perf_counter()
