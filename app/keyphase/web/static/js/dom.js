@@ -69,7 +69,8 @@ export function icon(name, size = "") {
 
 /** Puts the icon named by `data-icon` at the front of every element that names one. */
 export function placeIcons(root = document) {
-  for (const node of root.querySelectorAll("[data-icon]")) {
+  for (const found of root.querySelectorAll("[data-icon]")) {
+    const node = /** @type {HTMLElement} */ (found);
     node.prepend(icon(node.dataset.icon, node.dataset.iconSize ?? ""));
   }
 }
@@ -83,9 +84,4 @@ export function byId(id) {
   const node = document.getElementById(id);
   if (!node) throw new Error(`index.html has no element #${id}`);
   return node;
-}
-
-/** Replaces all children. @param {Element} node @param {...Child} children */
-export function fill(node, ...children) {
-  node.replaceChildren(...children.filter((child) => child !== null && child !== undefined && child !== false));
 }

@@ -22,7 +22,7 @@ export function createHeader(store, actions, dialogs) {
     document.title = doc ? `${doc.name} – keyphase` : "keyphase";
     byId("folder").textContent = doc?.folder ?? "";
     byId("folder").hidden = byId("folder-slash").hidden = !doc?.folder;
-    byId("name").textContent = doc?.file ?? doc?.name ?? "no recording";
+    byId("name").textContent = doc?.name ?? "no recording";
     byId("facts").textContent = doc ? facts(doc) : "";
     setUndo(undo, doc?.undo, "Undo", "Ctrl Z", readOnly);
     setUndo(redo, doc?.redo, "Redo", "Ctrl Shift Z", readOnly);

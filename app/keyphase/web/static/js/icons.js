@@ -3,16 +3,18 @@
  * `stroke: currentColor` unless they fill themselves.
  */
 
-/** @param {string} d */
+/** @typedef {[string, Object<string, string|number>]} Shape */
+
+/** @param {string} d @returns {Shape} */
 const line = (d) => ["path", { d }];
-/** @param {string} d */
+/** @param {string} d @returns {Shape} */
 const solid = (d) => ["path", { d, class: "solid" }];
-/** @param {number} cx @param {number} cy @param {number} r */
+/** @param {number} cx @param {number} cy @param {number} r @returns {Shape} */
 const ring = (cx, cy, r) => ["circle", { cx, cy, r }];
-/** @param {number} cx @param {number} cy @param {number} r */
+/** @param {number} cx @param {number} cy @param {number} r @returns {Shape} */
 const dot = (cx, cy, r) => ["circle", { cx, cy, r, class: "solid" }];
 
-/** @type {Object<string, [string, Object][]>} */
+/** @type {Object<string, Shape[]>} */
 export const ICONS = {
   undo: [line("M6 3 3 6l3 3M3 6h6a4 4 0 0 1 0 8H7")],
   redo: [line("m10 3 3 3-3 3M13 6H7a4 4 0 0 0 0 8h2")],

@@ -25,6 +25,7 @@ import { createSignals } from "./signals.js";
 import { openSocket } from "./socket.js";
 import { createSplitter } from "./splitter.js";
 import { createSpread } from "./spread.js";
+import { firstState } from "./state.js";
 import { createStatus } from "./status.js";
 import { createStore } from "./store.js";
 import { createTheme, firstDark } from "./theme.js";
@@ -37,16 +38,7 @@ import { createUpload } from "./upload.js";
 
 const isSmall = () => innerWidth <= SMALL_BELOW_PX;
 
-const store = createStore({
-  connected: null, greeted: false, readOnly: false, lookingOnly: false, labels: [], document: null, recording: null, ghost: [],
-  recordings: { folder: "", current: null, items: [] }, progress: null, notice: null, saving: false,
-  view: null, plotWidth: 0, paneHeight: 0, paneWidth: 0, layout: null, whole: null, fine: null, lens: null,
-  clock: 0, playhead: { time_s: 0, playing: false, speed: 1, loop: false },
-  selected: null, hovered: null, current: null, explained: null, pointer: null, drag: null, range: null,
-  planDrag: null, renaming: null, heldThreshold: null, holding: false, comparison: null, spread: null,
-  small: isSmall(), dark: null, snap: null, logarithmic: true, leastCertainFirst: false, ...firstChoice(isSmall()),
-  replay: null, samples: null, replayShown: false, replayFolded: new Set(["torque"]),
-});
+const store = createStore(firstState(isSmall()));
 
 /** @type {import("./socket.js").Socket|null} */
 let socket = null;
@@ -133,4 +125,4 @@ createScene(store, { onKey, onSlide: latency.slid });
 store.set({ dark: firstDark(), snap: true });
 
 /** For tests and for anyone who wants to know how fast it is. */
-window.keyphase = { latency: latency.list, state: store.state, actions, timeline, socket, store };
+/** @type {any} */ (window).keyphase = { latency: latency.list, state: store.state, actions, timeline, socket, store };

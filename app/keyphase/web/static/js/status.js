@@ -58,7 +58,7 @@ function vector(name) {
 function legend() {
   const origins = [["position", false], ["force", true], ["both", true], ["user", true]];
   return [
-    ...origins.map(([origin, filled]) => el("span", {}, glyphIcon(/** @type {any} */ (origin), filled), origin)),
+    ...origins.map(([origin, filled]) => el("span", {}, glyphIcon(/** @type {any} */ (origin), filled), String(origin))),
     el("span", { class: "wide", text: "filled: contact change" }),
     el("span", { class: "wide", text: "shaded: interval" }),
   ];

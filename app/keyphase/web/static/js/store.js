@@ -4,9 +4,9 @@
  * messages. What can wait (`later`) is drawn right after that frame, so that the timeline is seen
  * first.
  *
- * @typedef {Object<string, *>} State
+ * @typedef {import("./state.js").State} State
  * @typedef {(names: string[], draw: (state: State) => void) => void} Listen
- * @typedef {{state: State, set: (patch: State) => void, on: Listen, later: Listen,
+ * @typedef {{state: State, set: (patch: Partial<State>) => void, on: Listen, later: Listen,
  *   afterFrame: (done: () => void) => void}} Store
  */
 

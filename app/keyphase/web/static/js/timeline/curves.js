@@ -3,9 +3,10 @@
  * overlay's, so that all rows share one time axis and one look.
  */
 
-/* global uPlot */
-
 import { upperBound, valueAt } from "../signals.js";
+
+/** uPlot comes as a classic script, before the modules. */
+const { uPlot } = /** @type {any} */ (window);
 
 const PADDING_PX = { top: 7, bottom: 6 };
 const FOLDED_PADDING_PX = { top: 3, bottom: 3 };

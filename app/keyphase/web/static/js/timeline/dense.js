@@ -10,7 +10,7 @@ import { originColor } from "./glyphs.js";
 /** Beyond so many in view, marks lose their texts and shapes. */
 export const MOST_IN_DETAIL = 300;
 
-/** @param {{start_s: number, end_s: number}[]} segments @param {import("./scale.js").Scale} scale */
+/** @param {import("../types.js").Segment[]} segments @param {import("./scale.js").Scale} scale */
 export function segmentsInView(segments, scale) {
   return segments.filter(({ start_s: start, end_s: end }) => end >= scale.from && start <= scale.to);
 }

@@ -145,7 +145,7 @@ function drawPeaks(state, scale, y) {
   const peaks = doc.peaks.filter((peak) => peak.height >= threshold && peak.rejection !== "below threshold");
   const inView = peaks.filter(({ bin_time_s: time }) => time >= scale.from && time <= scale.to);
   // Used ones first, then by height: where texts would overlap, the lower peak goes without.
-  inView.sort((a, b) => (a.rejection !== "") - (b.rejection !== "") || b.height - a.height);
+  inView.sort((a, b) => Number(a.rejection !== "") - Number(b.rejection !== "") || b.height - a.height);
   if (inView.length > MOST_PEAKS) return [manyPeaks(inView, scale, y)];
   const taken = inView.map((peak) => ({ left: scale.x(peak.bin_time_s) - 6, right: scale.x(peak.bin_time_s) + 6, y: y(peak.height) + 3 }));
   for (const peak of inView) {

@@ -5,6 +5,7 @@ import { svg } from "../dom.js";
 /** CSS variable of an origin's colour. @param {import("../types.js").Origin} origin */
 export const originColor = (origin) => `var(--origin-${origin})`;
 
+/** @type {Object<string, (x: number, y: number, r: number) => [string, Object]>} */
 const SHAPES = {
   position: (x, y, r) => ["circle", { cx: x, cy: y, r: 0.86 * r }],
   force: (x, y, r) => ["path", { d: `M${x} ${y - 1.15 * r}l${1.15 * r} ${1.15 * r} ${-1.15 * r} ${1.15 * r} ${-1.15 * r} ${-1.15 * r}z` }],

@@ -31,6 +31,7 @@ export function hitTest(state, timeline, x, y) {
   return { kind: "track" };
 }
 
+/** @returns {Hit} */
 function overviewHit({ document: doc, view, plotWidth }, x) {
   const at = (time) => ((time - doc.start_s) / (doc.end_s - doc.start_s)) * plotWidth;
   if (Math.abs(x - at(view.from)) <= HANDLE_PX) return { kind: "overview-from" };

@@ -20,7 +20,8 @@ export function attachPointer(store, timeline, actions) {
   const { surface, scroller } = timeline;
   /** @type {import("./gestures.js").Gesture|null} */
   let gesture = null;
-  let start = { x: 0, y: 0 };
+  /** @type {import("./gestures.js").Point} */
+  let start = { x: 0, y: 0, event: null };
   let moved = false;
 
   const at = (event) => {
