@@ -73,7 +73,10 @@ export function createActions(store, send, latency) {
     step(direction) {
       if (!doc()) return;
       const times = doc().boundaries.map((boundary) => boundary.time_s);
-      const beyond = direction > 0 ? times.findIndex((time) => time > state.clock + 1e-4) : times.findLastIndex((time) => time < state.clock - 1e-4);
+      const beyond =
+        direction > 0
+          ? times.findIndex((time) => time > state.clock + 1e-4)
+          : times.findLastIndex((time) => time < state.clock - 1e-4);
       if (beyond < 0) return direction > 0 ? actions.toEnd() : actions.toStart();
       return actions.visit(beyond);
     },
@@ -84,7 +87,8 @@ export function createActions(store, send, latency) {
     },
     visitUnsure(direction) {
       const unsure = unsureBoundaries(doc());
-      if (!unsure.length) return store.set({ notice: { level: "info", text: "No boundary is unsure." } });
+      if (!unsure.length)
+        return store.set({ notice: { level: "info", text: "No boundary is unsure." } });
       const at = unsure.indexOf(state.current);
       const next = at < 0 ? (direction > 0 ? 0 : unsure.length - 1) : at + direction;
       return actions.visit(unsure.at(next % unsure.length));
@@ -108,8 +112,12 @@ export function createActions(store, send, latency) {
     /** A boundary at the playhead; while playing, at the nearest evidence. */
     split() {
       if (!doc()) return;
-      const reach = Math.max(0.12, (REACH_PX * (state.view.to - state.view.from)) / state.plotWidth);
-      const evidence = state.playhead.playing && state.snap ? nearestEvidence(state, state.clock, reach) : null;
+      const reach = Math.max(
+        0.12,
+        (REACH_PX * (state.view.to - state.view.from)) / state.plotWidth,
+      );
+      const evidence =
+        state.playhead.playing && state.snap ? nearestEvidence(state, state.clock, reach) : null;
       edit({ kind: "add", time_s: evidence?.time ?? state.clock });
     },
     addBoundary: (time) => edit({ kind: "add", time_s: time }),
@@ -124,7 +132,11 @@ export function createActions(store, send, latency) {
     },
     nudge(direction) {
       const boundary = doc()?.boundaries[state.current];
-      if (boundary) actions.moveBoundary(boundary.time_s, boundary.time_s + direction * Math.max(0.01, 1 / doc().rate_hz));
+      if (boundary)
+        actions.moveBoundary(
+          boundary.time_s,
+          boundary.time_s + direction * Math.max(0.01, 1 / doc().rate_hz),
+        );
     },
     acceptBoundary(index = state.current) {
       const boundary = doc()?.boundaries[index];
@@ -138,7 +150,12 @@ export function createActions(store, send, latency) {
     },
     toggleContact(index = state.current) {
       const boundary = doc()?.boundaries[index];
-      if (boundary) edit({ kind: "contact", time_s: boundary.time_s, contact_change: !boundary.contact_change });
+      if (boundary)
+        edit({
+          kind: "contact",
+          time_s: boundary.time_s,
+          contact_change: !boundary.contact_change,
+        });
     },
 
     merge() {
@@ -151,9 +168,14 @@ export function createActions(store, send, latency) {
       edit({ kind: "merge", from_s: middle(segments[first]), to_s: middle(segments[last]) });
       actions.select(first);
     },
-    toggleDrop: (index) => onSegment((segment) => edit({ kind: "keep", time_s: middle(segment), kept: !segment.kept }), index),
+    toggleDrop: (index) =>
+      onSegment(
+        (segment) => edit({ kind: "keep", time_s: middle(segment), kept: !segment.kept }),
+        index,
+      ),
     dropIdle: () => edit({ kind: "drop_idle" }),
-    label: (label, index) => onSegment((segment) => edit({ kind: "label", time_s: middle(segment), label }), index),
+    label: (label, index) =>
+      onSegment((segment) => edit({ kind: "label", time_s: middle(segment), label }), index),
     labelByNumber(number) {
       const known = state.labels[number - 1];
       if (known) actions.label(known.name);
@@ -162,7 +184,8 @@ export function createActions(store, send, latency) {
     /** Enter: the boundary shown, else the selected segment's proposed name. */
     accept() {
       const boundary = doc()?.boundaries[state.explained ?? state.current];
-      if (boundary && !boundary.accepted) return actions.acceptAndGoOn(state.explained ?? state.current);
+      if (boundary && !boundary.accepted)
+        return actions.acceptAndGoOn(state.explained ?? state.current);
       return onSegment((segment) => segment.proposed && actions.label(segment.label));
     },
     rename(index = selectedSegment()?.index) {
@@ -170,24 +193,32 @@ export function createActions(store, send, latency) {
     },
 
     reorder: (order) => edit({ kind: "plan", order }),
-    repeat: () => onSegment((segment, index) => {
-      const order = doc().plan.map((entry) => entry.time_s);
-      const at = doc().plan.findLastIndex((entry) => entry.segment === index);
-      order.splice(at < 0 ? order.length : at + 1, 0, middle(segment));
-      actions.reorder(order);
-    }),
-    takeOut: () => onSegment((_, index) => {
-      const at = doc().plan.findLastIndex((entry) => entry.segment === index);
-      if (at >= 0) actions.reorder(doc().plan.filter((_, k) => k !== at).map((entry) => entry.time_s));
-    }),
-    shift: (direction) => onSegment((_, index) => {
-      const order = doc().plan.map((entry) => entry.time_s);
-      const at = doc().plan.findIndex((entry) => entry.segment === index);
-      const to = at + direction;
-      if (at < 0 || to < 0 || to >= order.length) return;
-      [order[at], order[to]] = [order[to], order[at]];
-      actions.reorder(order);
-    }),
+    repeat: () =>
+      onSegment((segment, index) => {
+        const order = doc().plan.map((entry) => entry.time_s);
+        const at = doc().plan.findLastIndex((entry) => entry.segment === index);
+        order.splice(at < 0 ? order.length : at + 1, 0, middle(segment));
+        actions.reorder(order);
+      }),
+    takeOut: () =>
+      onSegment((_, index) => {
+        const at = doc().plan.findLastIndex((entry) => entry.segment === index);
+        if (at >= 0)
+          actions.reorder(
+            doc()
+              .plan.filter((_, k) => k !== at)
+              .map((entry) => entry.time_s),
+          );
+      }),
+    shift: (direction) =>
+      onSegment((_, index) => {
+        const order = doc().plan.map((entry) => entry.time_s);
+        const at = doc().plan.findIndex((entry) => entry.segment === index);
+        const to = at + direction;
+        if (at < 0 || to < 0 || to >= order.length) return;
+        [order[at], order[to]] = [order[to], order[at]];
+        actions.reorder(order);
+      }),
 
     undo: () => !state.readOnly && send({ type: "undo" }),
     redo: () => !state.readOnly && send({ type: "redo" }),
@@ -197,13 +228,17 @@ export function createActions(store, send, latency) {
       const number = latency.began(event?.timeStamp ?? performance.now(), "line");
       send({ type: "set", parameter: "force_threshold", value, event: number, held });
     },
-    automaticThreshold: () => !state.readOnly && send({ type: "set", parameter: "force_threshold", value: null, held: false }),
+    automaticThreshold: () =>
+      !state.readOnly &&
+      send({ type: "set", parameter: "force_threshold", value: null, held: false }),
 
     zoom(factor, anchor = state.clock) {
       if (!doc()) return;
       const { view } = state;
       const inside = anchor >= view.from && anchor <= view.to;
-      store.set({ view: zoomView(view, factor, inside ? anchor : (view.from + view.to) / 2, doc()) });
+      store.set({
+        view: zoomView(view, factor, inside ? anchor : (view.from + view.to) / 2, doc()),
+      });
     },
     fit: () => doc() && store.set({ view: { from: doc().start_s, to: doc().end_s } }),
     toggleSnap: () => store.set({ snap: !state.snap }),
@@ -219,7 +254,9 @@ export function createActions(store, send, latency) {
       actions.setDone(true);
       const { items, current } = state.recordings;
       const at = items.findIndex(({ id }) => id === current);
-      const open = [...items.slice(at + 1), ...items.slice(0, at)].find((item) => item.state !== "done" && !item.error);
+      const open = [...items.slice(at + 1), ...items.slice(0, at)].find(
+        (item) => item.state !== "done" && !item.error,
+      );
       if (open) actions.open(open.id);
     },
     forgetLabel: (label) => send({ type: "forget_label", label }),
@@ -234,9 +271,20 @@ export function createActions(store, send, latency) {
     /** Goes to the next boundary that only one of the two has. */
     visitDifference(direction) {
       if (!state.comparison?.with) return;
-      const times = [...state.comparison.only_first_s, ...state.comparison.only_second_s].sort((a, b) => a - b);
-      const next = direction > 0 ? times.find((time) => time > state.clock + 1e-4) : times.findLast((time) => time < state.clock - 1e-4);
-      if (next === undefined) return store.set({ notice: { level: "info", text: times.length ? "No further difference." : "Both have the same boundaries." } });
+      const times = [...state.comparison.only_first_s, ...state.comparison.only_second_s].sort(
+        (a, b) => a - b,
+      );
+      const next =
+        direction > 0
+          ? times.find((time) => time > state.clock + 1e-4)
+          : times.findLast((time) => time < state.clock - 1e-4);
+      if (next === undefined)
+        return store.set({
+          notice: {
+            level: "info",
+            text: times.length ? "No further difference." : "Both have the same boundaries.",
+          },
+        });
       return actions.goTo(next);
     },
     /** Makes the other segmentation this recording's, as one step. */
@@ -269,6 +317,11 @@ export function createActions(store, send, latency) {
 
 /** The recording with the lowest confidence that is not done. */
 export function leastCertainOf({ items }) {
-  const open = items.filter((item) => item.state !== "done" && item.confidence !== null && !item.error);
-  return open.reduce((least, item) => (least && least.confidence <= item.confidence ? least : item), null);
+  const open = items.filter(
+    (item) => item.state !== "done" && item.confidence !== null && !item.error,
+  );
+  return open.reduce(
+    (least, item) => (least && least.confidence <= item.confidence ? least : item),
+    null,
+  );
 }

@@ -31,15 +31,17 @@ export function createCalmScene(sceneFrames) {
     /** Takes the frame's requests for animation frames in hand. @param {Window} inside */
     watch(inside) {
       const request = inside.requestAnimationFrame.bind(inside);
-      const draw = (callback) => request((now) => {
-        const before = sceneFrames();
-        callback(now);
-        if (sceneFrames() === before) return;
-        drawing.add(callback);
-        drawnAt = [...drawnAt.slice(-IDLE_FRAMES), performance.now()];
-      });
+      const draw = (callback) =>
+        request((now) => {
+          const before = sceneFrames();
+          callback(now);
+          if (sceneFrames() === before) return;
+          drawing.add(callback);
+          drawnAt = [...drawnAt.slice(-IDLE_FRAMES), performance.now()];
+        });
       inside.requestAnimationFrame = (callback) => {
-        if (!isCalm || performance.now() < drawsUntil || !drawing.has(callback)) return draw(callback);
+        if (!isCalm || performance.now() < drawsUntil || !drawing.has(callback))
+          return draw(callback);
         waiting.set(callback, draw);
         return 0;
       };

@@ -29,7 +29,9 @@ export function el(tag, attributes = {}, ...children) {
  * @returns {SVGElement}
  */
 export function svg(tag, attributes = {}, ...children) {
-  return /** @type {SVGElement} */ (build(document.createElementNS(SVG, tag), attributes, children));
+  return /** @type {SVGElement} */ (
+    build(document.createElementNS(SVG, tag), attributes, children)
+  );
 }
 
 function build(node, attributes, children) {

@@ -44,7 +44,11 @@ export function createExplain(store, timeline, actions) {
   store.on(["explained", "document", "view", "layout", "drag", "renaming"], (state) => {
     const { document: doc, explained, drag } = state;
     const boundary = doc?.boundaries[explained];
-    const seen = boundary && state.view && boundary.time_s >= state.view.from && boundary.time_s <= state.view.to;
+    const seen =
+      boundary &&
+      state.view &&
+      boundary.time_s >= state.view.from &&
+      boundary.time_s <= state.view.to;
     if (!seen || drag || state.renaming !== null) return why.hide();
     why.show(doc, explained, state.readOnly);
     return place(node, timeline, boundary, state.small);

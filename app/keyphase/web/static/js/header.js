@@ -28,7 +28,9 @@ export function createHeader(store, actions, dialogs) {
     setUndo(redo, doc?.redo, "Redo", "Ctrl Shift Z", readOnly);
     byId("undo-name").textContent = doc?.undo ?? "";
   });
-  byId("badge").addEventListener("click", () => actions.setDone(store.state.document.state !== "done"));
+  byId("badge").addEventListener("click", () =>
+    actions.setDone(store.state.document.state !== "done"),
+  );
   store.later(["document"], ({ document: doc }) => {
     const badge = byId("badge");
     badge.hidden = !doc;
@@ -49,7 +51,8 @@ function setUndo(button, name, verb, key, readOnly) {
 }
 
 function facts({ start_s: start, end_s: end, rate_hz: rate, channels }) {
-  const hertz = rate >= 1000 && rate % 1000 === 0 ? `${rate / 1000} kHz` : `${Number(rate.toPrecision(4))} Hz`;
+  const hertz =
+    rate >= 1000 && rate % 1000 === 0 ? `${rate / 1000} kHz` : `${Number(rate.toPrecision(4))} Hz`;
   const long = end - start;
   const lasts = long >= 600 ? `${(long / 60).toFixed(1)} min` : `${long.toFixed(2)} s`;
   return `${lasts} · ${hertz} · ${channels.join(", ")}`;
@@ -59,7 +62,15 @@ function facts({ start_s: start, end_s: end, rate_hz: rate, channels }) {
 function drawSaved({ document: doc, connected, saving, readOnly }) {
   const node = byId("saved");
   node.className = `saved ${connected ? (saving ? "waiting" : "") : "lost"}`;
-  const text = !connected ? "Not connected" : readOnly ? "Read only" : saving ? "Saving" : doc?.saved_at ? "Saved" : "No edits";
+  const text = !connected
+    ? "Not connected"
+    : readOnly
+      ? "Read only"
+      : saving
+        ? "Saving"
+        : doc?.saved_at
+          ? "Saved"
+          : "No edits";
   byId("saved-text").textContent = text;
   byId("saved-at").textContent = connected && !saving && !readOnly ? (doc?.saved_at ?? "") : "";
 }

@@ -19,7 +19,12 @@ export const ICONS = {
   undo: [line("M6 3 3 6l3 3M3 6h6a4 4 0 0 1 0 8H7")],
   redo: [line("m10 3 3 3-3 3M13 6H7a4 4 0 0 0 0 8h2")],
   search: [ring(7, 7, 4), line("m10 10 3.5 3.5")],
-  sun: [ring(8, 8, 3), line("M8 1.5V3M8 13v1.5M1.5 8H3M13 8h1.5M3.4 3.4l1 1M11.6 11.6l1 1M12.6 3.4l-1 1M4.4 11.6l-1 1")],
+  sun: [
+    ring(8, 8, 3),
+    line(
+      "M8 1.5V3M8 13v1.5M1.5 8H3M13 8h1.5M3.4 3.4l1 1M11.6 11.6l1 1M12.6 3.4l-1 1M4.4 11.6l-1 1",
+    ),
+  ],
   moon: [line("M13 9.5A5.5 5.5 0 0 1 6.5 3a5.5 5.5 0 1 0 6.5 6.5z")],
   down: [line("m4 6 4 4 4-4")],
   up: [line("m4 10 4-4 4 4")],
@@ -39,7 +44,11 @@ export const ICONS = {
   pause: [solid("M4.5 3.5h2.4v9H4.5zM9.1 3.5h2.4v9H9.1z")],
   stop: [solid("M4 4h8v8H4z")],
   step: [line("M4 3.5 9.5 8 4 12.5zM12 3.5v9")],
-  hand: [line("M5 8V4.2a1 1 0 0 1 2 0V7M7 7V3a1 1 0 0 1 2 0v4M9 7V3.8a1 1 0 0 1 2 0V9c0 3-1.2 4.5-3.4 4.5C5.4 13.5 4.5 12 3 9.5c-.5-.9.6-1.7 1.3-1z")],
+  hand: [
+    line(
+      "M5 8V4.2a1 1 0 0 1 2 0V7M7 7V3a1 1 0 0 1 2 0v4M9 7V3.8a1 1 0 0 1 2 0V9c0 3-1.2 4.5-3.4 4.5C5.4 13.5 4.5 12 3 9.5c-.5-.9.6-1.7 1.3-1z",
+    ),
+  ],
   loop: [line("M4 5h7a2.5 2.5 0 0 1 0 6H5M6 3 4 5l2 2M5 9l-2 2 2 2")],
   layers: [line("m8 2.5 6 3-6 3-6-3zM2 9l6 3 6-3")],
   folder: [line("M2 4.5h4.5L8 6h6v7H2z")],
@@ -47,7 +56,14 @@ export const ICONS = {
   minus: [line("M4 8h8")],
   contact: [line("M2.5 13.5h11M8 2v7.5M5 7l3 3 3-3")],
   goal: [ring(8, 8, 5), dot(8, 8, 1.5)],
-  grip: [dot(6, 4.5, 1), dot(10, 4.5, 1), dot(6, 8, 1), dot(10, 8, 1), dot(6, 11.5, 1), dot(10, 11.5, 1)],
+  grip: [
+    dot(6, 4.5, 1),
+    dot(10, 4.5, 1),
+    dot(6, 8, 1),
+    dot(10, 8, 1),
+    dot(6, 11.5, 1),
+    dot(10, 11.5, 1),
+  ],
   file: [line("M4 2h5.5L13 5.5V14H4zM9 2v4h4M8.5 8v4M6.5 10.2 8.5 12l2-1.8")],
   warning: [line("M8 2.5 14.5 13.5h-13zM8 6.5v3.5M8 11.8v.2")],
   close: [line("m4 4 8 8M12 4l-8 8")],

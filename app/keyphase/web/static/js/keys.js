@@ -35,12 +35,16 @@ export function createKeys(store, actions, commands, escape) {
 
 /** Whether the key belongs to a text field, ours or the panel's. */
 function isTyping({ target }) {
-  const field = /** @type {HTMLElement} */ (target)?.closest?.("input, textarea, select, [contenteditable]");
+  const field = /** @type {HTMLElement} */ (target)?.closest?.(
+    "input, textarea, select, [contenteditable]",
+  );
   return Boolean(field) && field.getAttribute("type") !== "range";
 }
 
 /** Space and Enter press the button that has the focus. */
 function isPressable({ key, target }) {
   const node = /** @type {HTMLElement} */ (target);
-  return (key === " " || key === "Enter") && Boolean(node?.closest?.("button, [role=tab], summary, a"));
+  return (
+    (key === " " || key === "Enter") && Boolean(node?.closest?.("button, [role=tab], summary, a"))
+  );
 }

@@ -46,7 +46,8 @@ export function createLatency(store, send, sceneFrames) {
   function finishScene(event, at, drawn) {
     const milliseconds = performance.now() - at;
     if (sceneFrames() !== drawn) list.push({ event, milliseconds, source: "scene" });
-    else if (milliseconds < SCENE_WAIT_MS) requestAnimationFrame(() => finishScene(event, at, drawn));
+    else if (milliseconds < SCENE_WAIT_MS)
+      requestAnimationFrame(() => finishScene(event, at, drawn));
   }
 
   /** The earliest input that carried this value and was not answered yet. */
@@ -80,7 +81,9 @@ export function createLatency(store, send, sceneFrames) {
         sent.delete(cause.event);
         finish(cause.event, own.at, own.source, changed);
       } else if (!cause && doc.id === seen.id) {
-        const names = Object.keys(doc.parameters).filter((name) => doc.parameters[name] !== seen.parameters[name]);
+        const names = Object.keys(doc.parameters).filter(
+          (name) => doc.parameters[name] !== seen.parameters[name],
+        );
         const input = names.length === 1 ? inputFor(Number(doc.parameters[names[0]])) : undefined;
         if (input) finish(input.event, input.at, "slider", changed);
       }

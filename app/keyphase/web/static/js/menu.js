@@ -26,7 +26,10 @@ export function createMenu(store, actions) {
     node.hidden = false;
     const { offsetWidth: width, offsetHeight: height } = node;
     node.style.setProperty("left", `${Math.max(4, Math.min(x, innerWidth - width - 8))}px`);
-    node.style.setProperty("top", `${y + height > innerHeight - 8 ? Math.max(4, y - height) : y}px`);
+    node.style.setProperty(
+      "top",
+      `${y + height > innerHeight - 8 ? Math.max(4, y - height) : y}px`,
+    );
     /** @type {HTMLElement|null} */ (node.querySelector("button:not(:disabled)"))?.focus();
   }
 
@@ -38,20 +41,43 @@ export function createMenu(store, actions) {
       close();
       run();
     };
-    return el("button", { type: "button", role: checked === undefined ? "menuitem" : "menuitemcheckbox", "aria-checked": checked === undefined ? null : String(checked), disabled: Boolean(off), on: { click: start } },
-      checked === undefined ? "" : el("i", { class: "check" }, checked ? icon("check") : ""), el("span", { text }), key ? el("kbd", { text: key }) : "");
+    return el(
+      "button",
+      {
+        type: "button",
+        role: checked === undefined ? "menuitem" : "menuitemcheckbox",
+        "aria-checked": checked === undefined ? null : String(checked),
+        disabled: Boolean(off),
+        on: { click: start },
+      },
+      checked === undefined ? "" : el("i", { class: "check" }, checked ? icon("check") : ""),
+      el("span", { text }),
+      key ? el("kbd", { text: key }) : "",
+    );
   }
 
   node.addEventListener("keydown", (event) => {
-    const buttons = /** @type {HTMLElement[]} */ ([...node.querySelectorAll("button:not(:disabled)")]);
+    const buttons = /** @type {HTMLElement[]} */ ([
+      ...node.querySelectorAll("button:not(:disabled)"),
+    ]);
     const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     if (event.key === "Escape") close();
-    else if (by) buttons.at((buttons.indexOf(/** @type {HTMLElement} */ (document.activeElement)) + by) % buttons.length)?.focus();
+    else if (by)
+      buttons
+        .at(
+          (buttons.indexOf(/** @type {HTMLElement} */ (document.activeElement)) + by) %
+            buttons.length,
+        )
+        ?.focus();
     else return;
     event.preventDefault();
     event.stopPropagation();
   });
-  addEventListener("pointerdown", ({ target }) => !node.contains(/** @type {Node} */ (target)) && close(), true);
+  addEventListener(
+    "pointerdown",
+    ({ target }) => !node.contains(/** @type {Node} */ (target)) && close(),
+    true,
+  );
   addEventListener("blur", close);
 
   return {
@@ -64,10 +90,17 @@ export function createMenu(store, actions) {
       const box = event.currentTarget.getBoundingClientRect();
       const { document: doc, hidden, comparison } = store.state;
       if (!comparison) actions.compare(null);
-      const items = TRACKS.filter(({ channel }) => doc.channels.includes(channel)).map(({ key, title }) => ({
-        text: title, checked: !hidden.has(key), run: () => toggleTrack(store, key),
-      }));
-      open([{ heading: "Tracks" }, ...items, ...comparisonItems(store, actions)], { x: box.right - 208, y: box.bottom + 4 });
+      const items = TRACKS.filter(({ channel }) => doc.channels.includes(channel)).map(
+        ({ key, title }) => ({
+          text: title,
+          checked: !hidden.has(key),
+          run: () => toggleTrack(store, key),
+        }),
+      );
+      open([{ heading: "Tracks" }, ...items, ...comparisonItems(store, actions)], {
+        x: box.right - 208,
+        y: box.bottom + 4,
+      });
     },
   };
 }
@@ -80,24 +113,55 @@ function timelineItems(store, actions, hit, time) {
     { text: "The whole recording", key: "F", run: actions.fit },
     { text: "All commands", key: "Ctrl K", run: () => actions.openPalette() },
   ];
-  if (hit.kind === "boundary") return [...boundaryItems(doc, hit.boundary, actions, off), "rule", ...general];
+  if (hit.kind === "boundary")
+    return [...boundaryItems(doc, hit.boundary, actions, off), "rule", ...general];
   const index = doc.segments.findIndex(({ end_s: end }) => time < end);
   const segment = doc.segments[index];
   if (!segment) return general;
-  const threshold = hit.kind === "threshold" ? [{ text: "Threshold back to automatic", off, run: actions.automaticThreshold }, "rule"] : [];
+  const threshold =
+    hit.kind === "threshold"
+      ? [{ text: "Threshold back to automatic", off, run: actions.automaticThreshold }, "rule"]
+      : [];
   return [
     ...threshold,
     { heading: `Segment ${index + 1}` },
     { text: "Label…", key: "L", off, run: () => actions.rename(index) },
-    ...labels.slice(0, 9).map(({ name }, k) => ({ text: name, key: String(k + 1), off, run: () => actions.label(name, index) })),
-    ...(segment.proposed ? [{ text: "Accept its name", off, run: () => actions.label(segment.label, index) }] : []),
+    ...labels
+      .slice(0, 9)
+      .map(({ name }, k) => ({
+        text: name,
+        key: String(k + 1),
+        off,
+        run: () => actions.label(name, index),
+      })),
+    ...(segment.proposed
+      ? [{ text: "Accept its name", off, run: () => actions.label(segment.label, index) }]
+      : []),
     { text: segment.kept ? "Drop" : "Keep", key: "X", off, run: () => actions.toggleDrop(index) },
     { text: "Split here", off, run: () => actions.addBoundary(time) },
-    { text: "Merge with the next", key: "M", off: off || index === doc.segments.length - 1, run: () => actions.mergeRange(index, index + 1) },
-    { text: "Merge with the one before", off: off || index === 0, run: () => actions.mergeRange(index - 1, index) },
+    {
+      text: "Merge with the next",
+      key: "M",
+      off: off || index === doc.segments.length - 1,
+      run: () => actions.mergeRange(index, index + 1),
+    },
+    {
+      text: "Merge with the one before",
+      off: off || index === 0,
+      run: () => actions.mergeRange(index - 1, index),
+    },
     "rule",
-    { text: "Repeat in the plan", key: "R", off: off || !segment.kept, run: () => (actions.select(index), actions.repeat()) },
-    { text: "Take out of the plan", off: off || !segment.kept, run: () => (actions.select(index), actions.takeOut()) },
+    {
+      text: "Repeat in the plan",
+      key: "R",
+      off: off || !segment.kept,
+      run: () => (actions.select(index), actions.repeat()),
+    },
+    {
+      text: "Take out of the plan",
+      off: off || !segment.kept,
+      run: () => (actions.select(index), actions.takeOut()),
+    },
     "rule",
     ...general,
   ];
@@ -107,7 +171,8 @@ function timelineItems(store, actions, hit, time) {
 function comparisonItems({ state }, actions) {
   const { options = ["automatic"], with: shown = null } = state.comparison ?? {};
   const items = options.map((name) => ({
-    text: name === "automatic" ? "What the program found" : name, checked: name === shown,
+    text: name === "automatic" ? "What the program found" : name,
+    checked: name === shown,
     run: () => actions.compare(name === shown ? null : name),
   }));
   return ["rule", { heading: "Compare with" }, ...items];
@@ -120,8 +185,20 @@ function boundaryItems(doc, index, actions, off) {
     { heading: `Boundary ${index + 1}` },
     { text: "Why it is there", run: () => actions.visit(index) },
     { text: "Accept", off: off || boundary.accepted, run: () => actions.acceptBoundary(index) },
-    { text: boundary.contact_change ? "Not a contact change" : "A contact change", off, run: () => actions.toggleContact(index) },
-    ...(boundary.was_s !== null ? [{ text: "Back to where it was", off, run: () => actions.moveBoundary(boundary.time_s, boundary.was_s) }] : []),
+    {
+      text: boundary.contact_change ? "Not a contact change" : "A contact change",
+      off,
+      run: () => actions.toggleContact(index),
+    },
+    ...(boundary.was_s !== null
+      ? [
+          {
+            text: "Back to where it was",
+            off,
+            run: () => actions.moveBoundary(boundary.time_s, boundary.was_s),
+          },
+        ]
+      : []),
     { text: "Remove", key: "Delete", off, run: () => actions.removeBoundary(index) },
   ];
 }

@@ -13,7 +13,16 @@ export function createNotices(store) {
     const same = [...node.children].find((notice) => notice.textContent === text);
     same?.remove();
     const notice = el("div", { class: `notice ${level}` }, el("span", { text }));
-    const close = el("button", { type: "button", title: "Close", "aria-label": "Close", on: { click: () => notice.remove() } }, icon("close", "small"));
+    const close = el(
+      "button",
+      {
+        type: "button",
+        title: "Close",
+        "aria-label": "Close",
+        on: { click: () => notice.remove() },
+      },
+      icon("close", "small"),
+    );
     notice.append(close);
     node.append(notice);
     while (node.children.length > MOST) node.firstChild.remove();

@@ -16,7 +16,11 @@ export function createPlan(store, actions) {
   const summary = el("div");
   const chips = el("div", { class: "chips", role: "list" });
   const drops = el("div", { class: "plan-drops" });
-  byId("plan").append(el("div", { class: "plan-title" }, el("b", { text: "Plan" }), summary), chips, drops);
+  byId("plan").append(
+    el("div", { class: "plan-title" }, el("b", { text: "Plan" }), summary),
+    chips,
+    drops,
+  );
 
   store.on(["document", "selected", "small", "planDrag", "readOnly"], (state) => {
     const { document: doc, selected, planDrag } = state;
@@ -30,9 +34,13 @@ export function createPlan(store, actions) {
       if (dragged) chip.classList.add("dragged");
       return [place ? between(entry, planDrag) : null, chip];
     });
-    if (order.length > MOST_CHIPS) nodes.push(el("span", { class: "plan-note", text: `and ${order.length - MOST_CHIPS} more` }));
+    if (order.length > MOST_CHIPS)
+      nodes.push(el("span", { class: "plan-note", text: `and ${order.length - MOST_CHIPS} more` }));
     chips.replaceChildren(...nodes.filter(Boolean));
-    if (!doc.plan.length) chips.replaceChildren(el("span", { class: "plan-note", text: "No segment is kept: nothing would run." }));
+    if (!doc.plan.length)
+      chips.replaceChildren(
+        el("span", { class: "plan-note", text: "No segment is kept: nothing would run." }),
+      );
     drops.replaceChildren(...drawDrops(doc, state, actions));
   });
   attachDragging(chips, store, actions);
@@ -40,42 +48,91 @@ export function createPlan(store, actions) {
 
 function describe(doc, small) {
   const skills = plural(doc.plan.length, "skill");
-  const seconds = doc.plan.reduce((sum, { segment }) => sum + doc.segments[segment].end_s - doc.segments[segment].start_s, 0);
+  const seconds = doc.plan.reduce(
+    (sum, { segment }) => sum + doc.segments[segment].end_s - doc.segments[segment].start_s,
+    0,
+  );
   return small || !doc.plan.length ? skills : `${skills}, about ${seconds.toFixed(1)} s`;
 }
 
 function drawChip(entry, k, doc, selected, { small }) {
   const segment = doc.segments[entry.segment];
   const repeated = doc.plan.slice(0, k).some(({ segment: other }) => other === entry.segment);
-  const times = doc.plan.slice(0, k + 1).filter(({ segment: other }) => other === entry.segment).length;
+  const times = doc.plan
+    .slice(0, k + 1)
+    .filter(({ segment: other }) => other === entry.segment).length;
   const contact = segment.end_condition.kind === "contact";
-  const how = repeated ? "repeated" : contact ? `ends at ${segment.end_condition.threshold_N.toFixed(1)} N` : "ends at the pose";
+  const how = repeated
+    ? "repeated"
+    : contact
+      ? `ends at ${segment.end_condition.threshold_N.toFixed(1)} N`
+      : "ends at the pose";
   const short = shortName(segment.label);
   const name = small && doc.plan.length > 4 ? short.split(" ")[0] : short;
-  return el("div", {
-    class: `chip ${entry.segment === selected ? "on" : ""}`, role: "listitem", tabindex: 0,
-    title: `${segment.label}, ${how}. Drag to reorder, Ctrl drag to repeat, Delete takes it out.`, data: { entry: k },
-  },
-  el("div", { class: "chip-number", style: { background: segmentFill(segment) }, text: entry.segment + 1 }),
-  el("div", { class: "chip-text" }, el("b", { text: name }), repeated ? el("span", { class: "repeat", text: `×${times}` }) : "",
-    el("small", {}, icon(contact ? "contact" : "goal"), how)),
-  el("span", { class: "grip" }, icon("grip")));
+  return el(
+    "div",
+    {
+      class: `chip ${entry.segment === selected ? "on" : ""}`,
+      role: "listitem",
+      tabindex: 0,
+      title: `${segment.label}, ${how}. Drag to reorder, Ctrl drag to repeat, Delete takes it out.`,
+      data: { entry: k },
+    },
+    el("div", {
+      class: "chip-number",
+      style: { background: segmentFill(segment) },
+      text: entry.segment + 1,
+    }),
+    el(
+      "div",
+      { class: "chip-text" },
+      el("b", { text: name }),
+      repeated ? el("span", { class: "repeat", text: `×${times}` }) : "",
+      el("small", {}, icon(contact ? "contact" : "goal"), how),
+    ),
+    el("span", { class: "grip" }, icon("grip")),
+  );
 }
 
 /** An arrow, or a dashed connecting move where the next skill starts somewhere else. */
 function between(entry, planDrag) {
-  if (planDrag || entry.connect_mm === null) return el("span", { class: "arrow" }, icon("right", "small"));
-  return el("div", { class: "connect", title: "A connecting move" }, el("span", { text: "connect" }), el("i"), el("span", { text: `${Math.round(entry.connect_mm)} mm` }));
+  if (planDrag || entry.connect_mm === null)
+    return el("span", { class: "arrow" }, icon("right", "small"));
+  return el(
+    "div",
+    { class: "connect", title: "A connecting move" },
+    el("span", { text: "connect" }),
+    el("i"),
+    el("span", { text: `${Math.round(entry.connect_mm)} mm` }),
+  );
 }
 
 function drawDrops(doc, { small, readOnly }, actions) {
   const proposed = doc.proposed_drops;
   if (!proposed.length || readOnly) return [];
   const many = proposed.length > (small ? 4 : 8);
-  const chips = many ? [] : proposed.map((index) => el("div", { class: "drop-chip" }, el("b", { text: index + 1 }), small ? "" : "idle"));
+  const chips = many
+    ? []
+    : proposed.map((index) =>
+        el("div", { class: "drop-chip" }, el("b", { text: index + 1 }), small ? "" : "idle"),
+      );
   const text = small ? `Drop ${proposed.length}` : `Drop all ${proposed.length}`;
-  return [el("span", { class: "wide", text: "Proposed to drop" }), ...chips,
-    el("button", { type: "button", class: "boxed", id: "drop-idle", title: "Drop all idle segments (I)", on: { click: actions.dropIdle } }, text, el("kbd", { text: "I" }))];
+  return [
+    el("span", { class: "wide", text: "Proposed to drop" }),
+    ...chips,
+    el(
+      "button",
+      {
+        type: "button",
+        class: "boxed",
+        id: "drop-idle",
+        title: "Drop all idle segments (I)",
+        on: { click: actions.dropIdle },
+      },
+      text,
+      el("kbd", { text: "I" }),
+    ),
+  ];
 }
 
 /** Drag a chip to reorder; with Ctrl it is repeated; dragged out of the strip it is taken out. */
@@ -101,7 +158,8 @@ function attachDragging(chips, store, actions) {
       const { planDrag } = store.state;
       store.set({ planDrag: null });
       if (!moved) return actions.select(doc.plan[entry].segment);
-      if (planDrag && at.type === "pointerup") actions.reorder(planDrag.order.map((k) => doc.plan[k].time_s));
+      if (planDrag && at.type === "pointerup")
+        actions.reorder(planDrag.order.map((k) => doc.plan[k].time_s));
       return undefined;
     };
     chips.addEventListener("pointermove", move);
@@ -113,7 +171,9 @@ function attachDragging(chips, store, actions) {
     if (!chip || store.state.readOnly || !["Delete", "Backspace"].includes(event.key)) return;
     event.stopPropagation();
     const out = Number(/** @type {HTMLElement} */ (chip).dataset.entry);
-    actions.reorder(store.state.document.plan.filter((_, k) => k !== out).map(({ time_s: time }) => time));
+    actions.reorder(
+      store.state.document.plan.filter((_, k) => k !== out).map(({ time_s: time }) => time),
+    );
   });
 }
 
@@ -122,7 +182,8 @@ function dropAt(chips, doc, entry, { clientX, clientY, ctrlKey, metaKey }) {
   const all = doc.plan.map((_, k) => k);
   const rest = repeat ? all : all.filter((k) => k !== entry);
   const box = chips.getBoundingClientRect();
-  if (!repeat && (clientY < box.top - 40 || clientY > box.bottom + 40)) return { order: rest, place: -1 };
+  if (!repeat && (clientY < box.top - 40 || clientY > box.bottom + 40))
+    return { order: rest, place: -1 };
   const centres = [...chips.querySelectorAll(".chip:not(.dragged)")].map((chip) => {
     const { left, width } = chip.getBoundingClientRect();
     return left + width / 2;

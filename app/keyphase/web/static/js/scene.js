@@ -37,31 +37,88 @@ export function createScene(store, { onKey, onSlide }) {
 
   const hud = byId("hud");
   store.later(["clock", "document"], ({ clock, document: doc }) => {
-    hud.replaceChildren(...(doc ? ["At ", el("b", { text: `${timeText(clock)} s` }), doc.channels.includes("orientation") ? " · tool frame" : ""] : []));
+    hud.replaceChildren(
+      ...(doc
+        ? [
+            "At ",
+            el("b", { text: `${timeText(clock)} s` }),
+            doc.channels.includes("orientation") ? " · tool frame" : "",
+          ]
+        : []),
+    );
   });
-  store.later(["document"], ({ document: doc }) => byId("legend").replaceChildren(...(doc ? legend(doc) : [])));
+  store.later(["document"], ({ document: doc }) =>
+    byId("legend").replaceChildren(...(doc ? legend(doc) : [])),
+  );
 }
 
 function legend(doc) {
   const parts = [];
   if (doc.gaussians.length) {
-    parts.push(el("span", {}, svg("svg", { width: 18, height: 10 }, svg("ellipse", { cx: 9, cy: 5, rx: 8.5, ry: 4, style: { fill: "var(--segment-0)", opacity: ".45" } })), "Gaussian, 1 σ"));
+    parts.push(
+      el(
+        "span",
+        {},
+        svg(
+          "svg",
+          { width: 18, height: 10 },
+          svg("ellipse", {
+            cx: 9,
+            cy: 5,
+            rx: 8.5,
+            ry: 4,
+            style: { fill: "var(--segment-0)", opacity: ".45" },
+          }),
+        ),
+        "Gaussian, 1 σ",
+      ),
+    );
   }
   if (doc.channels.includes("force")) {
-    parts.push(el("span", {}, svg("svg", { width: 26, height: 8 },
-      svg("path", { d: "M0 4h20", "stroke-width": 3, style: { stroke: "var(--origin-force)" } }),
-      svg("path", { d: "M18 0l8 4-8 4z", style: { fill: "var(--origin-force)" } })), "force, 5 N"));
+    parts.push(
+      el(
+        "span",
+        {},
+        svg(
+          "svg",
+          { width: 26, height: 8 },
+          svg("path", {
+            d: "M0 4h20",
+            "stroke-width": 3,
+            style: { stroke: "var(--origin-force)" },
+          }),
+          svg("path", { d: "M18 0l8 4-8 4z", style: { fill: "var(--origin-force)" } }),
+        ),
+        "force, 5 N",
+      ),
+    );
   }
-  parts.push(el("span", {}, svg("svg", { width: 10, height: 10 }, svg("circle", { cx: 5, cy: 5, r: 4, style: { fill: "var(--idle)" } })), "idle"));
+  parts.push(
+    el(
+      "span",
+      {},
+      svg(
+        "svg",
+        { width: 10, height: 10 },
+        svg("circle", { cx: 5, cy: 5, r: 4, style: { fill: "var(--idle)" } }),
+      ),
+      "idle",
+    ),
+  );
   return parts;
 }
 
 /** A control of the panel is being dragged, as something on the timeline may be. */
 function watchHolding(inside, store) {
-  inside.addEventListener("pointerdown", ({ target }) => {
-    if (target.tagName !== "CANVAS") store.set({ holding: true });
-  }, true);
-  for (const end of ["pointerup", "pointercancel"]) inside.addEventListener(end, () => store.set({ holding: false }), true);
+  inside.addEventListener(
+    "pointerdown",
+    ({ target }) => {
+      if (target.tagName !== "CANVAS") store.set({ holding: true });
+    },
+    true,
+  );
+  for (const end of ["pointerup", "pointercancel"])
+    inside.addEventListener(end, () => store.set({ holding: false }), true);
 }
 
 const INPUTS = ["pointerdown", "pointermove", "keydown", "input", "change", "wheel"];
@@ -74,16 +131,22 @@ const INPUTS = ["pointerdown", "pointermove", "keydown", "input", "change", "whe
  */
 function watchSliders(inside, onSlide) {
   let inputAt = 0;
-  for (const type of INPUTS) inside.addEventListener(type, (event) => (inputAt = event.timeStamp), true);
+  for (const type of INPUTS)
+    inside.addEventListener(type, (event) => (inputAt = event.timeStamp), true);
   // The frame's clock started at another moment than ours.
-  const shift = (inside.defaultView?.performance.timeOrigin ?? performance.timeOrigin) - performance.timeOrigin;
+  const shift =
+    (inside.defaultView?.performance.timeOrigin ?? performance.timeOrigin) - performance.timeOrigin;
   const notice = (mutations) => {
     for (const { target } of mutations) {
       const value = shownBy(/** @type {HTMLElement} */ (target));
       if (Number.isFinite(value) && inputAt) onSlide(value, inputAt + shift);
     }
   };
-  new MutationObserver(notice).observe(inside, { subtree: true, attributes: true, attributeFilter: ["aria-valuenow", "style"] });
+  new MutationObserver(notice).observe(inside, {
+    subtree: true,
+    attributes: true,
+    attributeFilter: ["aria-valuenow", "style"],
+  });
 }
 
 /** The threshold's slider spans so many decades, from 1 on. */
@@ -92,6 +155,7 @@ const DECADES = 4;
 /** What a slider's thumb shows: its value, or for the threshold's the decades. NaN for others. */
 function shownBy(thumb) {
   if (thumb.hasAttribute("aria-valuenow")) return Number(thumb.getAttribute("aria-valuenow"));
-  if (thumb.classList.contains("multi-slider-thumb")) return (DECADES * parseFloat(thumb.style.left)) / 100;
+  if (thumb.classList.contains("multi-slider-thumb"))
+    return (DECADES * parseFloat(thumb.style.left)) / 100;
   return NaN;
 }

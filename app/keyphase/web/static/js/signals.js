@@ -70,7 +70,13 @@ export function createSignals(store, send, tracksShown) {
     const from = Math.max(doc.start_s, view.from - margin);
     const to = Math.min(doc.end_s, view.to + margin);
     if (from === doc.start_s && to === doc.end_s && isWhole(view, doc)) return;
-    request(from, to, Math.ceil((plotWidth * (to - from)) / (view.to - view.from)), "fine", tracksShown());
+    request(
+      from,
+      to,
+      Math.ceil((plotWidth * (to - from)) / (view.to - view.from)),
+      "fine",
+      tracksShown(),
+    );
   }
 
   return {
@@ -88,7 +94,8 @@ export function createSignals(store, send, tracksShown) {
     /** The short stretch under the lens, one request at a time. */
     look(window, width) {
       const waiting = [...pending.values()].some(({ as }) => as === "lens");
-      if (!waiting && window.to > window.from) request(window.from, window.to, width, "lens", LENS_TRACKS);
+      if (!waiting && window.to > window.from)
+        request(window.from, window.to, width, "lens", LENS_TRACKS);
     },
     /** @param {ArrayBuffer} frame */
     receive(frame) {

@@ -16,8 +16,16 @@ export function createSplitter(store, naturalHeight) {
   let chosen = null;
 
   function limit(height) {
-    const others = ["header", "banners", "splitter", "transport", "plan", "status"].reduce((sum, id) => sum + byId(id).offsetHeight, 0);
-    return Math.round(Math.min(Math.max(height, LEAST_TIMELINE_PX), Math.max(LEAST_TIMELINE_PX, innerHeight - others - LEAST_SCENE_PX)));
+    const others = ["header", "banners", "splitter", "transport", "plan", "status"].reduce(
+      (sum, id) => sum + byId(id).offsetHeight,
+      0,
+    );
+    return Math.round(
+      Math.min(
+        Math.max(height, LEAST_TIMELINE_PX),
+        Math.max(LEAST_TIMELINE_PX, innerHeight - others - LEAST_SCENE_PX),
+      ),
+    );
   }
 
   function apply() {

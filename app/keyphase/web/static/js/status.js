@@ -18,10 +18,24 @@ export function createStatus(store) {
   const vectors = Object.fromEntries(Object.keys(UNITS).map((name) => [name, vector(name)]));
   const progress = el("i");
   const progressText = el("span");
-  const progressGroup = el("span", { hidden: true }, progressText, el("div", { class: "progress" }, progress));
+  const progressGroup = el(
+    "span",
+    { hidden: true },
+    progressText,
+    el("div", { class: "progress" }, progress),
+  );
   const latency = el("span", { id: "latency", class: "wide", hidden: true });
-  byId("status").append(el("span", { id: "replay-status" }), where, at, errorGroup, ...Object.values(vectors).map(({ node }) => node), progressGroup,
-    el("span", { class: "space" }), latency, ...legend());
+  byId("status").append(
+    el("span", { id: "replay-status" }),
+    where,
+    at,
+    errorGroup,
+    ...Object.values(vectors).map(({ node }) => node),
+    progressGroup,
+    el("span", { class: "space" }),
+    latency,
+    ...legend(),
+  );
 
   store.later(["pointer", "clock", "whole", "fine", "document"], (state) => {
     const { document: doc, pointer, clock } = state;
@@ -38,7 +52,9 @@ export function createStatus(store) {
     for (const [name, { node, values }] of Object.entries(vectors)) {
       const series = curvesOf(state, name)?.series;
       node.hidden = !series?.length;
-      AXES.forEach((_, k) => (values[k].textContent = valueText(series?.[k], time, digitsOf(name))));
+      AXES.forEach(
+        (_, k) => (values[k].textContent = valueText(series?.[k], time, digitsOf(name))),
+      );
     }
   });
 
@@ -56,9 +72,16 @@ function vector(name) {
 }
 
 function legend() {
-  const origins = [["position", false], ["force", true], ["both", true], ["user", true]];
+  const origins = [
+    ["position", false],
+    ["force", true],
+    ["both", true],
+    ["user", true],
+  ];
   return [
-    ...origins.map(([origin, filled]) => el("span", {}, glyphIcon(/** @type {any} */ (origin), filled), String(origin))),
+    ...origins.map(([origin, filled]) =>
+      el("span", {}, glyphIcon(/** @type {any} */ (origin), filled), String(origin)),
+    ),
     el("span", { class: "wide", text: "filled: contact change" }),
     el("span", { class: "wide", text: "shaded: interval" }),
   ];

@@ -14,7 +14,9 @@ export const COLORS = 7;
 
 /** @param {{color: number|null}} segment */
 export function segmentFill({ color }) {
-  return color === null ? "var(--hatch-line)" : `var(--segment-${((color % COLORS) + COLORS) % COLORS})`;
+  return color === null
+    ? "var(--hatch-line)"
+    : `var(--segment-${((color % COLORS) + COLORS) % COLORS})`;
 }
 
 /**
@@ -35,12 +37,15 @@ export function fittingLabel(segment, room, font) {
 export function drawBand(state, scale, row) {
   const { document: doc, selected, range } = state;
   const box = { top: row.y + 3, height: row.height - 6 };
-  const nodes = [svg("rect", { y: row.y, width: scale.width, height: row.height, class: "band-ground" })];
+  const nodes = [
+    svg("rect", { y: row.y, width: scale.width, height: row.height, class: "band-ground" }),
+  ];
   let ring = null;
   const dense = segmentsInView(doc.segments, scale).length > MOST_IN_DETAIL;
   if (dense) nodes.push(...denseSegments(doc.segments, scale, box.top, box.height));
   doc.segments.forEach((segment, index) => {
-    if (segment.end_s < scale.from || segment.start_s > scale.to || (dense && index !== selected)) return;
+    if (segment.end_s < scale.from || segment.start_s > scale.to || (dense && index !== selected))
+      return;
     const left = Math.max(scale.x(segment.start_s), 0) + 1;
     const right = Math.min(scale.x(segment.end_s), scale.width) - 1;
     if (right - left < 0.5) return;
@@ -57,7 +62,10 @@ function drawSegment(segment, index, place) {
   const { left, top, width, height } = place;
   const dropped = !segment.kept;
   const fill = dropped ? "url(#hatch)" : segmentFill(segment);
-  const group = svg("g", { class: `segment ${dropped ? "dropped" : "kept"}`, data: { segment: index } });
+  const group = svg("g", {
+    class: `segment ${dropped ? "dropped" : "kept"}`,
+    data: { segment: index },
+  });
   group.append(svg("rect", { x: left, y: top, width, height, rx: 3, style: { fill } }));
   group.append(...(dropped ? droppedText(segment, index, place) : keptText(segment, index, place)));
   return group;
@@ -79,7 +87,9 @@ function keptText(segment, index, { left, top, width, height }) {
   nodes.push(svg("text", { x: textLeft, y: base, class: "segment-label", text: label }));
   if (segment.proposed) {
     const under = Math.min(textWidth(label, "600 12px"), room);
-    nodes.push(svg("path", { d: `M${textLeft} ${base + 3.5}h${under}`, class: "segment-proposed" }));
+    nodes.push(
+      svg("path", { d: `M${textLeft} ${base + 3.5}h${under}`, class: "segment-proposed" }),
+    );
   }
   if (two) nodes.push(...secondLine(segment, textLeft, top + 29, room));
   return nodes;
@@ -105,23 +115,63 @@ function droppedText(segment, index, { left, top, width, height }) {
     svg("rect", { x: at, y: middle - 9, width: plate, height: 18, rx: 3, class: "segment-plate" }),
     svg("text", { x: at + 7, y: middle + 4, class: "segment-plate-number", text: number }),
   ];
-  if (label) nodes.push(svg("text", { x: at + 14 + numberWidth, y: middle + 4, class: "segment-plate-label", text: label }));
+  if (label)
+    nodes.push(
+      svg("text", {
+        x: at + 14 + numberWidth,
+        y: middle + 4,
+        class: "segment-plate-label",
+        text: label,
+      }),
+    );
   if (height >= 30 && width > plate + 70) {
     const text = duration(segment.end_s - segment.start_s);
-    nodes.push(svg("text", { x: left + width - 8, y: middle + 4, class: "segment-plate-second", "text-anchor": "end", text }));
+    nodes.push(
+      svg("text", {
+        x: left + width - 8,
+        y: middle + 4,
+        class: "segment-plate-second",
+        "text-anchor": "end",
+        text,
+      }),
+    );
   }
   return nodes;
 }
 
 function drawRing({ left, top, width, height }) {
-  return svg("g", { class: "segment-ring" },
-    svg("rect", { x: left - 0.5, y: top - 0.5, width: width + 1, height: height + 1, rx: 4, class: "ring-gap" }),
-    svg("rect", { x: left - 1, y: top - 1, width: width + 2, height: height + 2, rx: 4, class: "ring" }));
+  return svg(
+    "g",
+    { class: "segment-ring" },
+    svg("rect", {
+      x: left - 0.5,
+      y: top - 0.5,
+      width: width + 1,
+      height: height + 1,
+      rx: 4,
+      class: "ring-gap",
+    }),
+    svg("rect", {
+      x: left - 1,
+      y: top - 1,
+      width: width + 2,
+      height: height + 2,
+      rx: 4,
+      class: "ring",
+    }),
+  );
 }
 
 /** The segments dragged over, about to become one. */
 function drawRange(doc, [first, last], scale, { top, height }) {
   const left = Math.max(scale.x(doc.segments[first].start_s), 0);
   const right = Math.min(scale.x(doc.segments[last].end_s), scale.width);
-  return svg("rect", { x: left + 1, y: top, width: Math.max(1, right - left - 2), height, rx: 3, class: "band-range" });
+  return svg("rect", {
+    x: left + 1,
+    y: top,
+    width: Math.max(1, right - left - 2),
+    height,
+    rx: 3,
+    class: "band-range",
+  });
 }

@@ -20,7 +20,9 @@ export function isUnsure(boundary) {
 /** Numbers of the unsure boundaries, the least certain first. @param {import("../types.js").Doc|null} doc */
 export function unsureBoundaries(doc) {
   if (!doc) return [];
-  const numbers = doc.boundaries.map((_, index) => index).filter((index) => isUnsure(doc.boundaries[index]));
+  const numbers = doc.boundaries
+    .map((_, index) => index)
+    .filter((index) => isUnsure(doc.boundaries[index]));
   return numbers.sort((a, b) => doc.boundaries[a].confidence - doc.boundaries[b].confidence);
 }
 
@@ -39,14 +41,31 @@ export function drawIntervals(state, scale, layout, bottom) {
     if (crowded || high < scale.from || low > scale.to) return;
     const left = Math.max(scale.x(low), 0);
     const right = Math.min(Math.max(scale.x(high), left + 3), scale.width);
-    nodes.push(svg("rect", { x: left, y: top, width: Math.max(0, right - left), height: bottom - top,
-      class: `interval ${boundary.origin}`, style: { fill: originColor(boundary.origin) } }));
+    nodes.push(
+      svg("rect", {
+        x: left,
+        y: top,
+        width: Math.max(0, right - left),
+        height: bottom - top,
+        class: `interval ${boundary.origin}`,
+        style: { fill: originColor(boundary.origin) },
+      }),
+    );
   });
   const segment = doc.segments[selected];
   if (segment) {
     const left = Math.max(scale.x(segment.start_s), 0);
     const right = Math.min(scale.x(segment.end_s), scale.width);
-    if (right > left) nodes.push(svg("rect", { x: left, y: bandBottom, width: right - left, height: bottom - bandBottom, class: "selected-stretch" }));
+    if (right > left)
+      nodes.push(
+        svg("rect", {
+          x: left,
+          y: bandBottom,
+          width: right - left,
+          height: bottom - bandBottom,
+          class: "selected-stretch",
+        }),
+      );
   }
   return nodes;
 }
@@ -79,11 +98,26 @@ export function drawBoundaries(state, scale, layout, bottom) {
     const strong = index === hovered || index === current;
     const color = originColor(boundary.origin);
     const middle = row.y + row.height / 2;
-    const group = svg("g", { class: `boundary ${strong ? "strong" : dense}`, data: { boundary: index, origin: boundary.origin } });
+    const group = svg("g", {
+      class: `boundary ${strong ? "strong" : dense}`,
+      data: { boundary: index, origin: boundary.origin },
+    });
     group.append(
-      svg("path", { d: `M${x} ${middle}V${lineBottom}`, class: "boundary-line", style: { stroke: color } }),
-      svg("rect", { x: x - 1.5, y: band.y + 4, width: 3, height: band.height - 8, style: { fill: color } }),
-      strong ? svg("circle", { cx: x, cy: middle, r: 9, class: "halo", style: { fill: color } }) : "",
+      svg("path", {
+        d: `M${x} ${middle}V${lineBottom}`,
+        class: "boundary-line",
+        style: { stroke: color },
+      }),
+      svg("rect", {
+        x: x - 1.5,
+        y: band.y + 4,
+        width: 3,
+        height: band.height - 8,
+        style: { fill: color },
+      }),
+      strong
+        ? svg("circle", { cx: x, cy: middle, r: 9, class: "halo", style: { fill: color } })
+        : "",
       glyph(boundary.origin, { x, y: middle, filled: boundary.contact_change }),
     );
     nodes.push(group);
@@ -130,17 +164,29 @@ function createTextRow(width) {
 function placeText({ boundary, time, x, y, strong }, taken, width) {
   const main = timeText(time);
   const doubt = isUnsure(boundary) ? ` ${boundary.confidence.toFixed(2)}` : "";
-  const wide = textWidth(main, strong ? "700 10.5px" : "500 10.5px") + (doubt ? textWidth(doubt, "700 10.5px") : 0);
+  const wide =
+    textWidth(main, strong ? "700 10.5px" : "500 10.5px") +
+    (doubt ? textWidth(doubt, "700 10.5px") : 0);
   const sides = [
     { left: x + 11, right: x + 11 + wide, anchor: "start", at: x + 11 },
     { left: x - 10 - wide, right: x - 10, anchor: "end", at: x - 10 },
   ];
   if (boundary.was_s !== null && boundary.was_s > time) sides.reverse();
-  const free = sides.find(({ left, right }) => left >= 0 && right <= width &&
-    taken.every((other) => right < other.left || left > other.right || isOwn(other, x)));
+  const free = sides.find(
+    ({ left, right }) =>
+      left >= 0 &&
+      right <= width &&
+      taken.every((other) => right < other.left || left > other.right || isOwn(other, x)),
+  );
   if (!free) return null;
   taken.push({ left: free.left - 4, right: free.right + 4 });
-  const text = svg("text", { x: free.at, y, "text-anchor": free.anchor, class: `boundary-time ${strong ? "strong" : ""}`, text: main });
+  const text = svg("text", {
+    x: free.at,
+    y,
+    "text-anchor": free.anchor,
+    class: `boundary-time ${strong ? "strong" : ""}`,
+    text: main,
+  });
   if (doubt) text.append(svg("tspan", { class: "unsure", text: doubt }));
   return text;
 }
@@ -155,10 +201,21 @@ export function drawGhosts(state, scale, layout, bottom) {
     const x = scale.x(time);
     if (x < 0 || x > scale.width) continue;
     const color = originColor(origin);
-    nodes.push(svg("g", { class: `ghost ${fate}`, data: { fate } },
-      svg("path", { d: `M${x} ${row.y + row.height / 2}V${bottom}`, style: { stroke: color } }),
-      svg("g", {}, glyph(origin, { x, y: row.y + row.height / 2, filled: false })),
-      svg("text", { x: x + 9, y: row.y + row.height / 2 + 3.6, class: "ghost-text", style: { fill: color }, text: fate === "comes" ? "+" : "−" })));
+    nodes.push(
+      svg(
+        "g",
+        { class: `ghost ${fate}`, data: { fate } },
+        svg("path", { d: `M${x} ${row.y + row.height / 2}V${bottom}`, style: { stroke: color } }),
+        svg("g", {}, glyph(origin, { x, y: row.y + row.height / 2, filled: false })),
+        svg("text", {
+          x: x + 9,
+          y: row.y + row.height / 2 + 3.6,
+          class: "ghost-text",
+          style: { fill: color },
+          text: fate === "comes" ? "+" : "−",
+        }),
+      ),
+    );
   }
   return nodes;
 }

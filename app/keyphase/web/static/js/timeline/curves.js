@@ -67,28 +67,35 @@ export function createCurves(parent, pens, drawBelow) {
 
   function build() {
     const { top, bottom } = padding();
-    chart = new uPlot({
-      width: size.width,
-      height: size.height,
-      padding: [top, 0, bottom, 0],
-      pxAlign: 0,
-      cursor: { show: false },
-      legend: { show: false },
-      select: { show: false },
-      scales: {
-        x: { time: false, auto: false, range: () => [view.from, view.to] },
-        y: { auto: false, range: () => [range.low, range.high] },
+    chart = new uPlot(
+      {
+        width: size.width,
+        height: size.height,
+        padding: [top, 0, bottom, 0],
+        pxAlign: 0,
+        cursor: { show: false },
+        legend: { show: false },
+        select: { show: false },
+        scales: {
+          x: { time: false, auto: false, range: () => [view.from, view.to] },
+          y: { auto: false, range: () => [range.low, range.high] },
+        },
+        axes: [{ show: false }, { show: false }],
+        series: [
+          {},
+          ...pens.map((pen, k) => ({
+            stroke: () => penColors[k],
+            width: pen.width,
+            dash: pen.dash,
+            spanGaps: true,
+            points: { show: false },
+          })),
+        ],
+        hooks: { drawClear: [paintGround] },
       },
-      axes: [{ show: false }, { show: false }],
-      series: [{}, ...pens.map((pen, k) => ({
-        stroke: () => penColors[k],
-        width: pen.width,
-        dash: pen.dash,
-        spanGaps: true,
-        points: { show: false },
-      }))],
-      hooks: { drawClear: [paintGround] },
-    }, data, parent);
+      data,
+      parent,
+    );
   }
 
   return {
@@ -110,7 +117,8 @@ export function createCurves(parent, pens, drawBelow) {
      */
     draw(series, nextRange, nextView) {
       if (size.width < 2 || size.height < 2) return;
-      const sameRange = range.low === nextRange.low && range.high === nextRange.high && range.map === nextRange.map;
+      const sameRange =
+        range.low === nextRange.low && range.high === nextRange.high && range.map === nextRange.map;
       range = nextRange;
       view = nextView;
       if (shown !== series || !sameRange) {
@@ -145,7 +153,9 @@ function alignedData(series, map) {
   const tables = series.map(({ times, values }) => [times, Array.from(values, map)]);
   if (tables.length === 1) return tables[0];
   const [{ times: first }] = series;
-  const alike = series.every(({ times }) => times.length === first.length && times.every((t, k) => t === first[k]));
+  const alike = series.every(
+    ({ times }) => times.length === first.length && times.every((t, k) => t === first[k]),
+  );
   return alike ? [first, ...tables.map(([, values]) => values)] : uPlot.join(tables);
 }
 

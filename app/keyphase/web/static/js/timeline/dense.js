@@ -12,7 +12,9 @@ export const MOST_IN_DETAIL = 300;
 
 /** @param {import("../types.js").Segment[]} segments @param {import("./scale.js").Scale} scale */
 export function segmentsInView(segments, scale) {
-  return segments.filter(({ start_s: start, end_s: end }) => end >= scale.from && start <= scale.to);
+  return segments.filter(
+    ({ start_s: start, end_s: end }) => end >= scale.from && start <= scale.to,
+  );
 }
 
 /**
@@ -33,9 +35,14 @@ export function denseSegments(segments, scale, top, height) {
     if (scale.x(segment.end_s) <= free || right <= left) continue;
     free = right;
     const fill = segment.kept ? segmentFill(segment) : "var(--hatch-line)";
-    paths.set(fill, `${paths.get(fill) ?? ""}M${left.toFixed(1)} ${top}h${(right - left).toFixed(1)}v${height}h${(left - right).toFixed(1)}z`);
+    paths.set(
+      fill,
+      `${paths.get(fill) ?? ""}M${left.toFixed(1)} ${top}h${(right - left).toFixed(1)}v${height}h${(left - right).toFixed(1)}z`,
+    );
   }
-  return [...paths].map(([fill, d]) => svg("path", { d, class: "dense-segments", style: { fill } }));
+  return [...paths].map(([fill, d]) =>
+    svg("path", { d, class: "dense-segments", style: { fill } }),
+  );
 }
 
 /**
@@ -53,5 +60,11 @@ export function denseBoundaries(boundaries, scale, { y, height }) {
     if (x < 0 || x > scale.width || x === path.last) continue;
     paths.set(origin, { d: `${path.d}M${x + 0.5} ${y + 4}v${height - 8}`, last: x });
   }
-  return [...paths].map(([origin, { d }]) => svg("path", { d, class: "dense-boundaries", style: { stroke: originColor(/** @type {any} */ (origin)) } }));
+  return [...paths].map(([origin, { d }]) =>
+    svg("path", {
+      d,
+      class: "dense-boundaries",
+      style: { stroke: originColor(/** @type {any} */ (origin)) },
+    }),
+  );
 }

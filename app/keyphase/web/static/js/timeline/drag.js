@@ -10,7 +10,11 @@ export function withDrag(doc, drag) {
   const moved = drag && doc.boundaries[drag.boundary];
   if (!moved) return doc;
   const was = moved.was_s ?? moved.time_s;
-  const boundaries = doc.boundaries.with(drag.boundary, { ...moved, time_s: drag.time, was_s: was });
+  const boundaries = doc.boundaries.with(drag.boundary, {
+    ...moved,
+    time_s: drag.time,
+    was_s: was,
+  });
   const segments = doc.segments.map((segment) => ({
     ...segment,
     start_s: segment.start_s === moved.time_s ? drag.time : segment.start_s,

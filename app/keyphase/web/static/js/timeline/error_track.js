@@ -35,7 +35,10 @@ function logarithm(floor) {
  * @param {import("../store.js").Store} store
  */
 export function createErrorTrack({ plot, marks, gutter }, store) {
-  const pens = [{ color: "--origin-force", width: 1, dash: [1.5, 3] }, { color: "--curve", width: 1.2 }];
+  const pens = [
+    { color: "--origin-force", width: 1, dash: [1.5, 3] },
+    { color: "--curve", width: 1.2 },
+  ];
   let above = { threshold: null, series: null, view: null, color: cssColor("--origin-force") };
   const curves = createCurves(plot, pens, (chart, box) => fillAbove(chart, box, above));
   const folded = createCurves(plot, [{ color: "--text-3", width: 1 }]);
@@ -55,7 +58,11 @@ export function createErrorTrack({ plot, marks, gutter }, store) {
       const { document: doc, logarithmic } = state;
       const ratio = doc.parameters.force_ratio ?? 1;
       if (scaled.source !== series || scaled.ratio !== ratio) {
-        scaled = { source: series, ratio, series: [timesRatio(series[1] ?? series[0], ratio), series[0]] };
+        scaled = {
+          source: series,
+          ratio,
+          series: [timesRatio(series[1] ?? series[0], ratio), series[0]],
+        };
       }
       const whole = curvesOf({ ...state, fine: null }, "error")?.series ?? series;
       range = rangeOf(whole[0], thresholdOf(state), logarithmic, row.height, state.small);
@@ -70,7 +77,8 @@ export function createErrorTrack({ plot, marks, gutter }, store) {
       return marks.replaceChildren(
         ...tickLabels(range, curves.y),
         ...drawPeaks(state, scale, curves.y),
-        ...drawThreshold(state, scale, curves.y, row.height));
+        ...drawThreshold(state, scale, curves.y, row.height),
+      );
     },
     read(state, time) {
       const series = curvesOf(state, "error")?.series;
@@ -98,7 +106,12 @@ function rangeOf(series, threshold, logarithmic, height, small) {
   const top = Math.max(high, (threshold ?? 0) * 1.5, 1);
   if (!logarithmic) {
     const step = tickStep(1.08 * top, height / 26);
-    return { low: -0.02 * top, high: 1.08 * top, ticks: multiples(0, 1.08 * top, step), map: identity };
+    return {
+      low: -0.02 * top,
+      high: 1.08 * top,
+      ticks: multiples(0, 1.08 * top, step),
+      map: identity,
+    };
   }
   const floor = Math.min(FLOOR, (threshold ?? 3) / 10);
   const map = logarithm(floor);
@@ -106,7 +119,12 @@ function rangeOf(series, threshold, logarithmic, height, small) {
   const most = Math.log10(2.2 * top);
   const step = Math.max(1, Math.ceil((most - low) / ((height - 13) / (small ? 15 : 18))));
   const decades = multiples(Math.ceil(low), most, step);
-  return { low, high: most, ticks: decades.map((decade) => Number((10 ** decade).toPrecision(3))), map };
+  return {
+    low,
+    high: most,
+    ticks: decades.map((decade) => Number((10 ** decade).toPrecision(3))),
+    map,
+  };
 }
 
 /** The error at a height in the track. */
@@ -132,7 +150,9 @@ function fillAbove({ ctx }, { width, y }, { threshold, series, view, color }) {
   ctx.fillStyle = color;
   ctx.beginPath();
   ctx.moveTo(0, level);
-  eachSample(series, view.from, view.to, (time, value) => ctx.lineTo((time - view.from) * perSecond, y(value)));
+  eachSample(series, view.from, view.to, (time, value) =>
+    ctx.lineTo((time - view.from) * perSecond, y(value)),
+  );
   ctx.lineTo(width, level);
   ctx.fill();
   ctx.restore();
@@ -142,16 +162,26 @@ function drawPeaks(state, scale, y) {
   const { document: doc } = state;
   const threshold = thresholdOf(state);
   const nodes = [];
-  const peaks = doc.peaks.filter((peak) => peak.height >= threshold && peak.rejection !== "below threshold");
+  const peaks = doc.peaks.filter(
+    (peak) => peak.height >= threshold && peak.rejection !== "below threshold",
+  );
   const inView = peaks.filter(({ bin_time_s: time }) => time >= scale.from && time <= scale.to);
   // Used ones first, then by height: where texts would overlap, the lower peak goes without.
-  inView.sort((a, b) => Number(a.rejection !== "") - Number(b.rejection !== "") || b.height - a.height);
+  inView.sort(
+    (a, b) => Number(a.rejection !== "") - Number(b.rejection !== "") || b.height - a.height,
+  );
   if (inView.length > MOST_PEAKS) return [manyPeaks(inView, scale, y)];
-  const taken = inView.map((peak) => ({ left: scale.x(peak.bin_time_s) - 6, right: scale.x(peak.bin_time_s) + 6, y: y(peak.height) + 3 }));
+  const taken = inView.map((peak) => ({
+    left: scale.x(peak.bin_time_s) - 6,
+    right: scale.x(peak.bin_time_s) + 6,
+    y: y(peak.height) + 3,
+  }));
   for (const peak of inView) {
     const x = scale.x(peak.bin_time_s);
     const level = y(peak.height);
-    nodes.push(peak.rejection ? hollow(x, level) : glyph("force", { x, y: level, r: 4.2, filled: true }));
+    nodes.push(
+      peak.rejection ? hollow(x, level) : glyph("force", { x, y: level, r: 4.2, filled: true }),
+    );
     const text = peakText(peak, x, level, scale.width, state.small, taken);
     if (text) nodes.push(text);
   }
@@ -161,7 +191,12 @@ function drawPeaks(state, scale, y) {
 /** Used peaks only, small and without their heights. */
 function manyPeaks(peaks, scale, y) {
   const used = peaks.filter(({ rejection }) => !rejection);
-  const d = used.map((peak) => `M${scale.x(peak.bin_time_s).toFixed(1)} ${(y(peak.height) - 3).toFixed(1)}l3 3-3 3-3-3z`).join("");
+  const d = used
+    .map(
+      (peak) =>
+        `M${scale.x(peak.bin_time_s).toFixed(1)} ${(y(peak.height) - 3).toFixed(1)}l3 3-3 3-3-3z`,
+    )
+    .join("");
   return svg("path", { d, class: "many-peaks" });
 }
 
@@ -180,7 +215,9 @@ function peakText({ height, rejection }, x, level, width, small, taken) {
     const sides = rejection ? [x + 9, x - 9 - wide] : [x - 9 - wide, x + 9];
     for (const left of sides) {
       const box = { left: left - 3, right: left + wide + 3, y };
-      const clear = taken.every((other) => box.right <= other.left || box.left >= other.right || Math.abs(other.y - y) > 11);
+      const clear = taken.every(
+        (other) => box.right <= other.left || box.left >= other.right || Math.abs(other.y - y) > 11,
+      );
       if (left < 2 || left + wide > width - 2 || !clear) continue;
       taken.push(box);
       return svg("text", { x: left, y, class: rejection ? "peak-reason" : "peak-height", text });
@@ -199,20 +236,37 @@ function drawThreshold(state, scale, y, height) {
   const left = scale.width + 2;
   return [
     svg("path", { d: `M0 ${level}H${scale.width}`, class: "threshold-line" }),
-    svg("g", { class: "threshold-tag", data: { threshold: heightText(threshold) } },
-      svg("path", { d: `M${left} ${tagY}l6-8h${wide - 1}a2 2 0 0 1 2 2v12a2 2 0 0 1-2 2h${1 - wide}z` }),
-      svg("text", { x: left + 8, y: tagY + 3.6, text: heightText(threshold) })),
+    svg(
+      "g",
+      { class: "threshold-tag", data: { threshold: heightText(threshold) } },
+      svg("path", {
+        d: `M${left} ${tagY}l6-8h${wide - 1}a2 2 0 0 1 2 2v12a2 2 0 0 1-2 2h${1 - wide}z`,
+      }),
+      svg("text", { x: left + 8, y: tagY + 3.6, text: heightText(threshold) }),
+    ),
   ];
 }
 
 /** What the gutter says of the error: channels, linear or logarithmic, the dotted line. */
 function createLegend(gutter, store) {
   const channels = el("div", { class: "gutter-note" });
-  const linear = el("button", { type: "button", text: "Linear", on: { click: () => store.set({ logarithmic: false }) } });
-  const log = el("button", { type: "button", text: "Log", on: { click: () => store.set({ logarithmic: true }) } });
+  const linear = el("button", {
+    type: "button",
+    text: "Linear",
+    on: { click: () => store.set({ logarithmic: false }) },
+  });
+  const log = el("button", {
+    type: "button",
+    text: "Log",
+    on: { click: () => store.set({ logarithmic: true }) },
+  });
   const median = el("div", { class: "gutter-note dotted" });
   const now = el("span", { class: "error-now" });
-  gutter.append(channels, el("div", { class: "switch", role: "group", "aria-label": "Scale of the error" }, linear, log), median);
+  gutter.append(
+    channels,
+    el("div", { class: "switch", role: "group", "aria-label": "Scale of the error" }, linear, log),
+    median,
+  );
   return {
     show({ document: doc, logarithmic, small }, { height }) {
       linear.textContent = small ? "Lin" : "Linear";

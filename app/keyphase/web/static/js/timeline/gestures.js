@@ -23,15 +23,24 @@ import { nearestEvidence, REACH_PX } from "./snapping.js";
 export function startGesture(store, timeline, actions, hit, start) {
   const { readOnly } = store.state;
   switch (hit.kind) {
-    case "overview": return moveWindow(store, start);
-    case "overview-from": return resizeWindow(store, "from");
-    case "overview-to": return resizeWindow(store, "to");
-    case "ruler": return scrub(timeline, actions, start);
-    case "threshold": return readOnly ? null : dragThreshold(store, timeline, actions);
-    case "boundary": return dragBoundary(store, timeline, actions, hit.boundary, start, readOnly);
-    case "segment": return dragSegments(store, timeline, actions, hit.segment, readOnly);
-    case "track": return pan(store, timeline, actions, start);
-    default: return null;
+    case "overview":
+      return moveWindow(store, start);
+    case "overview-from":
+      return resizeWindow(store, "from");
+    case "overview-to":
+      return resizeWindow(store, "to");
+    case "ruler":
+      return scrub(timeline, actions, start);
+    case "threshold":
+      return readOnly ? null : dragThreshold(store, timeline, actions);
+    case "boundary":
+      return dragBoundary(store, timeline, actions, hit.boundary, start, readOnly);
+    case "segment":
+      return dragSegments(store, timeline, actions, hit.segment, readOnly);
+    case "track":
+      return pan(store, timeline, actions, start);
+    default:
+      return null;
   }
 }
 
@@ -62,7 +71,12 @@ function resizeWindow(store, side) {
       const { view } = store.state;
       const time = Math.min(Math.max(whole.time(x), doc.start_s), doc.end_s);
       const least = 8 / doc.rate_hz;
-      store.set({ view: side === "from" ? { from: Math.min(time, view.to - least), to: view.to } : { from: view.from, to: Math.max(time, view.from + least) } });
+      store.set({
+        view:
+          side === "from"
+            ? { from: Math.min(time, view.to - least), to: view.to }
+            : { from: view.from, to: Math.max(time, view.from + least) },
+      });
     },
     end() {},
   };
@@ -120,11 +134,14 @@ function dragBoundary(store, timeline, actions, index, start, readOnly) {
       if (readOnly) return;
       const scale = timeline.scale();
       const wanted = scale.time(x + offset);
-      const reach = REACH_PX * (scale.to - scale.from) / scale.width;
+      const reach = (REACH_PX * (scale.to - scale.from)) / scale.width;
       const snap = store.state.snap && !event.altKey;
       const evidence = snap ? nearestEvidence(store.state, wanted, reach, index) : null;
       const time = Math.min(Math.max(evidence?.time ?? wanted, low), high);
-      store.set({ drag: { boundary: index, time, snapped: evidence?.name ?? "", x, y }, current: index });
+      store.set({
+        drag: { boundary: index, time, snapped: evidence?.name ?? "", x, y },
+        current: index,
+      });
     },
     end(_, moved) {
       const { drag } = store.state;

@@ -8,7 +8,12 @@ export const originColor = (origin) => `var(--origin-${origin})`;
 /** @type {Object<string, (x: number, y: number, r: number) => [string, Object]>} */
 const SHAPES = {
   position: (x, y, r) => ["circle", { cx: x, cy: y, r: 0.86 * r }],
-  force: (x, y, r) => ["path", { d: `M${x} ${y - 1.15 * r}l${1.15 * r} ${1.15 * r} ${-1.15 * r} ${1.15 * r} ${-1.15 * r} ${-1.15 * r}z` }],
+  force: (x, y, r) => [
+    "path",
+    {
+      d: `M${x} ${y - 1.15 * r}l${1.15 * r} ${1.15 * r} ${-1.15 * r} ${1.15 * r} ${-1.15 * r} ${-1.15 * r}z`,
+    },
+  ],
   both: (x, y, r) => ["rect", { x: x - r, y: y - 0.9 * r, width: 2 * r, height: 1.8 * r }],
   user: (x, y, r) => ["path", { d: `M${x} ${y + r}L${x - 1.1 * r} ${y - 0.85 * r}h${2.2 * r}z` }],
 };
@@ -26,6 +31,9 @@ export function glyph(origin, { x, y, r = 4.6, filled }) {
 
 /** A glyph on its own, for legends and popovers. */
 export function glyphIcon(origin, filled) {
-  return svg("svg", { width: 12, height: 12, viewBox: "0 0 12 12", "aria-hidden": "true" },
-    glyph(origin, { x: 6, y: 6, r: 4, filled }));
+  return svg(
+    "svg",
+    { width: 12, height: 12, viewBox: "0 0 12 12", "aria-hidden": "true" },
+    glyph(origin, { x: 6, y: 6, r: 4, filled }),
+  );
 }

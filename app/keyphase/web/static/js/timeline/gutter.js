@@ -10,8 +10,18 @@ export function createGutter({ key, title, unit = "", foldable = true }, fold) {
   const small = el("small", { text: unit });
   const chevron = el("span", { class: "chevron" }, icon("down", "small"));
   const name = foldable
-    ? el("button", { class: "gutter-name", type: "button", "aria-expanded": "true", on: { click: () => fold?.(key) } },
-      chevron, el("span", { text: title }), small)
+    ? el(
+        "button",
+        {
+          class: "gutter-name",
+          type: "button",
+          "aria-expanded": "true",
+          on: { click: () => fold?.(key) },
+        },
+        chevron,
+        el("span", { text: title }),
+        small,
+      )
     : el("div", { class: "gutter-name plain" }, el("span", { text: title }), small);
   const body = el("div", { class: "gutter-body" });
   const node = el("div", { class: "gutter", data: { gutter: key } }, name, body);
@@ -42,10 +52,22 @@ export function createGutter({ key, title, unit = "", foldable = true }, fold) {
 export function createReadout(body, curves) {
   const values = curves.map(() => el("span", { class: "value" }));
   const named = curves.length > 1;
-  const rows = curves.map(({ key, color }, k) => el("div", { class: "readout-row" },
-    el("i", { style: { "border-color": `var(${color})` } }), named ? el("b", { text: key }) : "", values[k]));
-  const letters = el("div", { class: "readout-letters" },
-    ...(named ? curves.map(({ key, color }) => el("b", { text: key, style: { color: `var(${color})` } })) : []));
+  const rows = curves.map(({ key, color }, k) =>
+    el(
+      "div",
+      { class: "readout-row" },
+      el("i", { style: { "border-color": `var(${color})` } }),
+      named ? el("b", { text: key }) : "",
+      values[k],
+    ),
+  );
+  const letters = el(
+    "div",
+    { class: "readout-letters" },
+    ...(named
+      ? curves.map(({ key, color }) => el("b", { text: key, style: { color: `var(${color})` } }))
+      : []),
+  );
   body.append(el("div", { class: "readout" }, ...rows), letters);
   return {
     /** @param {string[]} texts one per curve */

@@ -20,13 +20,16 @@ export function hitTest(state, timeline, x, y) {
   const { document: doc } = state;
   const layout = timeline.layout();
   if (!doc || !layout.rows.size) return { kind: "none" };
-  const inRow = (key) => y >= layout.rows.get(key).y && y < layout.rows.get(key).y + layout.rows.get(key).height;
+  const inRow = (key) =>
+    y >= layout.rows.get(key).y && y < layout.rows.get(key).y + layout.rows.get(key).height;
   if (inRow("overview")) return overviewHit(state, x);
-  if (x > state.plotWidth) return nearThreshold(state, timeline, y, 9) ? { kind: "threshold" } : { kind: "none" };
+  if (x > state.plotWidth)
+    return nearThreshold(state, timeline, y, 9) ? { kind: "threshold" } : { kind: "none" };
   if (inRow("ruler")) return { kind: "ruler" };
   const boundary = boundaryAt(doc, timeline.scale(), x);
   if (boundary >= 0) return { kind: "boundary", boundary };
-  if (inRow("segments")) return { kind: "segment", segment: segmentAt(doc, timeline.scale().time(x)) };
+  if (inRow("segments"))
+    return { kind: "segment", segment: segmentAt(doc, timeline.scale().time(x)) };
   if (nearThreshold(state, timeline, y, THRESHOLD_PX)) return { kind: "threshold" };
   return { kind: "track" };
 }

@@ -26,10 +26,16 @@ export function createLens(store, timeline, signals) {
     if (!drag) return;
     const scale = timeline.scale();
     const half = (WIDTH / 2 / CLOSER) * ((scale.to - scale.from) / scale.width);
-    const window = { from: Math.max(doc.start_s, drag.time - half), to: Math.min(doc.end_s, drag.time + half) };
+    const window = {
+      from: Math.max(doc.start_s, drag.time - half),
+      to: Math.min(doc.end_s, drag.time + half),
+    };
     signals.look(window, WIDTH);
     place(canvas, timeline, drag);
-    draw(canvas.getContext("2d"), ratio, state, drag, { from: drag.time - half, to: drag.time + half });
+    draw(canvas.getContext("2d"), ratio, state, drag, {
+      from: drag.time - half,
+      to: drag.time + half,
+    });
   });
 }
 
@@ -38,14 +44,19 @@ function place(canvas, timeline, { x, y }) {
   const right = box.left + x + 24;
   const left = right + WIDTH > innerWidth - 8 ? box.left + x - 24 - WIDTH : right;
   canvas.style.setProperty("left", `${left}px`);
-  canvas.style.setProperty("top", `${Math.max(8, Math.min(box.top + y - HEIGHT - 12, innerHeight - HEIGHT - 8))}px`);
+  canvas.style.setProperty(
+    "top",
+    `${Math.max(8, Math.min(box.top + y - HEIGHT - 12, innerHeight - HEIGHT - 8))}px`,
+  );
 }
 
 function draw(ctx, ratio, state, drag, window) {
   ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
   ctx.clearRect(0, 0, WIDTH, HEIGHT);
   const tracks = (state.lens ?? state.whole)?.tracks;
-  const rows = ["force", "error", "speed"].filter((name) => tracks?.get(name)?.series.length).slice(0, 2);
+  const rows = ["force", "error", "speed"]
+    .filter((name) => tracks?.get(name)?.series.length)
+    .slice(0, 2);
   const height = (HEIGHT - TITLE_PX) / Math.max(rows.length, 1);
   rows.forEach((name, k) => {
     const { series } = tracks.get(name);

@@ -8,7 +8,8 @@ import { createScale } from "./scale.js";
 
 const LOWEST = 0.3;
 
-const wholeScale = ({ document: doc }, width) => createScale({ from: doc.start_s, to: doc.end_s }, width);
+const wholeScale = ({ document: doc }, width) =>
+  createScale({ from: doc.start_s, to: doc.end_s }, width);
 
 /** The segments in small. */
 export function drawOverviewStrip(state, { y, height }, width) {
@@ -18,8 +19,14 @@ export function drawOverviewStrip(state, { y, height }, width) {
   return segments.map((segment) => {
     const x = scale.x(segment.start_s);
     const wide = Math.max(1, scale.x(segment.end_s) - x - 1);
-    return svg("rect", { x: x + 0.5, y: y + height - 7, width: wide, height: 4, rx: 1,
-      style: { fill: segment.kept ? segmentFill(segment) : "var(--hatch-line)" } });
+    return svg("rect", {
+      x: x + 0.5,
+      y: y + height - 7,
+      width: wide,
+      height: 4,
+      rx: 1,
+      style: { fill: segment.kept ? segmentFill(segment) : "var(--hatch-line)" },
+    });
   });
 }
 
@@ -31,8 +38,24 @@ export function drawWindow(state, { y, height }, width) {
   return [
     svg("rect", { y, width: Math.max(0, from), height, class: "overview-outside" }),
     svg("rect", { x: to, y, width: Math.max(0, width - to), height, class: "overview-outside" }),
-    svg("rect", { x: from, y: y + 1.5, width: Math.max(2, to - from), height: height - 3, rx: 3, class: "overview-window" }),
-    ...[from, to].map((x) => svg("rect", { x: x - 3, y: y + height / 2 - 6, width: 6, height: 12, rx: 2, class: "overview-handle" })),
+    svg("rect", {
+      x: from,
+      y: y + 1.5,
+      width: Math.max(2, to - from),
+      height: height - 3,
+      rx: 3,
+      class: "overview-window",
+    }),
+    ...[from, to].map((x) =>
+      svg("rect", {
+        x: x - 3,
+        y: y + height / 2 - 6,
+        width: 6,
+        height: 12,
+        rx: 2,
+        class: "overview-handle",
+      }),
+    ),
   ];
 }
 
@@ -52,7 +75,8 @@ function drawCurve(state, scale, y, height) {
   const { times, values } = series;
   const top = values.reduce((most, value) => Math.max(most, value), 1e-9);
   const share = error
-    ? (value) => Math.log10(Math.max(value, LOWEST) / LOWEST) / Math.log10(Math.max(top, 3) / LOWEST)
+    ? (value) =>
+        Math.log10(Math.max(value, LOWEST) / LOWEST) / Math.log10(Math.max(top, 3) / LOWEST)
     : (value) => value / top;
   let d = "";
   for (let k = 0; k < times.length; k++) {

@@ -6,8 +6,14 @@ import { clampView, zoomView } from "./scale.js";
 
 const CLICK_PX = 3;
 const CURSORS = {
-  "overview-from": "ew-resize", "overview-to": "ew-resize", overview: "grab", ruler: "ew-resize",
-  boundary: "ew-resize", segment: "pointer", threshold: "ns-resize", track: "crosshair",
+  "overview-from": "ew-resize",
+  "overview-to": "ew-resize",
+  overview: "grab",
+  ruler: "ew-resize",
+  boundary: "ew-resize",
+  segment: "pointer",
+  threshold: "ns-resize",
+  track: "crosshair",
 };
 const WHEEL_ZOOM = 0.0016;
 
@@ -93,24 +99,34 @@ export function attachPointer(store, timeline, actions) {
     event.preventDefault();
     const point = at(event);
     if (!store.state.document) return;
-    actions.menu(hitTest(store.state, timeline, point.x, point.y), timeline.scale().time(point.x), event);
+    actions.menu(
+      hitTest(store.state, timeline, point.x, point.y),
+      timeline.scale().time(point.x),
+      event,
+    );
   });
 
-  surface.addEventListener("wheel", (event) => {
-    const { document: doc, view } = store.state;
-    if (!doc || !view) return;
-    event.preventDefault();
-    const sideways = event.shiftKey ? event.deltaY : event.deltaX;
-    if (event.altKey) {
-      scroller.scrollTop += event.deltaY;
-    } else if (Math.abs(sideways) > Math.abs(event.shiftKey ? 0 : event.deltaY)) {
-      const by = (sideways / store.state.plotWidth) * (view.to - view.from);
-      store.set({ view: clampView(view.from + by, view.to + by, doc) });
-    } else {
-      const anchor = timeline.scale().time(Math.min(Math.max(at(event).x, 0), store.state.plotWidth));
-      store.set({ view: zoomView(view, Math.exp(-event.deltaY * WHEEL_ZOOM), anchor, doc) });
-    }
-  }, { passive: false });
+  surface.addEventListener(
+    "wheel",
+    (event) => {
+      const { document: doc, view } = store.state;
+      if (!doc || !view) return;
+      event.preventDefault();
+      const sideways = event.shiftKey ? event.deltaY : event.deltaX;
+      if (event.altKey) {
+        scroller.scrollTop += event.deltaY;
+      } else if (Math.abs(sideways) > Math.abs(event.shiftKey ? 0 : event.deltaY)) {
+        const by = (sideways / store.state.plotWidth) * (view.to - view.from);
+        store.set({ view: clampView(view.from + by, view.to + by, doc) });
+      } else {
+        const anchor = timeline
+          .scale()
+          .time(Math.min(Math.max(at(event).x, 0), store.state.plotWidth));
+        store.set({ view: zoomView(view, Math.exp(-event.deltaY * WHEEL_ZOOM), anchor, doc) });
+      }
+    },
+    { passive: false },
+  );
 
   return {
     /** Gives up what is being dragged. @returns {boolean} whether anything was */

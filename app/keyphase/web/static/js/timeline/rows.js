@@ -25,7 +25,14 @@ export const TRACKS = [
   { key: "speed", title: "Speed", unit: "mm/s", channel: "position", large: 64, small: 46 },
   { key: "force", title: "Force", unit: "N", channel: "force", large: 96, small: 62 },
   { key: "torque", title: "Torque", unit: "N m", channel: "torque", large: 86, small: 56 },
-  { key: "orientation", title: "Orientation", unit: "deg", channel: "orientation", large: 86, small: 56 },
+  {
+    key: "orientation",
+    title: "Orientation",
+    unit: "deg",
+    channel: "orientation",
+    large: 86,
+    small: 56,
+  },
 ];
 
 const FOLDED_AT_FIRST = ["speed", "torque", "orientation"];

@@ -25,7 +25,15 @@ export function drawRuler(scale, { y, height }) {
     const x = scale.x(at);
     major += `M${x.toFixed(1)} ${bottom}v-6`;
     const anchor = x < 14 ? "start" : x > scale.width - 14 ? "end" : "middle";
-    nodes.push(svg("text", { x: anchor === "start" ? x + 2 : x, y: y + 10, class: "tick", "text-anchor": anchor, text: at.toFixed(digits).replace("-", "−") }));
+    nodes.push(
+      svg("text", {
+        x: anchor === "start" ? x + 2 : x,
+        y: y + 10,
+        class: "tick",
+        "text-anchor": anchor,
+        text: at.toFixed(digits).replace("-", "−"),
+      }),
+    );
   }
   return [svg("path", { d: minor + major, class: "ticks" }), ...nodes];
 }
@@ -46,7 +54,10 @@ export function createPlayhead(group) {
       const { y, height } = layout.rows.get("ruler");
       line.setAttribute("d", `M0 ${y + height - 2}V${bottom}`);
       const half = FLAG_WIDTH / 2;
-      flag.setAttribute("d", `M${3 - half} ${y + 1}h${FLAG_WIDTH - 6}a3 3 0 0 1 3 3v${height - 8}a3 3 0 0 1 -3 3h${5 - half + 3}l-5 5l-5 -5h${5 - half + 3}a3 3 0 0 1 -3 -3v${8 - height}a3 3 0 0 1 3 -3z`);
+      flag.setAttribute(
+        "d",
+        `M${3 - half} ${y + 1}h${FLAG_WIDTH - 6}a3 3 0 0 1 3 3v${height - 8}a3 3 0 0 1 -3 3h${5 - half + 3}l-5 5l-5 -5h${5 - half + 3}a3 3 0 0 1 -3 -3v${8 - height}a3 3 0 0 1 3 -3z`,
+      );
       label.setAttribute("y", String(y + 12.5));
     },
     /**
@@ -57,7 +68,10 @@ export function createPlayhead(group) {
     move(scale, seconds, ticks) {
       const x = scale.x(seconds);
       for (const tick of ticks) {
-        tick.classList.toggle("covered", Math.abs(Number(tick.getAttribute("x")) - x) < FLAG_WIDTH / 2 + 13);
+        tick.classList.toggle(
+          "covered",
+          Math.abs(Number(tick.getAttribute("x")) - x) < FLAG_WIDTH / 2 + 13,
+        );
       }
       const seen = x >= -1 && x <= scale.width + 1;
       group.style.display = seen ? "" : "none";

@@ -24,13 +24,18 @@ export function nearestEvidence(state, time, reach, own = -1) {
   const found = [];
   for (const peak of doc.peaks) {
     if (peak.rejection === "below threshold") continue;
-    found.push({ time: peak.time_s, name: "force onset" }, { time: peak.bin_time_s, name: "error peak" });
+    found.push(
+      { time: peak.time_s, name: "force onset" },
+      { time: peak.bin_time_s, name: "error peak" },
+    );
   }
-  for (const other of state.comparison?.boundaries_s ?? []) found.push({ time: other, name: "the other segmentation" });
+  for (const other of state.comparison?.boundaries_s ?? [])
+    found.push({ time: other, name: "the other segmentation" });
   const was = doc.boundaries[own]?.was_s;
   if (was !== null && was !== undefined) found.push({ time: was, name: "automatic place" });
   const automatic = doc.boundaries[own]?.why.position_s;
-  if (automatic !== null && automatic !== undefined) found.push({ time: automatic, name: "position" });
+  if (automatic !== null && automatic !== undefined)
+    found.push({ time: automatic, name: "position" });
   const slowest = speedMinimum(state, time - reach, time + reach);
   if (slowest !== null) found.push({ time: slowest, name: "speed minimum" });
   found.sort((a, b) => Math.abs(a.time - time) - Math.abs(b.time - time));
@@ -44,6 +49,7 @@ function speedMinimum(state, from, to) {
   const first = upperBound(series.times, from);
   const last = upperBound(series.times, to);
   let best = -1;
-  for (let k = first; k < last; k++) if (best < 0 || series.values[k] < series.values[best]) best = k;
+  for (let k = first; k < last; k++)
+    if (best < 0 || series.values[k] < series.values[best]) best = k;
   return best > first && best < last - 1 ? series.times[best] : null;
 }

@@ -30,14 +30,34 @@ export function createTimeline(pane, store, actions) {
   const content = el("div", { class: "tracks-content" });
   const above = layer("above");
   const groups = {
-    intervals: svg("g"), overview: svg("g"), ruler: svg("g"), band: svg("g"), boundaries: svg("g"),
-    ghosts: svg("g"), overviewCurve: svg("g"), overviewWindow: svg("g"), comparison: svg("g", { class: "comparison" }), pointer: svg("path", { class: "pointer-line" }), playhead: svg("g", { class: "playhead" }),
+    intervals: svg("g"),
+    overview: svg("g"),
+    ruler: svg("g"),
+    band: svg("g"),
+    boundaries: svg("g"),
+    ghosts: svg("g"),
+    overviewCurve: svg("g"),
+    overviewWindow: svg("g"),
+    comparison: svg("g", { class: "comparison" }),
+    pointer: svg("path", { class: "pointer-line" }),
+    playhead: svg("g", { class: "playhead" }),
     overviewPlayhead: svg("rect", { class: "overview-playhead", width: 1.5 }),
   };
   const { clips } = clipPaths();
   below.append(clips, groups.intervals);
-  above.append(groups.overviewCurve, groups.overview, groups.overviewWindow, groups.overviewPlayhead, groups.ruler, groups.comparison, groups.pointer, groups.band,
-    groups.boundaries, groups.ghosts, groups.playhead);
+  above.append(
+    groups.overviewCurve,
+    groups.overview,
+    groups.overviewWindow,
+    groups.overviewPlayhead,
+    groups.ruler,
+    groups.comparison,
+    groups.pointer,
+    groups.band,
+    groups.boundaries,
+    groups.ghosts,
+    groups.playhead,
+  );
   const surface = el("div", { class: "surface", tabindex: "-1" });
   scroller.append(content);
   pane.append(below, scroller, above, surface);
@@ -88,7 +108,8 @@ export function createTimeline(pane, store, actions) {
     }
     const shown = tracksOf(state);
     for (const { key } of TRACKS) if (tracks.has(key)) tracks.get(key).row.hidden = true;
-    for (const definition of shown) placeTrack(trackOf(definition), layout.rows.get(definition.key));
+    for (const definition of shown)
+      placeTrack(trackOf(definition), layout.rows.get(definition.key));
     playhead.lay(layout, bottom());
     store.set({ layout });
   }
@@ -104,13 +125,15 @@ export function createTimeline(pane, store, actions) {
   function drawTracks(state) {
     if (!isReady(state)) return;
     for (const { key } of tracksOf(state)) {
-      if (layout.rows.has(key) && tracks.has(key)) tracks.get(key).draw(state, scale(), layout.rows.get(key));
+      if (layout.rows.has(key) && tracks.has(key))
+        tracks.get(key).draw(state, scale(), layout.rows.get(key));
     }
     readValues(state);
   }
 
   function drawError(state) {
-    if (isReady(state) && layout.rows.has("error")) tracks.get("error")?.draw(state, scale(), layout.rows.get("error"));
+    if (isReady(state) && layout.rows.has("error"))
+      tracks.get("error")?.draw(state, scale(), layout.rows.get("error"));
   }
 
   function drawSegments(plain) {
@@ -128,11 +151,16 @@ export function createTimeline(pane, store, actions) {
   function drawView(state) {
     if (!isReady(state)) return;
     groups.ruler.replaceChildren(...drawRuler(scale(), layout.rows.get("ruler")));
-    groups.overviewWindow.replaceChildren(...drawWindow(state, layout.rows.get("overview"), state.plotWidth));
+    groups.overviewWindow.replaceChildren(
+      ...drawWindow(state, layout.rows.get("overview"), state.plotWidth),
+    );
   }
 
   function drawWhole(state) {
-    if (isReady(state)) groups.overviewCurve.replaceChildren(...drawOverviewCurve(state, layout.rows.get("overview"), state.plotWidth));
+    if (isReady(state))
+      groups.overviewCurve.replaceChildren(
+        ...drawOverviewCurve(state, layout.rows.get("overview"), state.plotWidth),
+      );
   }
 
   function drawOther(state) {
@@ -143,7 +171,10 @@ export function createTimeline(pane, store, actions) {
   }
 
   function drawStrip(state) {
-    if (isReady(state)) groups.overview.replaceChildren(...drawOverviewStrip(state, layout.rows.get("overview"), state.plotWidth));
+    if (isReady(state))
+      groups.overview.replaceChildren(
+        ...drawOverviewStrip(state, layout.rows.get("overview"), state.plotWidth),
+      );
   }
 
   function drawPlayhead(state) {
@@ -163,15 +194,38 @@ export function createTimeline(pane, store, actions) {
     for (const { key } of tracksOf(state)) tracks.get(key)?.read(state, time);
     const x = state.pointer === null ? -1 : scale().x(state.pointer);
     const ruler = layout.rows.get("ruler");
-    groups.pointer.setAttribute("d", x < 0 || x > state.plotWidth ? "" : `M${Math.round(x) + 0.5} ${ruler.y + ruler.height}V${bottom()}`);
+    groups.pointer.setAttribute(
+      "d",
+      x < 0 || x > state.plotWidth
+        ? ""
+        : `M${Math.round(x) + 0.5} ${ruler.y + ruler.height}V${bottom()}`,
+    );
   }
 
-  store.on(["recording", "folded", "hidden", "small", "paneHeight", "paneWidth", "comparison"], arrange);
+  store.on(
+    ["recording", "folded", "hidden", "small", "paneHeight", "paneWidth", "comparison"],
+    arrange,
+  );
   store.on(["recording", "view", "layout", "plotWidth"], drawView);
   store.on(["comparison", "view", "layout", "plotWidth"], drawOther);
   store.on(["recording", "layout", "plotWidth", "whole"], drawWhole);
   store.on(["document", "layout", "plotWidth"], drawStrip);
-  store.on(["document", "view", "layout", "plotWidth", "selected", "hovered", "current", "drag", "range", "ghost", "folded"], drawSegments);
+  store.on(
+    [
+      "document",
+      "view",
+      "layout",
+      "plotWidth",
+      "selected",
+      "hovered",
+      "current",
+      "drag",
+      "range",
+      "ghost",
+      "folded",
+    ],
+    drawSegments,
+  );
   store.on(["view", "layout", "plotWidth", "whole", "fine", "folded"], drawTracks);
   store.on(["document", "heldThreshold", "logarithmic"], drawError);
   store.on(["clock", "view", "layout", "plotWidth", "recording"], drawPlayhead);
@@ -180,7 +234,9 @@ export function createTimeline(pane, store, actions) {
     for (const track of tracks.values()) track.recolor();
     drawTracks(state);
   });
-  new ResizeObserver(() => store.set({ paneWidth: pane.clientWidth, paneHeight: pane.clientHeight })).observe(pane);
+  new ResizeObserver(() =>
+    store.set({ paneWidth: pane.clientWidth, paneHeight: pane.clientHeight }),
+  ).observe(pane);
 
   return {
     surface,
@@ -190,16 +246,22 @@ export function createTimeline(pane, store, actions) {
     /** Height the timeline wants, all rows shown. */
     naturalHeight: () => layOut(store.state).height,
     /** The error at a height of the surface, and the threshold line's height there. */
-    errorAt: (y) => tracks.get("error")?.errorAt(y - layout.rows.get("error").y + scroller.scrollTop),
+    errorAt: (y) =>
+      tracks.get("error")?.errorAt(y - layout.rows.get("error").y + scroller.scrollTop),
     thresholdY(threshold) {
       const row = layout.rows.get("error");
       if (!row || row.folded || threshold === null) return null;
-      return Math.min(Math.max(tracks.get("error")?.y(threshold) ?? NaN, 2), row.height - 2) + row.y - scroller.scrollTop;
+      return (
+        Math.min(Math.max(tracks.get("error")?.y(threshold) ?? NaN, 2), row.height - 2) +
+        row.y -
+        scroller.scrollTop
+      );
     },
   };
 }
 
-const isReady = ({ document: doc, view, plotWidth, layout }) => Boolean(doc && view && plotWidth && layout);
+const isReady = ({ document: doc, view, plotWidth, layout }) =>
+  Boolean(doc && view && plotWidth && layout);
 
 function layer(name) {
   return svg("svg", { class: `layer ${name}` });
@@ -207,9 +269,18 @@ function layer(name) {
 
 /** The hatch of dropped segments. */
 function clipPaths() {
-  const hatch = svg("pattern", { id: "hatch", width: 6, height: 6, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" },
+  const hatch = svg(
+    "pattern",
+    {
+      id: "hatch",
+      width: 6,
+      height: 6,
+      patternUnits: "userSpaceOnUse",
+      patternTransform: "rotate(45)",
+    },
     svg("rect", { width: 6, height: 6, style: { fill: "var(--hatch)" } }),
-    svg("rect", { width: 2.2, height: 6, style: { fill: "var(--hatch-line)" } }));
+    svg("rect", { width: 2.2, height: 6, style: { fill: "var(--hatch-line)" } }),
+  );
   return { clips: svg("defs", {}, hatch) };
 }
 
@@ -232,11 +303,17 @@ function createGutters(pane, store, actions) {
   const gutters = new Map(rows.map((row) => [row.key, createGutter(row, fold)]));
   for (const { node } of gutters.values()) pane.append(node);
   const segments = gutters.get("segments");
-  const accept = el("button", { type: "button", class: "link", on: { click: actions.acceptNames } });
+  const accept = el("button", {
+    type: "button",
+    class: "link",
+    on: { click: actions.acceptNames },
+  });
   segments.body.append(accept);
   segments.describe = (doc) => {
     const kept = doc.segments.filter((segment) => segment.kept).length;
-    segments.small.textContent = store.state.small ? String(doc.segments.length) : `${doc.segments.length}, ${kept} kept`;
+    segments.small.textContent = store.state.small
+      ? String(doc.segments.length)
+      : `${doc.segments.length}, ${kept} kept`;
     const proposed = doc.segments.filter((segment) => segment.kept && segment.proposed).length;
     accept.hidden = proposed === 0 || store.state.readOnly;
     accept.textContent = `Accept ${proposed} ${proposed === 1 ? "name" : "names"}`;

@@ -31,7 +31,10 @@ export const digitsOf = (key) => PENS[key]?.digits ?? 1;
  */
 export function createTrack(key, { plot, marks, gutter }) {
   const { curves, width, digits } = PENS[key];
-  const open = createCurves(plot, curves.map(({ color }) => ({ color, width })));
+  const open = createCurves(
+    plot,
+    curves.map(({ color }) => ({ color, width })),
+  );
   const folded = createCurves(plot, [{ color: "--text-3", width: 1 }]);
   const readout = createReadout(gutter, curves);
   const cache = createCache();
@@ -46,10 +49,19 @@ export function createTrack(key, { plot, marks, gutter }) {
       const active = row.folded ? folded : open;
       const shown = row.folded ? cache("norm", series, () => [normOf(series)]) : series;
       const wholeShown = row.folded ? cache("wholeNorm", whole, () => [normOf(whole)]) : whole;
-      const range = cache(`range ${row.height} ${row.folded}`, wholeShown, () => rangeOf(wholeShown, row.height));
+      const range = cache(`range ${row.height} ${row.folded}`, wholeShown, () =>
+        rangeOf(wholeShown, row.height),
+      );
       active.resize(scale.width, row.height, row.folded);
       active.draw(shown, range, state.view);
-      marks.replaceChildren(...(row.folded ? [] : [...tickLabels(range, active.y), ...endLetters(series, curves, scale, active.y, row.height)]));
+      marks.replaceChildren(
+        ...(row.folded
+          ? []
+          : [
+              ...tickLabels(range, active.y),
+              ...endLetters(series, curves, scale, active.y, row.height),
+            ]),
+      );
     },
     /** @param {import("../store.js").State} state @param {number} time */
     read(state, time) {
@@ -93,7 +105,15 @@ function rangeOf(series, height) {
 
 /** Tick labels stand in the gutter, at the right. */
 export function tickLabels({ ticks }, y) {
-  return ticks.map((tick) => svg("text", { x: -7, y: y(tick) + 3.5, class: "tick", "text-anchor": "end", text: plain(tick) }));
+  return ticks.map((tick) =>
+    svg("text", {
+      x: -7,
+      y: y(tick) + 3.5,
+      class: "tick",
+      "text-anchor": "end",
+      text: plain(tick),
+    }),
+  );
 }
 
 const LETTER_PX = 10;
@@ -101,13 +121,24 @@ const LETTER_PX = 10;
 /** Every curve ends in its letter, so that colour never stands alone. */
 function endLetters(series, curves, scale, y, height) {
   if (curves.length < 2) return [];
-  const letters = curves.map(({ key, color }, k) => {
-    const last = series[k]?.times.at(-1);
-    const value = series[k] ? valueAt(series[k], Math.min(scale.to, last)) : NaN;
-    return { key, color, level: y(value) + 3.5 };
-  }).filter(({ level }) => Number.isFinite(level)).sort((a, b) => a.level - b.level);
+  const letters = curves
+    .map(({ key, color }, k) => {
+      const last = series[k]?.times.at(-1);
+      const value = series[k] ? valueAt(series[k], Math.min(scale.to, last)) : NaN;
+      return { key, color, level: y(value) + 3.5 };
+    })
+    .filter(({ level }) => Number.isFinite(level))
+    .sort((a, b) => a.level - b.level);
   spread(letters, 9, height - 2);
-  return letters.map(({ key, color, level }) => svg("text", { x: scale.width + 6, y: level, class: "end-letter", style: { fill: `var(${color})` }, text: key }));
+  return letters.map(({ key, color, level }) =>
+    svg("text", {
+      x: scale.width + 6,
+      y: level,
+      class: "end-letter",
+      style: { fill: `var(${color})` },
+      text: key,
+    }),
+  );
 }
 
 /** Moves letters that would overlap apart, within the track. */

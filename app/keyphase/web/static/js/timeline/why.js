@@ -8,7 +8,12 @@ import { UNSURE_BELOW } from "./boundaries.js";
 const LEVER_M = 0.1;
 /** A torque weaker than this share of the strongest step is not worth a line. */
 const TELLING = 0.2;
-const NAMES = { position: "position", force: "force", both: "position and force", user: "set by hand" };
+const NAMES = {
+  position: "position",
+  force: "force",
+  both: "position and force",
+  user: "set by hand",
+};
 
 /**
  * @param {HTMLElement} node the popover
@@ -25,9 +30,12 @@ export function createWhy(node, actions) {
       shown = key;
       const boundary = doc.boundaries[index];
       node.replaceChildren(
-        heading(boundary, index), tags(boundary),
-        ...boundary.why.sentences.map((text, k) => (k ? el("p", { text }) : sentence(text))), evidence(boundary),
-        readOnly ? "" : buttons(boundary, index, actions));
+        heading(boundary, index),
+        tags(boundary),
+        ...boundary.why.sentences.map((text, k) => (k ? el("p", { text }) : sentence(text))),
+        evidence(boundary),
+        readOnly ? "" : buttons(boundary, index, actions),
+      );
       node.dataset.boundary = String(index);
     },
     hide() {
@@ -38,15 +46,25 @@ export function createWhy(node, actions) {
 }
 
 function heading(boundary, index) {
-  return el("h4", {}, glyphIcon(boundary.origin, boundary.contact_change), `Boundary ${index + 1}`,
-    el("span", { class: "space" }), el("span", { text: `${timeText(boundary.time_s)} s` }));
+  return el(
+    "h4",
+    {},
+    glyphIcon(boundary.origin, boundary.contact_change),
+    `Boundary ${index + 1}`,
+    el("span", { class: "space" }),
+    el("span", { text: `${timeText(boundary.time_s)} s` }),
+  );
 }
 
 function tags({ origin, contact_change: contact, accepted }) {
   const tag = (text, color) => el("span", { class: "tag", style: { "--tag": color }, text });
-  return el("p", { class: "tags" }, tag(NAMES[origin], originColor(origin)),
+  return el(
+    "p",
+    { class: "tags" },
+    tag(NAMES[origin], originColor(origin)),
     contact ? tag("contact change", "var(--origin-force)") : "",
-    accepted ? tag("accepted", "var(--good)") : "");
+    accepted ? tag("accepted", "var(--good)") : "",
+  );
 }
 
 /** Numbers of the first sentence stand out; everything stays text. */
@@ -59,17 +77,36 @@ function evidence(boundary) {
   const { why, confidence, interval_s: interval, origin } = boundary;
   const grid = el("div", { class: "evidence" });
   const largest = Math.max(...why.steps.map(asForce), 1e-9);
-  for (const step of why.steps.filter((one) => one.unit === "N" || asForce(one) > TELLING * largest)) {
+  for (const step of why.steps.filter(
+    (one) => one.unit === "N" || asForce(one) > TELLING * largest,
+  )) {
     const { name, value, unit, axis } = step;
     const strongest = asForce(step) === largest;
     const digits = unit === "N m" ? 3 : 1;
-    grid.append(el("span", { text: name, class: strongest ? "strongest" : "step" }),
-      bar(asForce(step) / largest, axis ? `var(--axis-${axis})` : "var(--curve)", strongest ? "strongest" : "step"),
-      el("span", { class: `amount ${strongest ? "strongest" : "step"}`, text: `${signed(value, digits)} ${unit}` }));
+    grid.append(
+      el("span", { text: name, class: strongest ? "strongest" : "step" }),
+      bar(
+        asForce(step) / largest,
+        axis ? `var(--axis-${axis})` : "var(--curve)",
+        strongest ? "strongest" : "step",
+      ),
+      el("span", {
+        class: `amount ${strongest ? "strongest" : "step"}`,
+        text: `${signed(value, digits)} ${unit}`,
+      }),
+    );
   }
-  grid.append(el("span", { text: "Interval" }), whiskers(originColor(origin)), el("span", { class: "amount", text: halfWidth(interval) }));
+  grid.append(
+    el("span", { text: "Interval" }),
+    whiskers(originColor(origin)),
+    el("span", { class: "amount", text: halfWidth(interval) }),
+  );
   const sure = confidence >= UNSURE_BELOW ? "var(--good)" : "var(--unsure)";
-  grid.append(el("span", { text: "Confidence" }), bar(confidence, sure, ""), el("span", { class: "amount", text: confidence.toFixed(2) }));
+  grid.append(
+    el("span", { text: "Confidence" }),
+    bar(confidence, sure, ""),
+    el("span", { class: "amount", text: confidence.toFixed(2) }),
+  );
   return grid;
 }
 
@@ -79,8 +116,11 @@ function asForce({ value, unit }) {
 }
 
 function bar(share, color, name) {
-  return el("div", { class: `bar ${name}` },
-    el("i", { style: { width: `${Math.min(100, 100 * share).toFixed(1)}%`, background: color } }));
+  return el(
+    "div",
+    { class: `bar ${name}` },
+    el("i", { style: { width: `${Math.min(100, 100 * share).toFixed(1)}%`, background: color } }),
+  );
 }
 
 function whiskers(color) {
@@ -88,9 +128,18 @@ function whiskers(color) {
 }
 
 function buttons(boundary, index, actions) {
-  const button = (text, key, run, style = "") => el("button", { type: "button", class: style, on: { click: () => run(index) } },
-    text, el("kbd", { text: key }));
-  return el("div", { class: "buttons" },
+  const button = (text, key, run, style = "") =>
+    el(
+      "button",
+      { type: "button", class: style, on: { click: () => run(index) } },
+      text,
+      el("kbd", { text: key }),
+    );
+  return el(
+    "div",
+    { class: "buttons" },
     boundary.accepted ? "" : button("Accept", "↵", actions.accept, "primary"),
-    button("Next", "N", actions.next), button("Remove", "⌫", actions.remove));
+    button("Next", "N", actions.next),
+    button("Remove", "⌫", actions.remove),
+  );
 }
