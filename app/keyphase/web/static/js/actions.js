@@ -11,7 +11,7 @@ import { clampView, zoomView } from "./timeline/scale.js";
 /**
  * @param {import("./store.js").Store} store
  * @param {(message: import("./types.js").Message) => boolean} send
- * @param {ReturnType<import("./latency.js").createLatency>} latency
+ * @param {ReturnType<typeof import("./latency.js").createLatency>} latency
  */
 export function createActions(store, send, latency) {
   const { state } = store;

@@ -12,7 +12,7 @@ const TITLE_PX = 22;
 /**
  * @param {import("../store.js").Store} store
  * @param {any} timeline
- * @param {ReturnType<import("../signals.js").createSignals>} signals
+ * @param {ReturnType<typeof import("../signals.js").createSignals>} signals
  */
 export function createLens(store, timeline, signals) {
   const canvas = /** @type {HTMLCanvasElement} */ (byId("lens"));
