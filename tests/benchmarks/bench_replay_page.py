@@ -32,7 +32,7 @@ _WATCH = """() => {
 
 _STOP_MS = """() => new Promise(done => {
   const before = performance.now();
-  const watch = () => keyphase.state.replay.phase === 'over'
+  const watch = () => keyphase.state.replay.phase !== 'running'
     ? done(performance.now() - before) : setTimeout(watch, 1);
   document.dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape', bubbles: true }));
   watch();

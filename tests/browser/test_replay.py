@@ -3,6 +3,7 @@
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from driver import KeyphasePage, Serve, Visit
 
@@ -12,7 +13,7 @@ STOPPED_WITHIN_MS = 100.0
 
 _STOP_MS = """() => new Promise(done => {
   const before = performance.now();
-  const watch = () => keyphase.state.replay.phase === 'over'
+  const watch = () => keyphase.state.replay.phase !== 'running'
     ? done(performance.now() - before) : setTimeout(watch, 1);
   document.dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape', bubbles: true }));
   watch();
@@ -63,7 +64,7 @@ def test_escape_stops_it_within_a_tenth_of_a_second(page: KeyphasePage) -> None:
     begin(page)
     page.until("keyphase.state.replay.current === 1")
     assert page.page.evaluate(_STOP_MS) < STOPPED_WITHIN_MS
-    page.settle()
+    phase(page, "over")
     assert "stopped" in chips(page)
     assert "contact" not in chips(page)
     assert "stopped by hand" in page.text("#replay-plan .plan-verdict")
@@ -128,7 +129,7 @@ def test_its_recording_is_opened_from_the_result(page: KeyphasePage) -> None:
 
 
 @pytest.mark.slow
-def test_the_gizmo_pushes_the_robot_aside(server: PageServer, visit: Visit) -> None:
+def test_the_gizmo_to_push_with_stands_at_the_tool(server: PageServer, visit: Visit) -> None:
     page = visit(server)
     page.wait_for_document()
     panel = page.wait_for_scene()
@@ -139,7 +140,8 @@ def test_the_gizmo_pushes_the_robot_aside(server: PageServer, visit: Visit) -> N
     page.until("keyphase.state.replay.current === 1")
     server.session.replay.pause()
     phase(page, "paused")
-    page.wait_for_scene()
-    page.picture("replay_push")
-    push = server.viser.scene._handle_from_node_name["/replay/push"]  # pyright: ignore
-    assert push.visible
+    handles = server.viser.scene._handle_from_node_name  # pyright: ignore
+    running = server.session.replay.running
+    assert running is not None
+    tool_m = running.run.replay.state.sample.position_m
+    assert np.allclose(handles["/replay/push"].position, tool_m, atol=0.01)

@@ -115,7 +115,13 @@ class ReplayRun:
 
     def stop(self) -> None:
         """End it at once."""
-        self._orders.put(self.replay.stop)
+
+        def order() -> None:
+            # That nothing moves any more is told before its result is worked out.
+            self._go("paused")
+            self.replay.stop()
+
+        self._orders.put(order)
 
     def join(self, timeout_s: float | None = None) -> bool:
         """Wait until it is over; whether it is."""
