@@ -1,9 +1,8 @@
-"""A replay in Chromium: started, paused, stepped, held, pushed, stopped, and its outcome."""
+"""A replay in Chromium: started, paused, stepped, held, stopped, and its outcome."""
 
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 from driver import KeyphasePage, Serve, Visit
 
@@ -126,22 +125,3 @@ def test_its_recording_is_opened_from_the_result(page: KeyphasePage) -> None:
     page.page.get_by_role("button", name="Open its recording").click()
     page.until("keyphase.state.document.name.includes('_replay')")
     assert len(page.state("recordings")["items"]) == 2
-
-
-@pytest.mark.slow
-def test_the_gizmo_to_push_with_stands_at_the_tool(server: PageServer, visit: Visit) -> None:
-    page = visit(server)
-    page.wait_for_document()
-    panel = page.wait_for_scene()
-    page.change(lambda: page.press("i"))
-    panel.get_by_role("tab", name="Replay").click()
-    panel.get_by_label("Push gizmo").check()
-    begin(page)
-    page.until("keyphase.state.replay.current === 1")
-    server.session.replay.pause()
-    phase(page, "paused")
-    handles = server.viser.scene._handle_from_node_name  # pyright: ignore
-    running = server.session.replay.running
-    assert running is not None
-    tool_m = running.run.replay.state.sample.position_m
-    assert np.allclose(handles["/replay/push"].position, tool_m, atol=0.01)
