@@ -75,5 +75,5 @@ def paces(seen: np.ndarray) -> np.ndarray:
 def stop_ms(page: KeyphasePage) -> float:
     """How long one replay takes to stop."""
     page.page.evaluate("() => keyphase.actions.replay.again()")
-    page.until("keyphase.state.replay.phase === 'running' && keyphase.state.replay.current === 1")
+    page.until("keyphase.state.replay?.phase === 'running' && keyphase.state.replay.current === 1")
     return float(page.page.evaluate(_STOP_MS))
