@@ -80,9 +80,11 @@ def visit(chromium: Browser) -> Iterator[Visit]:
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """A folder with copies of the bundled recordings."""
+    demonstrations = tmp_path / "demonstrations"
+    demonstrations.mkdir()
     for name in ("setup1.npz", "synthetic_setup1.npz"):
-        shutil.copy(shipped("data") / name, tmp_path)
-    return tmp_path
+        shutil.copy(shipped("data") / name, demonstrations)
+    return demonstrations
 
 
 @pytest.fixture

@@ -1,5 +1,7 @@
 """Correcting a segmentation with the keyboard alone."""
 
+from pathlib import Path
+
 import pytest
 from driver import KeyphasePage
 
@@ -124,3 +126,12 @@ def test_keys_pressed_in_the_scene_reach_the_page(setup1: KeyphasePage) -> None:
         "() => window.dispatchEvent(new KeyboardEvent('keydown', {key: ']', bubbles: true}))"
     )
     setup1.until("keyphase.state.selected === 0")
+
+
+def test_the_documentation_names_every_key(timeline: KeyphasePage) -> None:
+    documented = (Path(__file__).parents[2] / "docs" / "page.md").read_text()
+    timeline.press("?")
+    keys = timeline.page.locator("#keys section:not(:last-of-type) kbd").all_inner_texts()
+    assert len(keys) > 20
+    missing = [key for key in keys if key not in documented]
+    assert not missing
