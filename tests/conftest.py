@@ -4,6 +4,11 @@ import os
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
+
+# No test has a clock, and the same commit is tried on the same examples everywhere.
+settings.register_profile("keyphase", deadline=None, derandomize=True)
+settings.load_profile("keyphase")
 
 
 @pytest.fixture(scope="session")

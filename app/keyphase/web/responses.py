@@ -25,6 +25,8 @@ _CONTENT_TYPES = {
 }
 
 _ALWAYS = {
+    # Every answer is the last on its connection; who is not told asks again into a closed one.
+    "Connection": "close",
     "X-Content-Type-Options": "nosniff",
     "X-Frame-Options": "SAMEORIGIN",
     "Referrer-Policy": "no-referrer",
