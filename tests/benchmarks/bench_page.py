@@ -142,8 +142,9 @@ def latencies(page: KeyphasePage, source: str) -> list[float]:
 
 def frames(page: KeyphasePage, act: str) -> list[float]:
     page.page.evaluate(_ACTS)
+    page.page.evaluate("() => keyphase.store.set({ holding: true })")
     times = page.page.evaluate(_FRAMES, act)
-    page.page.evaluate("() => keyphase.store.set({ drag: null })")
+    page.page.evaluate("() => keyphase.store.set({ drag: null, holding: false })")
     return times
 
 

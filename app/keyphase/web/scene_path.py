@@ -25,7 +25,7 @@ class ScenePath:
         self._selected: int | None = None
         self._pieces = _batch(server, "/path/pieces", tube(), path.wxyz, path.middle_m)
         upright = np.tile([1.0, 0.0, 0.0, 0.0], (len(path.position_m), 1))
-        self._joints = _batch(server, "/path/joints", _ball(), upright, path.position_m)
+        self._joints = _batch(server, "/path/joints", _ball(len(upright)), upright, path.position_m)
         self._scale()
 
         @self._pieces.on_click
@@ -86,6 +86,7 @@ def _batch(
     )
 
 
-def _ball() -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
-    ball = trimesh.creation.icosphere(subdivisions=2, radius=1.0)
+def _ball(count: int) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
+    """Round; where there are very many, so that they can still be drawn, a little less."""
+    ball = trimesh.creation.icosphere(subdivisions=2 if count <= 1000 else 1, radius=1.0)
     return np.asarray(ball.vertices), np.asarray(ball.faces, np.uint32)

@@ -16,6 +16,7 @@ const CURSORS = {
   track: "crosshair",
 };
 const WHEEL_ZOOM = 0.0016;
+const WHEEL_REST_MS = 300;
 
 /**
  * @param {import("../store.js").Store} store
@@ -29,6 +30,7 @@ export function attachPointer(store, timeline, actions) {
   /** @type {import("./gestures.js").Point} */
   let start = { x: 0, y: 0, event: null };
   let moved = false;
+  let turning = 0;
 
   const at = (event) => {
     const box = surface.getBoundingClientRect();
@@ -46,6 +48,13 @@ export function attachPointer(store, timeline, actions) {
       hovered: hit.kind === "boundary" ? hit.boundary : null,
       pointer: inTracks ? timeline.scale().time(point.x) : null,
     });
+  }
+
+  /** A wheel never says that it was let go; after a moment without a turn it was. */
+  function holdWhileTurning() {
+    store.set({ holding: true });
+    clearTimeout(turning);
+    turning = setTimeout(() => store.set({ holding: gesture !== null }), WHEEL_REST_MS);
   }
 
   surface.addEventListener("pointermove", (event) => {
@@ -112,6 +121,7 @@ export function attachPointer(store, timeline, actions) {
       const { document: doc, view } = store.state;
       if (!doc || !view) return;
       event.preventDefault();
+      holdWhileTurning();
       const sideways = event.shiftKey ? event.deltaY : event.deltaX;
       if (event.altKey) {
         scroller.scrollTop += event.deltaY;
