@@ -79,3 +79,12 @@ def test_an_error_a_user_can_mend_is_one_line(
     message = capsys.readouterr().err.strip()
     assert message.startswith("keyphase: ")
     assert "\n" not in message
+
+
+def test_a_parameter_out_of_its_range_is_one_line(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert keyphase("segment", recording, "--output", tmp_path / "out", "--force-ratio", "-3") == 1
+    message = capsys.readouterr().err.strip()
+    assert message.startswith("keyphase: force_ratio must be")
+    assert "\n" not in message

@@ -174,8 +174,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
     if given == ["--version"]:
         print(f"keyphase {__version__}")
         sys.exit(0)
-    command = tyro.cli(_Command, prog="keyphase", description=_DESCRIPTION, args=_as_command(given))
     try:
+        command = tyro.cli(
+            _Command, prog="keyphase", description=_DESCRIPTION, args=_as_command(given)
+        )
         sys.exit(command.run())
     except KeyphaseError as error:
         print(f"keyphase: {error}", file=sys.stderr)
