@@ -15,8 +15,27 @@ from keyphase.errors import KeyphaseError, RequestError
 from keyphase.web.access import Access, Grant, cookie_name
 from keyphase.web.server import PageServer
 
-ROUTES = ("/", "/app/static/js/main.js", "/viser/", "/app/ws", "/viser", "/nothing", "/?token=no")
 SOCKETS = ("/app/ws", "/viser")
+ROUTES = (
+    "/",
+    "/?token=no",
+    "/app/static/index.html",
+    "/app/static/js/main.js",
+    "/app/static/css/theme.css",
+    "/app/static/uPlot.iife.js",
+    "/viser/",
+    "/viser/index.html",
+    "/nothing",
+    *SOCKETS,
+)
+HOSTS = ("evil.example", "127.0.0.1.evil.example", "", "0.0.0.0", "[::2]")
+ORIGINS = ("http://evil.example", "null", "http://127.0.0.1", "https://127.0.0.1:1", "")
+UPGRADE = {
+    "Upgrade": "websocket",
+    "Connection": "Upgrade",
+    "Sec-WebSocket-Version": "13",
+    "Sec-WebSocket-Key": "dGhlIHNhbXBsZSBub25jZQ==",
+}
 
 
 def _socket_status(server: PageServer, path: str, headers: dict[str, str]) -> int:
@@ -53,15 +72,13 @@ def test_without_the_token_every_route_is_forbidden(
 
 
 @pytest.mark.parametrize("path", ROUTES)
-@pytest.mark.parametrize("host", ["evil.example", "127.0.0.1.evil.example", "", "0.0.0.0", "[::2]"])
+@pytest.mark.parametrize("host", HOSTS)
 def test_a_host_that_is_not_ours_is_forbidden(server: PageServer, path: str, host: str) -> None:
     assert get(server, path, {**cookie(server), "Host": host})[0].status == 403
 
 
 @pytest.mark.parametrize("path", ROUTES)
-@pytest.mark.parametrize(
-    "origin", ["http://evil.example", "null", "http://127.0.0.1", "https://127.0.0.1:1", ""]
-)
+@pytest.mark.parametrize("origin", ORIGINS)
 def test_a_page_from_elsewhere_is_forbidden(server: PageServer, path: str, origin: str) -> None:
     assert get(server, path, {**cookie(server), "Origin": origin})[0].status == 403
 
@@ -76,6 +93,29 @@ def test_both_websockets_ask_for_the_same(server: PageServer, path: str) -> None
     assert _socket_status(server, path, {}) == 403
     assert _socket_status(server, path, cookie(server, "wrong")) == 403
     assert _socket_status(server, path, {**good, "Origin": "http://evil.example"}) == 403
+
+
+@pytest.mark.parametrize("path", SOCKETS)
+@pytest.mark.parametrize(
+    "query", ["", "?token=", "?token=wrong", "?token=%00", "?token=wrong&token="]
+)
+def test_no_websocket_opens_with_a_token_that_is_missing_or_wrong(
+    server: PageServer, path: str, query: str
+) -> None:
+    assert get(server, path + query, UPGRADE)[0].status == 403
+    assert get(server, path + query, {**UPGRADE, **cookie(server, "wrong")})[0].status == 403
+
+
+@pytest.mark.parametrize("path", SOCKETS)
+@pytest.mark.parametrize(
+    "wrong",
+    [{"Host": host} for host in HOSTS] + [{"Origin": origin} for origin in ORIGINS],
+    ids=str,
+)
+def test_no_websocket_opens_for_a_wrong_host_or_a_page_from_elsewhere(
+    server: PageServer, path: str, wrong: dict[str, str]
+) -> None:
+    assert get(server, path, {**UPGRADE, **cookie(server), **wrong})[0].status == 403
 
 
 def test_a_websocket_anywhere_else_does_not_open(server: PageServer) -> None:

@@ -132,6 +132,28 @@ def test_a_page_that_leaves_while_it_sends_leaves_nothing(
     assert _files(own_copy.parent) == {own_copy.name}
 
 
+def test_a_file_that_is_not_wanted_after_all_leaves_nothing_and_the_next_one_comes(
+    page: PageClient, own_copy: Path
+) -> None:
+    page.send("upload", name="x.npz", size=500)
+    page.wait_for("upload_ready")
+    page.send_raw(b"1" * 100)
+    page.send("upload_cancel")
+
+    assert page.wait_for("upload_cancelled")["name"] == "x.npz"
+    assert _files(own_copy.parent) == {own_copy.name}
+    _send(page, "next.npz", own_copy.read_bytes())
+    assert page.wait_for("uploaded")["name"] == "next.npz"
+
+
+def test_a_file_that_is_whole_is_not_cancelled(page: PageClient, own_copy: Path) -> None:
+    _send(page, "next.npz", own_copy.read_bytes())
+    page.send("upload_cancel")
+
+    assert page.wait_for("uploaded")["name"] == "next.npz"
+    assert all(message["type"] != "upload_cancelled" for message in page.heard)
+
+
 def test_a_piece_of_nothing_is_refused(page: PageClient) -> None:
     page.send_raw(b"123")
 

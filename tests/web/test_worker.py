@@ -47,6 +47,26 @@ def test_jobs_without_a_kind_all_run_in_order() -> None:
     assert done == list(range(100))
 
 
+def test_who_submits_can_wait_for_the_job_also_for_one_that_never_runs() -> None:
+    done: list[str] = []
+    worker = Worker(pytest.fail)
+    go = _busy(worker)
+    replaced = worker.submit(lambda: done.append("replaced"), "slider")
+    waiting = worker.submit(lambda: done.append("newest"), "slider")
+    assert replaced.is_set()
+    assert not waiting.is_set()
+    go.set()
+    assert waiting.wait(10)
+    assert done == ["newest"]
+
+    go = _busy(worker)
+    forgotten = worker.submit(pytest.fail)
+    worker.stop()
+    assert forgotten.is_set()
+    assert worker.submit(pytest.fail).is_set()
+    go.set()
+
+
 def test_an_error_is_reported_and_the_next_job_runs() -> None:
     errors: list[Exception] = []
     done: list[str] = []

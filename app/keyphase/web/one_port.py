@@ -6,6 +6,7 @@ every websocket passes our gate before viser sees it. `tests/web/test_one_port.p
 stops holding with another viser.
 """
 
+import asyncio
 import contextlib
 import dataclasses
 import io
@@ -21,6 +22,7 @@ from websockets.asyncio.server import ServerConnection
 from websockets.http11 import Request, Response
 
 from keyphase.errors import KeyphaseError
+from keyphase.web.budget import Budget
 
 VISER_PREFIX = "/viser"
 """viser's client lies below this path and its websocket at exactly this path."""
@@ -57,15 +59,17 @@ class Site(Protocol):
 
 
 class _Guarded:
-    """A connection as viser sees it: messages that are not admitted never arrive."""
+    """A connection as viser sees it: messages that are not admitted never arrive, none too fast."""
 
     def __init__(self, connection: ServerConnection, site: Site) -> None:
         self._connection = connection
         self._site = site
+        self._budget = Budget()
 
     async def recv(self) -> bytes:
         while True:
             message = await self._connection.recv()
+            await asyncio.sleep(self._budget.wait_s())
             if isinstance(message, bytes) and self._site.admits(self._connection, message):
                 return message
 

@@ -2,7 +2,8 @@
 
 import asyncio
 import logging
-import time
+import threading
+from collections import deque
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
@@ -13,6 +14,7 @@ from websockets.asyncio.server import ServerConnection
 from websockets.exceptions import ConnectionClosed
 
 from keyphase.web.access import Grant
+from keyphase.web.budget import Budget
 from keyphase.web.uploads import Upload
 
 _log = logging.getLogger(__name__)
@@ -20,8 +22,8 @@ _log = logging.getLogger(__name__)
 MOST_PAGES = 100
 """So many pages at once; the next one is turned away."""
 
-MESSAGES_PER_S = 400.0
-"""A page that goes on faster than this is made to wait, so that the others are heard."""
+MOST_CHANGES = 4
+"""So many changes of one page may wait to be made; it is heard again when there are fewer."""
 
 _LAGGING_BYTES = 1 << 20
 _LOST_BYTES = 64 << 20
@@ -29,13 +31,14 @@ _LOST_BYTES = 64 << 20
 
 @dataclass(eq=False)
 class Page:
-    """One open page, and the file it is sending, if any."""
+    """One open page, the file it is sending, if any, and the changes it waits for."""
 
     id: str
     grant: Grant
     connection: ServerConnection
     loop: asyncio.AbstractEventLoop
     upload: Upload | None = None
+    changes: deque[threading.Event] = field(default_factory=deque)
 
     @property
     def is_looking(self) -> bool:
@@ -47,20 +50,11 @@ class Page:
         data = message if isinstance(message, bytes) else encode(message)
         call_soon(self.loop, lambda: _push(self, data, may_drop=False))
 
-
-@dataclass
-class _Budget:
-    """Messages a page may still send at once; refills with time."""
-
-    left: float = MESSAGES_PER_S
-    at_s: float = field(default_factory=time.monotonic)
-
-    def wait_s(self) -> float:
-        """Take one message; how long to wait first."""
-        now = time.monotonic()
-        self.left = min(self.left + (now - self.at_s) * MESSAGES_PER_S, MESSAGES_PER_S) - 1.0
-        self.at_s = now
-        return max(-self.left / MESSAGES_PER_S, 0.0)
+    def wait_for(self, change: threading.Event) -> None:
+        """Wait until few of this page's changes are still to be made, so that others' are, too."""
+        self.changes.append(change)
+        while len(self.changes) > MOST_CHANGES:
+            self.changes.popleft().wait()
 
 
 class PageSockets:
@@ -89,7 +83,7 @@ class PageSockets:
         self._count += 1
         loop = asyncio.get_running_loop()
         page = Page(f"page-{self._count}", grant, connection, loop)
-        budget = _Budget()
+        budget = Budget()
         try:
             await loop.run_in_executor(self._pool, self._on_open, page)
             async for message in connection:

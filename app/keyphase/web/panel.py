@@ -119,12 +119,12 @@ class Panel(View):
             if event.client is not None:
                 self._safely(functools.partial(act, control.value))
 
-    def _on_click(self, button: viser.GuiButtonHandle, act: Callable[[], None]) -> None:
+    def _on_click(self, button: viser.GuiButtonHandle, act: Callable[[], object]) -> None:
         @button.on_click
         def _(_event: viser.GuiEvent[Any]) -> None:
             self._safely(act)
 
-    def _safely(self, act: Callable[[], None]) -> None:
+    def _safely(self, act: Callable[[], object]) -> None:
         try:
             act()
         except Exception as error:

@@ -100,6 +100,10 @@ class Upload(_Request, tag="upload", frozen=True):
     size: Annotated[int, Meta(ge=0, le=2**50)]
 
 
+class UploadCancel(_Request, tag="upload_cancel", frozen=True):
+    """The file on its way is not wanted after all."""
+
+
 class Select(_Request, tag="select", frozen=True):
     """Select a segment, or none."""
 
@@ -177,6 +181,7 @@ Request = (
     | Compare
     | TakeOver
     | Upload
+    | UploadCancel
     | Select
     | Seek
     | Play

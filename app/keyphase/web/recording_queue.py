@@ -71,7 +71,7 @@ class RecordingQueue:
 
     def export_all(self) -> None:
         """Write a segment file for every recording; what cannot be opened says so in its line."""
-        self._worker.submit(self._export_all)
+        self._worker.submit(self._export_all, "export")
 
     def preview_spread(self, opened: Opened) -> None:
         """Tell what the parameters of an open recording would do to all of its folder.

@@ -1,5 +1,6 @@
 """What a page's requests do to the session."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from keyphase.errors import KeyphaseError, RequestError
@@ -32,26 +33,30 @@ def hear(session: Session, page: Page, message: str | bytes) -> None:
 
 def _do(session: Session, request: ask.Request, page: Page) -> None:
     """Requests about the document and the list here, the rest below."""
+
+    def change(action: Callable[[Opened], None], cause: Cause | None = None) -> None:
+        page.wait_for(session.change(action, cause))
+
     match request:
         case ask.Open():
             session.queue.open(request.id)
         case ask.Set():
             _set(session, request, page)
         case ask.Reset():
-            session.change(Opened.reset_parameters)
+            change(Opened.reset_parameters)
         case ask.Edit():
             edit = edit_from_json(request.edit)
-            session.change(lambda opened: opened.apply(edit), _cause(request.event, page))
+            change(lambda opened: opened.apply(edit), _cause(request.event, page))
         case ask.Undo():
-            session.change(Opened.undo)
+            change(Opened.undo)
         case ask.Redo():
-            session.change(Opened.redo)
+            change(Opened.redo)
         case ask.Done():
-            session.change(lambda opened: opened.mark_done(request.done))
+            change(lambda opened: opened.mark_done(request.done))
         case ask.KeepLabels():
-            session.change(Opened.keep_labels)
+            change(Opened.keep_labels)
         case ask.ForgetLabel():
-            session.change(lambda opened: opened.folder.forget(request.label))
+            change(lambda opened: opened.folder.forget(request.label))
         case ask.Export():
             session.export(request.format)
         case ask.Spread():
@@ -59,7 +64,7 @@ def _do(session: Session, request: ask.Request, page: Page) -> None:
         case ask.Compare():
             page.send(comparison_message(session.current(), request.other))
         case ask.TakeOver():
-            session.change(lambda opened: take_over(opened, request.other))
+            change(lambda opened: take_over(opened, request.other))
         case ask.Upload():
             _begin_upload(session, request, page)
         case _:
@@ -67,7 +72,10 @@ def _do(session: Session, request: ask.Request, page: Page) -> None:
 
 
 def _show(session: Session, request: ask.Request, page: Page) -> None:
+    """Requests that change no document."""
     match request:
+        case ask.UploadCancel():
+            _cancel_upload(page)
         case ask.Select():
             session.select(request.segment)
         case ask.Seek():
@@ -142,6 +150,16 @@ def _begin_upload(session: Session, request: ask.Upload, page: Page) -> None:
         page.send({"type": "upload_refused", "text": str(error)})
         return
     page.send({"type": "upload_ready", "name": page.upload.name})
+
+
+def _cancel_upload(page: Page) -> None:
+    """Nothing to answer where the file is whole already: what becomes of it is told anyway."""
+    if page.upload is None:
+        return
+    name = page.upload.name
+    page.upload.abandon()
+    page.upload = None
+    page.send({"type": "upload_cancelled", "name": name})
 
 
 def _take_piece(session: Session, page: Page, upload: Upload, piece: bytes) -> None:

@@ -90,8 +90,13 @@ class Session:
 
     # -- the document
 
-    def change(self, action: Callable[[Opened], None], cause: Cause | None = None) -> None:
-        """Change the current document, after everything that was asked before."""
+    def change(
+        self, action: Callable[[Opened], None], cause: Cause | None = None
+    ) -> threading.Event:
+        """Change the current document, after everything that was asked before.
+
+        The event is set when that has been done, or will not be.
+        """
 
         def run() -> None:
             opened = self.current()
@@ -104,7 +109,7 @@ class Session:
                         self._wanted = opened.parameters
                     self._document_changed(cause)
 
-        self._worker.submit(run)
+        return self._worker.submit(run)
 
     def set_parameters(
         self, change: Callable[[Parameters], Parameters], *, held: bool, cause: Cause | None = None
@@ -133,7 +138,7 @@ class Session:
         if kind == "all":
             self.queue.export_all()
         else:
-            self._worker.submit(lambda: self._export(kind))
+            self._worker.submit(lambda: self._export(kind), f"export {kind}")
 
     def _opened(self, opened: Opened) -> None:
         """Make a recording that was opened the current one."""

@@ -16,20 +16,27 @@ class Worker:
 
     def __init__(self, on_error: Callable[[Exception], None]) -> None:
         self._on_error = on_error
-        self._waiting: dict[object, Callable[[], None]] = {}
+        self._waiting: dict[object, tuple[Callable[[], None], threading.Event]] = {}
         self._changed = threading.Condition()
         self._stopped = False
         self._busy = False
         self._thread = threading.Thread(target=self._run, name="worker", daemon=True)
         self._thread.start()
 
-    def submit(self, job: Callable[[], None], kind: str | None = None) -> None:
-        """Run `job` in the worker's thread; of waiting jobs of one kind only the last runs."""
+    def submit(self, job: Callable[[], None], kind: str | None = None) -> threading.Event:
+        """Run `job` in the worker's thread; of waiting jobs of one kind only the last runs.
+
+        The event is set when the job has run, or never will.
+        """
+        over = threading.Event()
         with self._changed:
             key = object() if kind is None else kind
-            self._waiting.pop(key, None)
-            self._waiting[key] = job
+            self._forget(key)
+            self._waiting[key] = job, over
+            if self._stopped:
+                self._forget(key)
             self._changed.notify_all()
+        return over
 
     def wait_until_idle(self, timeout_s: float) -> bool:
         """Whether everything submitted so far has run within `timeout_s`."""
@@ -42,7 +49,8 @@ class Worker:
         """Finish what runs, forget what waits."""
         with self._changed:
             self._stopped = True
-            self._waiting.clear()
+            for key in tuple(self._waiting):
+                self._forget(key)
             self._changed.notify_all()
 
     def join(self) -> None:
@@ -51,16 +59,22 @@ class Worker:
             self._thread.join()
 
     def _run(self) -> None:
-        while (job := self._next()) is not None:
+        while (waiting := self._next()) is not None:
+            job, over = waiting
             try:
                 job()
             except Exception as error:
                 self._on_error(error)
+            over.set()
             with self._changed:
                 self._busy = False
                 self._changed.notify_all()
 
-    def _next(self) -> Callable[[], None] | None:
+    def _forget(self, key: object) -> None:
+        if key in self._waiting:
+            self._waiting.pop(key)[1].set()
+
+    def _next(self) -> tuple[Callable[[], None], threading.Event] | None:
         with self._changed:
             self._changed.wait_for(lambda: self._waiting or self._stopped)
             if self._stopped:
