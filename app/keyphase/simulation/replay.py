@@ -5,6 +5,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import count
+from math import sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -194,7 +195,7 @@ class Replay:
     def _has_settled(self) -> bool:
         least_s, most_s = PRESSED_S
         time_s = self._stage_ticks * STEP_S
-        speed = float(np.linalg.norm(self.simulation.tool_velocity()[:3]))
+        speed = _length(self.simulation.tool_velocity()[:3])
         return time_s >= most_s or (time_s >= least_s and speed < STILL_M_S)
 
     def _end_skill(self, velocity: Array) -> None:
@@ -249,7 +250,7 @@ class Replay:
 
     def _note(self) -> None:
         run = self._run
-        self._peak_N = max(self._peak_N, float(np.linalg.norm(self._sample.force_N)))
+        self._peak_N = max(self._peak_N, _length(self._sample.force_N))
         if len(self.states) % _FRAME_TICKS == 0:
             data, at = self.simulation.data, self._bodies
             self.frames.append(Frame(self._elapsed_s, data.xpos[at], data.xquat[at]))
@@ -308,6 +309,10 @@ def run(
         if replay.over:
             break
     return replay.result()
+
+
+def _length(vector: Array) -> float:
+    return sqrt(vector.dot(vector))
 
 
 def _approach(simulation: Simulation, first: Skill) -> tuple[Skill, ...]:

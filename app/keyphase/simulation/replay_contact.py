@@ -6,6 +6,7 @@ demonstrated force, and everywhere else the demonstrated pose.
 """
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -52,8 +53,11 @@ class KeptContact:
 
     def force_at(self, fraction: float) -> float:
         """The force [N] at a fraction (0 to 1) of the demonstrated time."""
-        place = fraction * (len(self.force_N) - 1)
-        return float(np.interp(place, np.arange(len(self.force_N)), self.force_N))
+        return float(np.interp(fraction, self._fractions, self.force_N))
+
+    @cached_property
+    def _fractions(self) -> Array:
+        return np.linspace(0.0, 1.0, len(self.force_N))
 
     def pressed_m(
         self, position_m: Array, own_m: Array, fraction: float, stiffness_N_m: float
@@ -62,8 +66,8 @@ class KeptContact:
 
         position_m (3,) is where the tool is, own_m (3,) where the skill's path is.
         """
-        here = float(position_m @ self.direction) + self.force_at(fraction) / stiffness_N_m
-        return min(here, float(own_m @ self.direction) + FURTHEST_M)
+        here = float(position_m.dot(self.direction)) + self.force_at(fraction) / stiffness_N_m
+        return min(here, float(own_m.dot(self.direction)) + FURTHEST_M)
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,13 +170,14 @@ def given_way(measured: Measured, state: State, contacts: tuple[KeptContact, ...
 
     Where a force is followed, the pose is whatever it is, and no error of the coupling.
     """
-    position, velocity = measured.position_m, measured.velocity
+    if not contacts:
+        return measured
+    position, velocity = measured.position_m, measured.velocity.copy()
     for contact in contacts:
         d = contact.direction
-        position = position + float((state.position_m - position) @ d) * d
-        own = float(state.reference_velocity[:3] @ d) - float(velocity[:3] @ d)
-        velocity = velocity + np.concatenate((own * d, np.zeros(3)))
-    return replace(measured, position_m=position, velocity=velocity)
+        position = position + float((state.position_m - position).dot(d)) * d
+        velocity[:3] += float((state.reference_velocity[:3] - velocity[:3]).dot(d)) * d
+    return Measured(position, measured.orientation_wxyz, velocity)
 
 
 def _off_the_way(direction: Array, path: Array) -> Array | None:

@@ -4,12 +4,13 @@ A part that lies higher is met earlier in the stroke, where the demonstrated han
 Time is stretched there, so that the path stays what it is.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import sqrt
 
 import numpy as np
 
 from keyphase.demonstration import Array
+from keyphase.skills.changed import changed
 from keyphase.skills.coupling import State
 from keyphase.skills.primitive import tau_of
 from keyphase.skills.skill import Skill
@@ -43,19 +44,21 @@ class Guard:
 
         `k_c` is the primitive's: the temporal coupling stretches time on top of it.
         """
-        free = float(np.linalg.norm(state.z[:3])) / self.tau
-        allowed = self._allowed(state.position_m)
-        tau = self.tau * max(1.0, free / allowed)
+        speed = state.z[:3]
+        free = sqrt(speed.dot(speed)) / self.tau
+        tau = self.tau * max(1.0, free / self._allowed(state.position_m))
         before = float(state.tau)
+        if tau == before:
+            return state
         # The reference has to know of the change of speed, as if it were in its acceleration.
-        coupled = 1.0 + k_c * float(state.error_m @ state.error_m)
+        coupled = 1.0 + k_c * float(state.error_m.dot(state.error_m))
         change = state.z * (1.0 / tau - 1.0 / before) / coupled
-        return replace(
+        return changed(
             state, tau=np.asarray(tau), reference_velocity=state.reference_velocity + change
         )
 
     def _allowed(self, position_m: Array) -> float:
-        ahead = float((self.contact_m - position_m) @ self.direction) - self.stretch_m
+        ahead = float((self.contact_m - position_m).dot(self.direction)) - self.stretch_m
         return sqrt(self.speed_m_s**2 + 2.0 * BRAKE_M_S2 * max(ahead, 0.0))
 
 

@@ -31,7 +31,7 @@ class Hand:
     @property
     def is_on(self) -> bool:
         """Whether the hand holds or pushes."""
-        return self.held is not None or bool(self.push_N.any())
+        return self.held is not None or bool(np.count_nonzero(self.push_N))
 
     def push(self, force_N: ArrayLike) -> None:
         """Push the tool point with a force (3,), base frame, until told otherwise.

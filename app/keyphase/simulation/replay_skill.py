@@ -124,12 +124,14 @@ def pressing(
     stiffness_N_m: float,
 ) -> impedance.Reference:
     """The reference with the spring pressed as the kept contacts ask, at rest along them."""
+    if not kept:
+        return reference
     at, velocity = reference.position_m, reference.velocity_m_s
     for contact in kept:
         d = contact.direction
         wanted = contact.pressed_m(position_m, reference.position_m, fraction, stiffness_N_m)
-        at = at + (wanted - float(at @ d)) * d
-        velocity = velocity - float(velocity @ d) * d
+        at = at + (wanted - float(at.dot(d))) * d
+        velocity = velocity - float(velocity.dot(d)) * d
     return replace(reference, position_m=at, velocity_m_s=velocity)
 
 

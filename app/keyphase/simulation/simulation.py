@@ -4,6 +4,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import isfinite
 from typing import TYPE_CHECKING
 
 import mujoco
@@ -30,6 +31,9 @@ if TYPE_CHECKING:
 _CALIBRATION_TILTS_RAD = ((0.0, 0.0), (0.4, 0.0), (-0.4, 0.0), (0.0, 0.4), (0.0, -0.4))
 """Turns of the last two joints but one, from the start: enough tilt to tell weight from bias."""
 _CALIBRATION_TICKS, _CALIBRATION_SETTLING_TICKS = 40, 15
+
+_FURTHEST_M = 5.0
+"""A tool that is further away has been thrown there by physics that diverged."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +64,9 @@ class Simulation:
         joints = np.array([model.joint(name).id for name in ARM_JOINTS])
         self._positions = model.jnt_qposadr[joints]
         self._tool, self._wrist = model.site(TOOL_SITE).id, model.site(SENSOR_SITE).id
-        self._reading = int(model.sensor("wrist_force").adr[0])
+        first = int(model.sensor("wrist_force").adr[0])
+        # A view, into which every step of the physics writes.
+        self._exerted = self.data.sensordata[first : first + 6]
         self._substeps = round(1.0 / (RATE_HZ * model.opt.timestep))
         bodies = (model.body(index).name for index in range(1, model.nbody))
         self._links = tuple(name for name in bodies if name not in workcell.parts)
@@ -87,7 +93,7 @@ class Simulation:
         wrench, contact_N = self._advance(reference)
         self._ticks += 1
         position, orientation = self.tool_pose()
-        if not np.isfinite(wrench).all() or abs(position).max() > 5.0:
+        if not (isfinite(wrench.dot(wrench)) and position.dot(position) < _FURTHEST_M**2):
             raise SimulationError(
                 f"{self.workcell.name} diverged after {self._ticks / RATE_HZ:.3f} s; "
                 "use smaller disturbances or a slower reference."
@@ -131,7 +137,7 @@ class Simulation:
 
     def joints_rad(self) -> Array:
         """Angles of the driven joints, in the order of ARM_JOINTS."""
-        return self.data.qpos[self._positions].copy()
+        return self.data.qpos.take(self._positions)
 
     def here(self) -> Reference:
         """The reference that keeps the tool where it is."""
@@ -157,14 +163,14 @@ class Simulation:
 
     def _advance(self, reference: Reference) -> tuple[Array, Array]:
         """Physics of one tick: mean wrench on the tool, sensor frame, and mean contact forces."""
-        data, first = self.data, self._reading
+        data = self.data
         data.ctrl[:] = self.controller.torques(data, reference, self.posture_rad)
         wrench = np.zeros(6)
         contact = np.zeros(len(self.contacts.names))
         for _ in range(self._substeps):
             mujoco.mj_step(self.model, data)
             # The sensor says what the arm exerts on the tool; the load is the opposite.
-            wrench -= data.sensordata[first : first + 6]
+            wrench -= self._exerted
             contact += self.contacts.normal_forces(data)
         return wrench / self._substeps, contact / self._substeps
 

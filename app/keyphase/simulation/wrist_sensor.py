@@ -5,6 +5,7 @@
 A wrench is six numbers, force [N] before torque [N m].
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import mujoco
@@ -51,21 +52,35 @@ class WristSensor:
         self._noise = _six(model.noise)
         self._walk = _six(model.bias_walk) * np.sqrt(step_s)
         self._resolution = _six(model.resolution)
-        self._gain = 1.0 - np.exp(-2.0 * np.pi * model.cutoff_hz * step_s)
-        self._bias = _six(model.first_bias) * self._random.standard_normal(6)
+        self._gain = 1.0 - float(np.exp(-2.0 * np.pi * model.cutoff_hz * step_s))
+        self._first_bias = _six(model.first_bias) * self._random.standard_normal(6)
         self._passed: Array | None = None
+        self._errors = self._drawn_errors()
 
     def read(self, wrench: Array) -> Array:
         """One reading of the true `wrench` (6,)."""
-        drawn = self._random.standard_normal((2, 6))
-        self._bias += self._walk * drawn[0]
+        bias, noise = next(self._errors)
         before = wrench if self._passed is None else self._passed
-        self._passed = before + self._gain * (wrench - before)
-        return quantised(self._passed + self._bias + self._noise * drawn[1], self._resolution)
+        passed = self._passed = before + self._gain * (wrench - before)
+        return quantised(passed + bias + noise, self._resolution)
 
     def settle(self) -> None:
         """Forget the low-pass filter's past, as after a jump of the simulation."""
         self._passed = None
+
+    def _drawn_errors(self) -> Iterator[tuple[Array, Array]]:
+        """Bias and noise (6,) of one reading after the other.
+
+        They are drawn many at once, which costs hardly more than drawing one.
+        """
+        bias = self._first_bias
+        while True:
+            drawn = self._random.standard_normal((_DRAWN_AT_ONCE, 2, 6))
+            steps = self._walk * drawn[:, 0]
+            steps[0] += bias
+            biases = np.add.accumulate(steps)
+            yield from zip(biases, self._noise * drawn[:, 1], strict=True)
+            bias = biases[-1]
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,7 +101,7 @@ class Load:
         reading   (6,) what the sensor says is exerted on the tool, load and bias included
         rotation  (3, 3) sensor to base frame
         """
-        down = rotation.T @ _DOWN
+        down = -rotation[2]
         weight = np.concatenate([self.weight_N * down, _cross(self.moment_Nm, down)])
         return reading - self.bias - weight
 
@@ -121,16 +136,17 @@ def estimated_load(readings: Array, rotations: Array) -> Load:
 
 def quantised(values: Array, resolution: Array) -> Array:
     """`values` rounded to whole steps of `resolution`."""
-    return np.round(values / resolution) * resolution
+    return np.rint(values / resolution) * resolution
 
 
 def about_tool(wrench: Array, rotation: Array, sensor_m: Array, tool_m: Array) -> Array:
     """A wrench in the sensor's frame and about it, turned into base frame and about the tool."""
-    force, torque = rotation @ wrench[:3], rotation @ wrench[3:]
+    force, torque = rotation.dot(wrench[:3]), rotation.dot(wrench[3:])
     return np.concatenate([force, torque + _cross(sensor_m - tool_m, force)])
 
 
 _DOWN = np.array([0.0, 0.0, -1.0])
+_DRAWN_AT_ONCE = 256
 
 
 def _six(pair: tuple[float, float]) -> Array:

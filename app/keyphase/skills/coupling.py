@@ -15,7 +15,7 @@ harder than that.
 Everything is a pure function over arrays; a leading batch axis steps many at once.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
@@ -24,6 +24,8 @@ from numpy.typing import ArrayLike, NDArray
 from keyphase.demonstration import Array
 from keyphase.errors import SkillError
 from keyphase.skills import quaternions
+from keyphase.skills.changed import changed
+from keyphase.skills.components import components, dot, expanded, joined, number
 from keyphase.skills.primitive import (
     Primitive,
     forcing,
@@ -183,7 +185,7 @@ def step(
         acceleration = now if acceleration is None else acceleration
     assert acceleration is not None
     reference = _reference(state, measured, acceleration, h)
-    followed = replace(
+    followed = changed(
         state,
         reference_position_m=reference.position_m,
         reference_orientation_wxyz=reference.orientation_wxyz,
@@ -207,59 +209,55 @@ def _advance(
         state.goal_position_m, state.goal_orientation_wxyz, state.position_m, state.orientation_wxyz
     )
     force = forcing(primitive, state.phase, state.scale, state.hold)
-    deviation = _deviation(measured, state)
-    error_rate = c.alpha_e * (c.error_weights * deviation - state.error_m)
-    stretch = 1.0 + c.k_c * np.add.reduce(state.error_m * state.error_m, axis=-1)
-    tau = (state.tau * stretch)[..., None]
-    tau_rate = (2.0 * c.k_c * state.tau * np.add.reduce(state.error_m * error_rate, -1))[..., None]
-    z_rate = transformation(c, left, state.z, force) / tau
-    velocity = state.z / tau
-    acceleration = (
-        (z_rate - tau_rate * velocity) / tau
-        + c.k_v * (velocity - measured.velocity)
-        - c.k_p * deviation
-    )
-    z = state.z + h * z_rate
-    moved = (h / tau) * z
-    turn = quaternions.from_rotation_vector(moved[..., 3:])
-    advanced = replace(
+    drive = components(transformation(c, left, state.z, force))
+    away = components(_deviation(measured, state))
+    error, z, tau = components(state.error_m), components(state.z), number(state.tau)
+    error_rate = [
+        c.alpha_e * (weight * d - e)
+        for weight, d, e in zip(c.error_weights, away, error, strict=True)
+    ]
+    tau_rate = 2.0 * c.k_c * tau * dot(error, error_rate)
+    tau = tau * (1.0 + c.k_c * dot(error, error))
+    z_rate = [right / tau for right in drive]
+    acceleration = [
+        (rate - tau_rate * v / tau) / tau + c.k_v * (v / tau - own) - c.k_p * d
+        for rate, v, own, d in zip(z_rate, z, components(measured.velocity), away, strict=True)
+    ]
+    z = joined([v + h * rate for v, rate in zip(z, z_rate, strict=True)])
+    moved = z * expanded(h / tau)
+    advanced = changed(
         state,
-        phase=state.phase * np.exp(-c.alpha_x * h / tau[..., 0]),
+        phase=np.asarray(state.phase * np.exp(-c.alpha_x * h / tau)),
         position_m=state.position_m + moved[..., :3],
-        orientation_wxyz=quaternions.normalised(quaternions.product(turn, state.orientation_wxyz)),
+        orientation_wxyz=quaternions.turned(state.orientation_wxyz, moved[..., 3:]),
         z=z,
-        error_m=state.error_m + h * error_rate,
+        error_m=joined([e + h * rate for e, rate in zip(error, error_rate, strict=True)]),
     )
-    return advanced, acceleration
+    return advanced, joined(acceleration)
 
 
 def _deviation(measured: Measured, state: State) -> Array:
     """y_a - y_c (..., 6), the rotation by its shorter way."""
-    turn = quaternions.product(
-        measured.orientation_wxyz, quaternions.conjugate(state.orientation_wxyz)
-    )
-    way = measured.position_m - state.position_m
-    return np.concatenate((way, quaternions.shortest_rotation_vector(turn)), axis=-1)
+    turn = quaternions.shortest_difference(measured.orientation_wxyz, state.orientation_wxyz)
+    return np.concatenate((measured.position_m - state.position_m, turn), axis=-1)
 
 
 def _reference(state: State, measured: Measured, acceleration: Array, h: float) -> Reference:
     """Integrate y_r'' and keep the reference within reach of the measured pose."""
     velocity = state.reference_velocity + h * acceleration
-    away = state.reference_position_m + h * velocity[..., :3] - measured.position_m
-    turn = quaternions.product(
-        quaternions.from_rotation_vector(h * velocity[..., 3:]), state.reference_orientation_wxyz
-    )
-    turned = quaternions.shortest_rotation_vector(
-        quaternions.product(turn, quaternions.conjugate(measured.orientation_wxyz))
-    )
+    moved = h * velocity
+    away = state.reference_position_m + moved[..., :3] - measured.position_m
+    wxyz = quaternions.turned(state.reference_orientation_wxyz, moved[..., 3:])
+    turn = quaternions.shortest_difference(wxyz, measured.orientation_wxyz)
     away, far = _within(away, REFERENCE_REACH[0])
-    turned, far_turned = _within(turned, REFERENCE_REACH[1])
-    wxyz = quaternions.product(quaternions.from_rotation_vector(turned), measured.orientation_wxyz)
-    clamped = np.concatenate([far] * 3 + [far_turned] * 3, axis=-1)
+    turn, far_turned = _within(turn, REFERENCE_REACH[1])
+    if np.count_nonzero(far) or np.count_nonzero(far_turned):
+        clamped = np.concatenate([far] * 3 + [far_turned] * 3, axis=-1)
+        velocity = np.where(clamped, measured.velocity, velocity)
     return Reference(
         position_m=measured.position_m + away,
-        orientation_wxyz=quaternions.normalised(wxyz),
-        velocity=np.where(clamped, measured.velocity, velocity),
+        orientation_wxyz=quaternions.turned(measured.orientation_wxyz, turn),
+        velocity=velocity,
         acceleration=acceleration,
     )
 
@@ -267,8 +265,7 @@ def _reference(state: State, measured: Measured, acceleration: Array, h: float) 
 def _within(vector: Array, reach: float) -> tuple[Array, NDArray[np.bool_]]:
     """The vector (..., 3) shortened to `reach`, and whether (..., 1) it had to be."""
     norm = np.sqrt(np.add.reduce(vector * vector, axis=-1, keepdims=True))
-    far = norm > reach
-    return np.where(far, vector * (reach / np.maximum(norm, reach)), vector), far
+    return vector * (reach / np.maximum(norm, reach)), norm > reach
 
 
 def refuse_not_positive(duration_s: Array) -> None:

@@ -1,6 +1,6 @@
 """Watch a skill while it runs and say when, and how, it is over."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import log
 from typing import Literal
 
@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from keyphase.demonstration import Array
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
 from keyphase.skills import quaternions
+from keyphase.skills.changed import changed
 from keyphase.skills.primitive import PHASE_SPAN
 from keyphase.skills.skill import Skill
 
@@ -59,8 +60,8 @@ class EndMonitor:
         """
         at_m = position_m - self.shift_m
         change = force_N - self.start_force_N
-        beyond = float(change @ change) > self.skill.force_limit_N**2
-        following = replace(
+        beyond = float(change.dot(change)) > self.skill.force_limit_N**2
+        following = changed(
             self._after_force(at_m, force_N, h),
             time_s=self.time_s + h,
             beyond_s=self.beyond_s + h if beyond else 0.0,
@@ -71,13 +72,13 @@ class EndMonitor:
         end = self.skill.end_condition
         if not isinstance(end, ContactEnd):
             return self
-        along = float(force_N @ np.asarray(end.direction))
+        along = _along(force_N, end.direction)
         if not (self.armed or _is_near(self.skill, at_m)):
-            return replace(
+            return changed(
                 self, level_N=self.level_N + min(h / LEVEL_S, 1.0) * (along - self.level_N)
             )
         over = along - self.level_N > end.threshold_N
-        return replace(self, armed=True, over_s=self.over_s + h if over else 0.0)
+        return changed(self, armed=True, over_s=self.over_s + h if over else 0.0)
 
     def _outcome(self, at_m: Array, wxyz: Array, phase: float) -> Outcome | None:
         if _lasts(self.over_s):
@@ -100,7 +101,7 @@ def start_monitor(
     """
     force = np.asarray(force_N, float)
     end = skill.end_condition
-    level = float(force @ np.asarray(end.direction)) if isinstance(end, ContactEnd) else 0.0
+    level = _along(force, end.direction) if isinstance(end, ContactEnd) else 0.0
     return EndMonitor(skill, np.asarray(shift_m, float), force, level)
 
 
@@ -112,7 +113,14 @@ def _beyond_contact(skill: Skill, at_m: Array) -> float:
     """How far past the demonstrated contact (below zero: before it) [m]."""
     if skill.travel_direction is None:
         return 0.0
-    return float((at_m - skill.end_position_m) @ np.asarray(skill.travel_direction))
+    return _along(at_m - skill.end_position_m, skill.travel_direction)
+
+
+def _along(vector: Array, direction: tuple[float, float, float]) -> float:
+    # In plain numbers: making an array of the direction takes several times as long.
+    x, y, z = vector.tolist()
+    a, b, c = direction
+    return a * x + b * y + c * z
 
 
 def _is_near(skill: Skill, at_m: Array) -> bool:
@@ -125,13 +133,12 @@ def _is_reached(skill: Skill, at_m: Array, wxyz: Array, phase: float) -> bool:
     if not isinstance(end, ConfigurationEnd) or _progress(skill, phase) < REACHED_AFTER:
         return False
     way = at_m - skill.end_position_m
-    if float(way @ way) > end.position_tolerance_m**2:
+    if float(way.dot(way)) > end.position_tolerance_m**2:
         return False
     if not skill.primitive.oriented:
         return True
-    turn = quaternions.product(skill.end_orientation_wxyz, quaternions.conjugate(wxyz))
-    left = quaternions.shortest_rotation_vector(turn)
-    return float(left @ left) <= end.rotation_tolerance_rad**2
+    left = quaternions.shortest_difference(skill.end_orientation_wxyz, wxyz)
+    return float(left.dot(left)) <= end.rotation_tolerance_rad**2
 
 
 def _progress(skill: Skill, phase: float) -> float:

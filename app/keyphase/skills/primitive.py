@@ -62,9 +62,9 @@ class Constants:
                 raise ParameterError(f"{name} of a primitive must be above zero, but is {value}.")
 
     @cached_property
-    def error_weights(self) -> Array:
-        """(6,) from metres and radians to the common measure of the coupling error [m]."""
-        return np.array([1.0] * 3 + [self.rotation_weight_m] * 3)
+    def error_weights(self) -> tuple[float, ...]:
+        """Six, from metres and radians to the common measure of the coupling error [m]."""
+        return (1.0,) * 3 + (self.rotation_weight_m,) * 3
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,16 +3,16 @@
 The logarithm is the one on the sphere minus one point: q and -q are told apart, so that with
 sign-continuous quaternions a rotation is followed past 180 degrees.
 
-Everything is written by component, so that the same lines serve one quaternion in plain numbers
-and a batch in arrays: control steps one at a time, and numpy is slow at single numbers.
+Everything is written by component (`keyphase.skills.components`), and what is done one after the
+other on the way is joined at its end only.
 """
 
-import math
 from typing import Any
 
 import numpy as np
 
 from keyphase.demonstration import Array
+from keyphase.skills.components import Components, components, functions, joined
 
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
 
@@ -22,20 +22,12 @@ _TINY = 1e-300
 
 def product(left: Array, right: Array) -> Array:
     """Hamilton product (..., 4): first the rotation `right`, then `left`."""
-    a, b, c, d = _components(left)
-    w, x, y, z = _components(right)
-    return _joined(
-        a * w - b * x - c * y - d * z,
-        a * x + b * w + c * z - d * y,
-        a * y - b * z + c * w + d * x,
-        a * z + b * y - c * x + d * w,
-    )
+    return joined(_product(components(left), components(right)))
 
 
 def conjugate(wxyz: Array) -> Array:
     """The inverse rotation (..., 4)."""
-    w, x, y, z = _components(wxyz)
-    return _joined(w, -x, -y, -z)
+    return joined(_conjugate(components(wxyz)))
 
 
 def rotation_vector(wxyz: Array) -> Array:
@@ -43,39 +35,38 @@ def rotation_vector(wxyz: Array) -> Array:
 
     Continuous everywhere but at (-1, 0, 0, 0), a whole turn.
     """
-    w, x, y, z = _components(wxyz)
-    m = _trigonometry(wxyz)
-    sine = m.sqrt(x * x + y * y + z * z)
-    scale = 2.0 * m.atan2(sine, w) / (sine + _TINY)
-    return _joined(scale * x, scale * y, scale * z)
+    return joined(_rotation_vector(components(wxyz), functions(wxyz)))
 
 
 def shortest_rotation_vector(wxyz: Array) -> Array:
     """Axis times angle (..., 3) of the same rotation by its shorter way, at most pi [rad]."""
-    if wxyz.ndim == 1:
-        return rotation_vector(-wxyz if wxyz[0] < 0.0 else wxyz)
-    return rotation_vector(np.where(wxyz[..., :1] < 0.0, -wxyz, wxyz))
+    return joined(_shortest_rotation_vector(components(wxyz), functions(wxyz)))
 
 
 def from_rotation_vector(vector: Array) -> Array:
     """Quaternion (..., 4) of the rotation by |vector| [rad] about its axis."""
-    x, y, z = _components(vector)
-    m = _trigonometry(vector)
-    half = 0.5 * m.sqrt(x * x + y * y + z * z)
-    scale = 0.5 * m.sin(half) / (half + _TINY)
-    return _joined(m.cos(half), scale * x, scale * y, scale * z)
+    return joined(_from_rotation_vector(components(vector), functions(vector)))
 
 
 def normalised(wxyz: Array) -> Array:
     """The same (..., 4) at unit length."""
-    w, x, y, z = _components(wxyz)
-    scale = 1.0 / _trigonometry(wxyz).sqrt(w * w + x * x + y * y + z * z)
-    return _joined(scale * w, scale * x, scale * y, scale * z)
+    return joined(_normalised(components(wxyz), functions(wxyz)))
 
 
 def difference(to: Array, origin: Array) -> Array:
     """Rotation vector (..., 3) that turns `origin` into `to`, in the base frame, sign-aware."""
-    return rotation_vector(product(to, conjugate(origin)))
+    return joined(_rotation_vector(_turn(to, origin), _common(to, origin)))
+
+
+def shortest_difference(to: Array, origin: Array) -> Array:
+    """Like `difference` by the shorter way, at most pi, whatever the signs."""
+    return joined(_shortest_rotation_vector(_turn(to, origin), _common(to, origin)))
+
+
+def turned(wxyz: Array, vector: Array) -> Array:
+    """The orientation (..., 4) turned by a rotation vector (..., 3), in the base frame."""
+    turn = _from_rotation_vector(components(vector), functions(vector))
+    return joined(_normalised(_product(turn, components(wxyz)), _common(wxyz, vector)))
 
 
 def nearest_sign(wxyz: Array, to: Array) -> Array:
@@ -84,15 +75,51 @@ def nearest_sign(wxyz: Array, to: Array) -> Array:
     return np.where(opposite, -wxyz, wxyz)
 
 
-def _components(array: Array) -> Any:
-    return array.tolist() if array.ndim == 1 else np.moveaxis(array, -1, 0)
+def _product(left: Components, right: Components) -> Components:
+    a, b, c, d = left
+    w, x, y, z = right
+    return (
+        a * w - b * x - c * y - d * z,
+        a * x + b * w + c * z - d * y,
+        a * y - b * z + c * w + d * x,
+        a * z + b * y - c * x + d * w,
+    )
 
 
-def _joined(*components: Any) -> Array:
-    if isinstance(components[0], float):
-        return np.array(components)
-    return np.stack(np.broadcast_arrays(*components), axis=-1)
+def _conjugate(wxyz: Components) -> Components:
+    w, x, y, z = wxyz
+    return w, -x, -y, -z
 
 
-def _trigonometry(array: Array) -> Any:
-    return math if array.ndim == 1 else np
+def _turn(to: Array, origin: Array) -> Components:
+    return _product(components(to), _conjugate(components(origin)))
+
+
+def _rotation_vector(wxyz: Components, m: Any) -> Components:
+    w, x, y, z = wxyz
+    sine = m.sqrt(x * x + y * y + z * z)
+    scale = 2.0 * m.atan2(sine, w) / (sine + _TINY)
+    return scale * x, scale * y, scale * z
+
+
+def _shortest_rotation_vector(wxyz: Components, m: Any) -> Components:
+    sign = m.copysign(1.0, wxyz[0])
+    return _rotation_vector([sign * part for part in wxyz], m)
+
+
+def _from_rotation_vector(vector: Components, m: Any) -> Components:
+    x, y, z = vector
+    half = 0.5 * m.sqrt(x * x + y * y + z * z)
+    scale = 0.5 * m.sin(half) / (half + _TINY)
+    return m.cos(half), scale * x, scale * y, scale * z
+
+
+def _normalised(wxyz: Components, m: Any) -> Components:
+    w, x, y, z = wxyz
+    scale = 1.0 / m.sqrt(w * w + x * x + y * y + z * z)
+    return scale * w, scale * x, scale * y, scale * z
+
+
+def _common(first: Array, second: Array) -> Any:
+    """The functions for what comes of both: numbers only if both are."""
+    return functions(first if first.ndim > second.ndim else second)
