@@ -3,7 +3,6 @@
 import viser
 
 from keyphase.demonstration import Array
-from keyphase.robot.link_frames import link_frames
 from keyphase.robot.pose import Placement
 from keyphase.robot.yumi import yumi
 from keyphase.web.robot_figure import RobotFigure
@@ -33,7 +32,7 @@ class LentYumi:
     def pose(self, joints_rad: Array) -> None:
         """Take a posture (7,) of the right arm."""
         if self._figure is not None:
-            self._figure.pose(link_frames(self._robot, joints_rad))
+            self._figure.pose(self._robot, joints_rad)
 
     def give_back(self) -> None:
         """The robot that was shown follows the playhead again."""

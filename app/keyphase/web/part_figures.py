@@ -12,6 +12,12 @@ from keyphase.web.palette import PART_GAMMA, Rgb, painted
 TABLE_TOP = "table"
 """The table itself is not drawn: the ground is it."""
 
+UNSEEN = 1e-6
+"""Metres, or parts of a quaternion, that nobody sees a part move by."""
+
+GREYER = 0.25
+"""How far the colours of parts are from what they are to grey."""
+
 
 class PartFigures:
     """One frame for each part, its shapes below it; not for several threads at once."""
@@ -25,17 +31,20 @@ class PartFigures:
             name: self._scene.add_frame(f"{root}/{name}", show_axes=False)
             for name in dict.fromkeys(shape.body for shape in drawn)
         }
+        self._shown = np.full((len(self._parts), 7), np.nan)
         for shape in drawn:
             self._add(f"{root}/{shape.body}/{shape.name}", shape)
 
     def pose(self, poses: Mapping[str, tuple[Array, Array]]) -> None:
         """Put each part where it is: position (3,) and orientation (4,), w x y z, by name."""
-        for name, handle in self._parts.items():
-            position, wxyz = poses[name]
-            if np.abs(handle.position - position).max() > 1e-6:
-                handle.position = position
-            if np.abs(handle.wxyz - wxyz).max() > 1e-6:
-                handle.wxyz = wxyz
+        wanted = np.array([np.concatenate(poses[name]) for name in self._parts])
+        moved = ~(np.abs(wanted - self._shown) <= UNSEEN)
+        if not moved.any():
+            return
+        for row, handle in enumerate(self._parts.values()):
+            if moved[row].any():
+                handle.position, handle.wxyz = wanted[row, :3], wanted[row, 3:]
+                self._shown[row] = wanted[row]
 
     def remove(self) -> None:
         """Draw them no more."""
@@ -52,5 +61,8 @@ class PartFigures:
 
 
 def _rgb(rgba: tuple[float, float, float, float]) -> Rgb:
-    red, green, blue = (round(255 * value) for value in rgba[:3])
+    """The colour of a part, a little greyer, so that the path and the forces stand out."""
+    color = np.array(rgba[:3])
+    muted = color + GREYER * (color.mean() - color)
+    red, green, blue = np.round(255.0 * muted).astype(int).tolist()
     return painted((red, green, blue), PART_GAMMA)

@@ -3,14 +3,12 @@
 The links' frames are set directly; viser's own URDF viewer is slower than the page draws.
 """
 
-from collections.abc import Mapping
-
 import numpy as np
 import trimesh
 import viser
-from scipy.spatial.transform import Rotation
 
 from keyphase.demonstration import Array
+from keyphase.robot.carried_links import CarriedLinks
 from keyphase.robot.description import RobotDescription
 from keyphase.robot.pose import Placement
 from keyphase.robot.shapes import LinkShape
@@ -37,13 +35,14 @@ class RobotFigure:
         self._meshes: list[tuple[viser.MeshHandle, Rgb]] = []
         self._shown: Array | None = None
         self._faded = False
-        self._carriers: list[int] = []
+        self._carriers: dict[str, str] = {}
+        self._known: dict[RobotDescription, CarriedLinks] = {}
         names: dict[str, str] = {}
         seen = {shape.link for shape in robot.shapes}
         for link in _outwards(robot, seen):
             carrier = _carrier(robot, link, seen)
             names[link] = f"{names.get(carrier, root)}/{link}"
-            self._carriers.append(list(self._links).index(carrier) if carrier else -1)
+            self._carriers[link] = carrier
             self._links[link] = self._scene.add_frame(names[link], show_axes=False)
             self._add_meshes(names[link], [s for s in robot.shapes if s.link == link])
 
@@ -65,29 +64,21 @@ class RobotFigure:
         """Put the robot's base there, in the scene's frame."""
         self._base.position, self._base.wxyz = base.position_m, base.orientation_wxyz
 
-    def pose(self, frames: Mapping[str, Array]) -> None:
-        """Put each link to its frame (4, 4) in the base's frame; those that stay send nothing."""
-        wanted = self._relative(np.stack([frames[link] for link in self._links]))
-        turns = Rotation.from_matrix(wanted[:, :3, :3]).as_quat(scalar_first=True)
-        poses = np.concatenate([wanted[:, :3, 3], turns], axis=1)
+    def pose(self, robot: RobotDescription, joints_rad: Array) -> None:
+        """Take a posture (J,) of `robot`, whose links these are; those that stay send nothing."""
+        if robot not in self._known:
+            self._known[robot] = CarriedLinks(robot, self._carriers)
+        poses = self._known[robot].poses(joints_rad)
         before = self._shown if self._shown is not None else np.full_like(poses, np.nan)
         moved = ~(np.abs(poses - before) < UNSEEN)
-        for row, handle in enumerate(self._links.values()):
-            if moved[row, :3].any():
-                handle.position = poses[row, :3]
-            if moved[row, 3:].any():
-                handle.wxyz = poses[row, 3:]
-        self._shown = np.where(_whole(moved), poses, before)
-
-    def _relative(self, frames: Array) -> Array:
-        """Frames (L, 4, 4) seen from the link that carries each: most joints only turn there."""
-        carriers = np.concatenate([frames, np.eye(4)[None]])[self._carriers]
-        turns = carriers[:, :3, :3].transpose(0, 2, 1)
-        relative = frames.copy()
-        relative[:, :3, :3] = turns @ frames[:, :3, :3]
-        away = frames[:, :3, 3:] - carriers[:, :3, 3:]
-        relative[:, :3, 3:] = turns @ away
-        return relative
+        shifted, turned = moved[:, :3].any(axis=1), moved[:, 3:].any(axis=1)
+        handles = list(self._links.values())
+        for row in np.flatnonzero(shifted).tolist():
+            handles[row].position = poses[row, :3]
+        for row in np.flatnonzero(turned).tolist():
+            handles[row].wxyz = poses[row, 3:]
+        sent = np.repeat(np.stack([shifted, turned], axis=1), [3, 4], axis=1)
+        self._shown = np.where(sent, poses, before)
 
     def fade(self, faded: bool) -> None:
         """Draw it grey and translucent, or as it is."""
@@ -108,7 +99,7 @@ class RobotFigure:
         for number, (color, meshes) in enumerate(by_color.items()):
             vertices, faces = _joined(meshes)
             handle = self._scene.add_mesh_simple(
-                f"{name}/{number}", vertices, faces, color=color, receive_shadow=0.4
+                f"{name}/{number}", vertices, faces, color=color, receive_shadow=True
             )
             self._meshes.append((handle, color))
 
@@ -133,12 +124,6 @@ def _outwards(robot: RobotDescription, seen: set[str]) -> list[str]:
         order += ready
         waiting = [link for link in waiting if link not in ready]
     return order
-
-
-def _whole(moved: np.ndarray) -> np.ndarray:
-    """(L, 7) what is sent: the whole position or the whole orientation of a link."""
-    position, orientation = moved[:, :3].any(axis=1), moved[:, 3:].any(axis=1)
-    return np.repeat(np.stack([position, orientation], axis=1), [3, 4], axis=1)
 
 
 def _joined(meshes: list[trimesh.Trimesh]) -> tuple[Array, np.ndarray]:

@@ -17,7 +17,6 @@ from keyphase.errors import KeyphaseError
 from keyphase.robot.arm import Arm
 from keyphase.robot.description import RobotDescription
 from keyphase.robot.follow import JointPath, Unreached, follow
-from keyphase.robot.link_frames import link_frames
 from keyphase.robot.placing import suggested_placement, within_reach
 from keyphase.robot.pose import Placement
 from keyphase.robot.recorded import recorded_path
@@ -274,7 +273,7 @@ class RobotView(View):
                 assert task is not None
                 assert path is not None
                 row = task.demonstration.index_at(self._playhead.time_s)
-                self.figure.pose(link_frames(task.arm.robot, path.joints_rad[row]))
+                self.figure.pose(task.arm.robot, path.joints_rad[row])
                 self.figure.fade(not bool(path.reached[row]))
 
     def _add_gizmo(self, base: Placement) -> viser.TransformControlsHandle:

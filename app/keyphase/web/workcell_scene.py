@@ -5,7 +5,6 @@ import viser
 
 from keyphase.demonstration import Demonstration
 from keyphase.robot.arm import Arm
-from keyphase.robot.link_frames import link_frames
 from keyphase.robot.pose import Placement
 from keyphase.robot.yumi import yumi
 from keyphase.simulation.lead_through import LeadThroughState
@@ -118,7 +117,7 @@ class WorkcellScene(LeadThroughView):
         assert self._parts is not None
         assert self._arrow is not None
         sample = state.sample
-        self._figure.pose(link_frames(self._arm.robot, sample.joints_rad))
+        self._figure.pose(self._arm.robot, sample.joints_rad)
         self._parts.pose(state.parts)
         size = float(np.linalg.norm(sample.force_N))
         self._arrow.visible = size >= LEAST_FORCE_N
