@@ -109,6 +109,12 @@ def test_a_label_that_was_replaced_is_not_listed():
     assert not person.labeling.inapplicable
 
 
+def test_of_labels_that_replaced_one_another_only_the_last_is_listed_when_the_segment_is_gone():
+    person = Person(segmentation((1.0, 4.0)))
+    person.makes(Label(0.5, "first"), Label(0.5, "second"), Label(0.5, "third"))
+    assert [lost.edit for lost in person.sees(segmentation((4.0,))).inapplicable] == [2]
+
+
 def test_a_label_whose_segment_a_person_merged_away_is_not_listed():
     person = Person(segmentation((1.0, 4.0)))
     person.makes(Label(0.5, "short"), Remove(1.0))

@@ -69,13 +69,20 @@ def assign(
     """
     taken: dict[int, Value] = {}
     homeless: list[Decision[Value]] = []
+    later: list[Span] = []
     for decision in reversed(decisions):
-        segments = middles_within(decision.span.span_s, middles_s)
+        span = decision.span.span_s
+        segments = middles_within(span, middles_s)
         for segment in segments:
             taken.setdefault(segment, decision.value)
-        if not segments and not decision.span.merged_by_hand:
+        if not segments and not decision.span.merged_by_hand and not _is_inside(span, later):
             homeless.append(decision)
+        later.append(span)
     return taken, homeless[::-1]
+
+
+def _is_inside(span_s: Span, others_s: Sequence[Span]) -> bool:
+    return any(start <= span_s[0] and span_s[1] <= end for start, end in others_s)
 
 
 def _now(side: Mark | float) -> float:
