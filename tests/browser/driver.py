@@ -56,11 +56,19 @@ class Picture:
 
     def count_hue(self, color: str, box: Box, apart_deg: float = 10.0) -> int:
         """Number of strongly coloured pixels in `box` of a hue, in light and in shade."""
+        return int(self._of_hue(color, box, apart_deg).sum())
+
+    def _of_hue(self, color: str, box: Box, apart_deg: float) -> NDArray[np.bool_]:
         wanted = np.array([[[int(color[k : k + 2], 16) for k in (1, 3, 5)]]], dtype=np.uint8)
         hues, strengths = _hue_and_strength(self._cut(box).astype(np.uint8))
         target = _hue_and_strength(wanted)[0].item()
         apart = np.abs((hues - target + 180.0) % 360.0 - 180.0)
-        return int(((apart <= apart_deg) & (strengths > 0.15)).sum())
+        return (apart <= apart_deg) & (strengths > 0.15)
+
+    def places(self, color: str, box: Box, apart_deg: float = 10.0) -> NDArray[np.int64]:
+        """Where on the page (x, y) [px] a strong colour of a hue is in `box`, also in shade."""
+        rows, columns = np.nonzero(self._of_hue(color, box, apart_deg))
+        return np.stack([columns + int(box.x), rows + int(box.y)], axis=1)
 
     def rows_with(self, color: str, box: Box, least: int, tolerance: int = 12) -> list[float]:
         """Heights on the page [px] at which at least `least` pixels have a colour."""

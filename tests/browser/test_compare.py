@@ -103,6 +103,18 @@ def test_anothers_segmentation_is_taken_over_and_undone_in_one_step(
     assert page.labels() == before
 
 
+def test_anothers_segmentation_is_taken_over_by_clicks(with_annas: KeyphasePage) -> None:
+    page = with_annas
+    page.page.get_by_role("button", name="Tracks").click()
+    page.page.get_by_role("menuitemcheckbox", name="setup1.anna").click()
+    page.until("keyphase.state.comparison?.with")
+    page.page.locator("#command-field").click()
+    command = page.page.locator("#palette li", has_text="Take over what is compared")
+    page.change(lambda: command.click())
+
+    assert page.labels()[0] == "wait"
+
+
 def test_it_is_readable_in_the_dark_and_small(folder: Path, serve: Serve, visit: Visit) -> None:
     _write_annas(folder / "setup1.npz", folder / "setup1.anna.segments.json")
     page = visit(serve(folder / "setup1.npz"), size=(1280, 720), dark=True, scene=False)

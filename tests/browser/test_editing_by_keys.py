@@ -3,7 +3,13 @@
 from pathlib import Path
 
 import pytest
-from driver import KeyphasePage
+from driver import KeyphasePage, Serve, Visit
+
+
+def _command(page: KeyphasePage, name: str) -> None:
+    page.press("Control+k")
+    page.page.keyboard.type(name)
+    page.press("Enter")
 
 
 def test_split_and_undo_and_redo(timeline: KeyphasePage) -> None:
@@ -135,3 +141,138 @@ def test_the_documentation_names_every_key(timeline: KeyphasePage) -> None:
     assert len(keys) > 20
     missing = [key for key in keys if key not in documented]
     assert not missing
+
+
+def test_the_playhead_goes_to_the_ends_and_from_boundary_to_boundary(
+    timeline: KeyphasePage,
+) -> None:
+    document = timeline.document
+    for key, time_s in (
+        ("End", document["end_s"]),
+        (",", document["boundaries"][-1]["time_s"]),
+        ("Home", document["start_s"]),
+        (".", document["boundaries"][0]["time_s"]),
+    ):
+        timeline.press(key)
+        timeline.until(f"Math.abs(keyphase.state.playhead.time_s - {time_s}) < 1e-6")
+
+
+def test_split_while_playing_snaps_to_the_nearest_evidence_unless_switched_off(
+    timeline: KeyphasePage,
+) -> None:
+    peak = next(p for p in timeline.document["peaks"] if p["rejection"])
+
+    def marked() -> list[float]:
+        timeline.page.evaluate("t => keyphase.actions.seek(t)", peak["time_s"] - 0.03)
+        timeline.page.evaluate("() => keyphase.actions.play({ playing: true, speed: 0.01 })")
+        timeline.until("keyphase.state.playhead.playing")
+        timeline.change(lambda: timeline.press("t"))
+        added = [b["time_s"] for b in timeline.document["boundaries"] if b["origin"] == "user"]
+        timeline.change(lambda: timeline.press("Control+z"))
+        return [abs(added[0] - peak[key]) for key in ("time_s", "bin_time_s")]
+
+    assert min(marked()) < 1e-6
+    timeline.press("v")
+    timeline.until("!keyphase.state.snap")
+    assert min(marked()) > 1e-3
+
+
+def test_reset_takes_all_edits_back(timeline: KeyphasePage) -> None:
+    before = timeline.document["boundaries"]
+    timeline.press(".")
+    timeline.change(lambda: timeline.press("Delete"))
+    timeline.change(lambda: _command(timeline, "take back all"))
+    assert timeline.document["boundaries"] == before
+
+
+def test_undo_and_redo_go_on_after_a_restart(folder: Path, serve: Serve, visit: Visit) -> None:
+    server = serve(folder / "setup1.npz")
+    page = visit(server, scene=False)
+    page.wait_for_document()
+    before = page.document["boundaries"]
+    page.press("Home")
+    page.press(".")
+    page.change(lambda: page.press("Delete"))
+    after = page.document["boundaries"]
+    page.close()
+    server.stop()
+
+    page = visit(serve(folder / "setup1.npz"), scene=False)
+    page.wait_for_document()
+    page.change(lambda: page.press("Control+z"))
+    assert page.document["boundaries"] == before
+    page.change(lambda: page.press("Control+y"))
+    assert page.document["boundaries"] == after
+
+
+@pytest.mark.parametrize("key", ["Shift+F10", "ContextMenu"])
+def test_the_menu_of_the_selected_segment_opens_and_acts_by_keys(
+    timeline: KeyphasePage, key: str
+) -> None:
+    timeline.press("]")
+    timeline.press("]")
+    timeline.until("keyphase.state.selected === 1")
+    timeline.press(key)
+    assert timeline.text("#menu h5") == "Segment 2"
+    timeline.press("ArrowDown")
+    while "Split here" not in timeline.text("#menu button:focus"):
+        timeline.press("ArrowDown")
+    count = timeline.segments.count()
+    timeline.change(lambda: timeline.press("Enter"))
+    assert timeline.segments.count() == count + 1
+
+
+def test_the_menu_of_the_current_boundary_opens_by_keys_and_escape_closes_it(
+    timeline: KeyphasePage,
+) -> None:
+    timeline.press("Home")
+    timeline.press(".")
+    timeline.press("Shift+F10")
+    assert timeline.text("#menu h5") == "Boundary 1"
+    timeline.settle()
+    timeline.picture("menu_of_a_boundary")
+    timeline.press("Escape")
+    assert timeline.page.locator("#menu").is_hidden()
+    timeline.change(lambda: timeline.press("Delete"))
+
+
+def test_keys_on_a_chip_mean_this_entry_and_the_focus_stays_with_it(
+    timeline: KeyphasePage,
+) -> None:
+    def plan() -> list[int]:
+        return [entry["segment"] for entry in timeline.document["plan"]]
+
+    def focused() -> str:
+        return timeline.page.evaluate("() => document.activeElement.dataset.entry")
+
+    timeline.page.locator(".chip").nth(0).focus()
+    timeline.change(lambda: timeline.press("r"))
+    assert (plan(), focused()) == ([0, 0, 2, 4], "1")
+    timeline.change(lambda: timeline.press("}"))
+    assert (plan(), focused()) == ([0, 2, 0, 4], "2")
+    timeline.press("Enter")
+    timeline.until("keyphase.state.selected === 0")
+    timeline.change(lambda: timeline.press("Delete"))
+    assert (plan(), focused()) == ([0, 2, 4], "2")
+
+
+def test_a_lost_edit_is_brought_back_and_forgotten_by_keys(timeline: KeyphasePage) -> None:
+    first = timeline.document["boundaries"][0]["time_s"]
+    timeline.change(
+        lambda: timeline.page.evaluate("t => keyphase.actions.moveBoundary(t, t + 0.05)", first)
+    )
+    one_gaussian = "() => keyphase.actions.send({type: 'set', parameter: 'gaussians', value: 1})"
+    timeline.change(lambda: timeline.page.evaluate(one_gaussian))
+    timeline.until("keyphase.state.document.inapplicable.length > 0")
+    lost = len(timeline.document["inapplicable"])
+    timeline.page.locator("#theme").focus()
+    while timeline.page.evaluate("() => document.activeElement.textContent") != "Bring back":
+        timeline.press("Tab")
+    timeline.change(lambda: timeline.press("Enter"))
+    assert len(timeline.document["inapplicable"]) == lost - 1
+    timeline.change(lambda: timeline.press("Control+z"))
+    timeline.page.locator("#theme").focus()
+    while timeline.page.evaluate("() => document.activeElement.textContent") != "Forget":
+        timeline.press("Tab")
+    timeline.change(lambda: timeline.press("Enter"))
+    assert len(timeline.document["inapplicable"]) == lost - 1

@@ -23,3 +23,6 @@ def test_the_panel_has_a_button_for_every_export(folder: Path, serve: Serve, vis
     scene.get_by_role("tab", name="Export").click()
     assert scene.get_by_role("button").filter(has_text="JSON").count() >= 1
     assert scene.get_by_role("button").filter(has_text="CSV").count() >= 1
+    scene.get_by_role("button").filter(has_text="Segment file").click()
+    page.page.get_by_text("Written to").wait_for()
+    assert (folder / "setup1.segments.json").exists()

@@ -88,6 +88,21 @@ def test_parameters_are_applied_to_all_by_keys_after_a_look_at_what_would_change
     assert two.document["parameters"]["gaussians"] == 1
 
 
+def test_the_panels_button_applies_parameters_to_all_by_clicks(
+    folder: Path, serve: Serve, visit: Visit
+) -> None:
+    page = visit(serve(folder))
+    page.wait_for_document()
+    page.change(lambda: _one_gaussian(page))
+    page.wait_for_scene().get_by_role("button", name="Apply to all…").click()
+    page.page.locator("#spread button:enabled", has_text="Apply to all").wait_for()
+    page.picture("spread_by_mouse")
+    page.page.locator("#spread").get_by_role("button", name="Apply to all").click()
+    page.page.locator(".notice", has_text="All recordings").wait_for()
+    _open(page, "synthetic_setup1")
+    assert page.document["parameters"]["gaussians"] == 1
+
+
 def test_parameters_are_not_applied_where_a_person_thinks_better_of_it(two: KeyphasePage) -> None:
     two.change(lambda: two.page.evaluate("() => keyphase.actions.setThreshold(1e6, false, null)"))
     two.page.evaluate("() => keyphase.actions.spread('look')")
@@ -118,6 +133,26 @@ def test_the_least_certain_recording_opens(two: KeyphasePage) -> None:
     _open(two, next(item["name"] for item in items if item["name"] != least))
     two.page.locator("#least-certain").click()
     two.until(f"keyphase.state.document.name === '{least}'")
+
+
+def test_next_and_previous_and_the_order_of_the_list_by_clicks(two: KeyphasePage) -> None:
+    two.until("keyphase.state.recordings.items.every(item => item.confidence !== null)")
+    two.page.locator("#next-recording").click()
+    two.until("keyphase.state.document.name === 'synthetic_setup1'")
+    two.page.locator("#previous-recording").click()
+    two.until("keyphase.state.document.name === 'setup1'")
+
+    two.page.locator("#queue-sort").click()
+    two.settle()
+    shown = two.page.locator(".queue-confidence").all_inner_texts()
+    assert shown == sorted(shown)
+
+
+def test_next_and_previous_by_keys(two: KeyphasePage) -> None:
+    two.press("PageDown")
+    two.until("keyphase.state.document.name === 'synthetic_setup1'")
+    two.press("PageUp")
+    two.until("keyphase.state.document.name === 'setup1'")
 
 
 def test_a_second_server_opens_the_recording_for_looking_and_says_so(

@@ -8,19 +8,20 @@ from driver import KeyphasePage
 
 from keyphase.shipped import shipped
 
-_DROP = """({ name, data }) => {
+_DROP_ON = """(node, { name, data }) => {
   const bytes = Uint8Array.from(atob(data), letter => letter.charCodeAt(0));
   const transfer = new DataTransfer();
   transfer.items.add(new File([bytes], name));
   for (const kind of ['dragover', 'drop']) {
-    document.body.dispatchEvent(
+    node.dispatchEvent(
       new DragEvent(kind, { dataTransfer: transfer, bubbles: true, cancelable: true }));
   }
 }"""
 
 
 def _drop(page: KeyphasePage, name: str, data: bytes) -> None:
-    page.page.evaluate(_DROP, {"name": name, "data": base64.b64encode(data).decode()})
+    dropped = {"name": name, "data": base64.b64encode(data).decode()}
+    page.page.locator("body").evaluate(_DROP_ON, dropped)
 
 
 def test_a_dropped_recording_opens(timeline: KeyphasePage) -> None:
@@ -85,3 +86,45 @@ def test_a_dropped_segment_file_is_compared_at_once(timeline: KeyphasePage, fold
     assert timeline.state("comparison")["with"] == "anna.segments.json"
     assert timeline.state("comparison")["f1"] == 1.0
     assert (folder / "anna.segments.json").read_bytes() == written
+
+
+def test_a_recording_is_chosen_with_the_mouse(timeline: KeyphasePage) -> None:
+    with timeline.page.expect_file_chooser() as chooser:
+        timeline.page.locator("#add-recording").click()
+    chooser.value.set_files(shipped("data") / "setup2.npz")
+    timeline.until("keyphase.state.document.name === 'setup2'")
+
+
+def test_a_recording_dropped_over_the_scene_opens(setup1: KeyphasePage) -> None:
+    scene = setup1.wait_for_scene()
+    data = base64.b64encode((shipped("data") / "setup2.npz").read_bytes()).decode()
+    scene.locator("canvas").first.evaluate(_DROP_ON, {"name": "setup2.npz", "data": data})
+    setup1.until("keyphase.state.document.name === 'setup2'")
+    assert setup1.page.locator("#drop-target").is_hidden()
+
+
+_SLOWLY = """() => {
+  keyphase.socket.roomFor = () => new Promise(next => setTimeout(next, 100));
+}"""
+"""As over a slow network: a piece now and then."""
+
+
+@pytest.mark.parametrize("by", ["mouse", "key"])
+def test_a_file_on_its_way_is_given_up(timeline: KeyphasePage, folder: Path, by: str) -> None:
+    before = {path.name for path in folder.iterdir()}
+    timeline.page.evaluate(_SLOWLY)
+    _drop(timeline, "long.npz", bytes(8 << 20))
+    timeline.until("keyphase.state.sending?.fraction > 0.1")
+    timeline.settle()
+    timeline.picture("sending")
+    assert timeline.text("#sending").startswith("Sending long.npz")
+    if by == "mouse":
+        timeline.page.get_by_role("button", name="Do not send it").click()
+    else:
+        timeline.press("Escape")
+    timeline.page.locator(".notice", has_text="long.npz was not added").wait_for()
+
+    assert timeline.page.locator("#sending").is_hidden()
+    assert {path.name for path in folder.iterdir()} == before
+    _drop(timeline, "setup2.npz", (shipped("data") / "setup2.npz").read_bytes())
+    timeline.until("keyphase.state.document.name === 'setup2'")

@@ -3,6 +3,7 @@
  * gestures call. Nothing here draws; the server answers with what came of it.
  */
 
+import { SPEEDS } from "./playback.js";
 import { unsureBoundaries } from "./timeline/boundaries.js";
 import { nearestEvidence, REACH_PX } from "./timeline/snapping.js";
 import { segmentAt } from "./timeline/hit.js";
@@ -62,6 +63,11 @@ export function createActions(store, send, latency) {
     togglePlay: () => actions.play({ playing: !state.playhead.playing }),
     toggleLoop: () => actions.play({ loop: !state.playhead.loop }),
     setSpeed: (speed) => actions.play({ speed }),
+    /** The next higher speed, or the next lower one. */
+    changeSpeed(direction) {
+      const at = SPEEDS.indexOf(state.playhead.speed) + direction;
+      if (SPEEDS[at]) actions.setSpeed(SPEEDS[at]);
+    },
     toStart: () => doc() && actions.goTo(doc().start_s),
     toEnd: () => doc() && actions.goTo(doc().end_s),
     goTo(time) {
@@ -243,6 +249,7 @@ export function createActions(store, send, latency) {
     fit: () => doc() && store.set({ view: { from: doc().start_s, to: doc().end_s } }),
     toggleSnap: () => store.set({ snap: !state.snap }),
     toggleScale: () => store.set({ logarithmic: !state.logarithmic }),
+    toggleOrder: () => store.set({ leastCertainFirst: !state.leastCertainFirst }),
     toggleTheme: () => store.set({ dark: !state.dark }),
 
     /** Says that a recording is done, or not after all. */

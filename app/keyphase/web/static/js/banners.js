@@ -3,6 +3,8 @@
 import { byId, el } from "./dom.js";
 
 const MOST = 3;
+/** A small window has no room for more. */
+const MOST_IN_SMALL = 1;
 
 /**
  * @param {import("./store.js").Store} store
@@ -10,8 +12,11 @@ const MOST = 3;
  */
 export function createBanners(store, actions) {
   const node = byId("banners");
-  store.later(["document", "lookingOnly"], ({ document: doc, lookingOnly }) => {
-    const lines = doc ? [...state(doc, lookingOnly, actions), ...inapplicable(doc, actions)] : [];
+  store.later(["document", "lookingOnly", "small"], ({ document: doc, lookingOnly, small }) => {
+    const most = small ? MOST_IN_SMALL : MOST;
+    const lines = doc
+      ? [...state(doc, lookingOnly, actions), ...inapplicable(doc, actions, most)]
+      : [];
     const before = node.children.length;
     node.replaceChildren(...lines);
     // Lines come and go at the cost of the scene; the timeline keeps its height.
@@ -24,18 +29,31 @@ function state(doc, lookingOnly, actions) {
   if (lookingOnly) lines.push(line("This link is for looking: nothing can be changed here."));
   else if (doc.locked) lines.push(line(`Read only: ${doc.locked}.`));
   if (doc.changed && !lookingOnly && !doc.locked) {
-    lines.push(line("The recording has changed since it was labeled. Its labels are still there; look whether they fit.",
-      button("Keep them", actions.keepLabels, "primary"), button("Start over", actions.startOver)));
+    lines.push(
+      line(
+        "The recording has changed since it was labeled. Its labels are still there; look whether " +
+          "they fit.",
+        button("Keep them", actions.keepLabels, "primary"),
+        button("Start over", actions.startOver),
+      ),
+    );
   }
   return lines;
 }
 
 /** Edits whose place is gone under the present parameters. */
-function inapplicable(doc, actions) {
-  const lines = doc.inapplicable.slice(0, MOST).map(({ edit, text }) => line(`This edit no longer applies: ${text}`,
-    button("Bring back", () => actions.bringBack(edit)), button("Forget", () => actions.forget(edit))));
-  const more = doc.inapplicable.length - MOST;
-  return more > 0 ? [...lines, line(`and ${more} more edits that no longer apply`)] : lines;
+function inapplicable({ inapplicable: lost }, actions, most) {
+  const more = lost.length - most;
+  return lost
+    .slice(0, most)
+    .map(({ edit, text }, k) =>
+      line(
+        `This edit no longer applies: ${text}`,
+        button("Bring back", () => actions.bringBack(edit)),
+        button("Forget", () => actions.forget(edit)),
+        more > 0 && k === most - 1 && el("span", { class: "quiet", text: `and ${more} more` }),
+      ),
+    );
 }
 
 function line(text, ...buttons) {
@@ -43,5 +61,10 @@ function line(text, ...buttons) {
 }
 
 function button(text, run, style = "") {
-  return el("button", { type: "button", class: `button ${style}`, text, on: { click: run } });
+  return el("button", {
+    type: "button",
+    class: `button ${style}`,
+    text,
+    on: { click: run },
+  });
 }

@@ -10,7 +10,8 @@
 /**
  * @param {any} actions
  * @param {import("./store.js").Store} store
- * @param {{openPalette: () => void, openKeys: () => void, chooseFiles: () => void}} dialogs
+ * @param {{openPalette: (query?: string) => void, openKeys: () => void, chooseFiles: () => void,
+ *   openMenu: () => void}} dialogs
  * @returns {Command[]}
  */
 export function createCommands(actions, store, dialogs) {
@@ -28,6 +29,8 @@ export function createCommands(actions, store, dialogs) {
       ["To the start", ["Home"], actions.toStart],
       ["To the end", ["End"], actions.toEnd],
       ["Play again and again", ["O"], actions.toggleLoop],
+      ["Play slower", [], () => actions.changeSpeed(-1)],
+      ["Play faster", [], () => actions.changeSpeed(1)],
     ]),
     ...group("Segments", [
       ["Split at the playhead; while playing, at the nearest evidence", ["T"], actions.split],
@@ -35,7 +38,7 @@ export function createCommands(actions, store, dialogs) {
       ["Drop or keep the segment", ["X"], () => actions.toggleDrop()],
       ["Drop all idle segments", ["I"], actions.dropIdle],
       ["Label the segment", ["L"], () => actions.rename()],
-      ["Label by number", ["1 to 9"], () => {}],
+      ["Label by number", ["1 to 9"], () => dialogs.openPalette("label the segment")],
       ["Accept the proposed name or the boundary", ["Enter"], actions.accept],
       ["Accept all proposed names", ["Shift Enter"], actions.acceptNames],
       ["Previous segment", ["["], () => actions.selectNext(-1)],
@@ -66,6 +69,7 @@ export function createCommands(actions, store, dialogs) {
       ["Further", ["-"], () => actions.zoom(1 / 1.5)],
       ["Linear or logarithmic error", ["Y"], actions.toggleScale],
       ["Light or dark", [], actions.toggleTheme, true],
+      ["Least certain first in the list", [], actions.toggleOrder, true],
       ...["Error", "Position", "Speed", "Force", "Torque", "Orientation"].map((title) => [`Fold or open ${title.toLowerCase()}`, [], fold(title.toLowerCase())]),
     ]),
     ...group("Recordings", [
@@ -87,6 +91,8 @@ export function createCommands(actions, store, dialogs) {
     ...group("Everything", [
       ["Undo", ["Ctrl Z"], actions.undo],
       ["Redo", ["Ctrl Shift Z", "Ctrl Y"], actions.redo],
+      ["Menu of what is chosen", ["Shift F10", "Menu"], dialogs.openMenu],
+      ["Threshold back to automatic", [], actions.automaticThreshold],
       ["Parameters back to automatic", [], actions.resetParameters],
       ["Take back all edits", [], actions.resetEdits],
       ["Commands", ["Ctrl K"], dialogs.openPalette, true],
@@ -95,7 +101,7 @@ export function createCommands(actions, store, dialogs) {
   ];
 }
 
-const NAMED = { " ": "Space" };
+const NAMED = { " ": "Space", ContextMenu: "Menu" };
 
 /**
  * A key press as commands write it: "Ctrl Shift Z", "Shift N", "?", "Space".

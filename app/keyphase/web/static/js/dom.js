@@ -78,6 +78,24 @@ export function placeIcons(root = document) {
 }
 
 /**
+ * Draws the children anew and leaves the focus on the one with the same `data-NAME`, or on the one
+ * `wanted`; where that has gone, on the last.
+ * @param {HTMLElement} parent
+ * @param {string} name
+ * @param {Node[]} children
+ * @param {string} [wanted]
+ */
+export function redraw(parent, name, children, wanted) {
+  const focused = /** @type {HTMLElement} */ (document.activeElement);
+  const held = parent.contains(focused) ? focused.dataset[name] : undefined;
+  parent.replaceChildren(...children);
+  if (held === undefined) return;
+  const all = /** @type {HTMLElement[]} */ ([...parent.querySelectorAll(`[data-${name}]`)]);
+  const next = all.find(({ dataset }) => dataset[name] === (wanted ?? held)) ?? all.at(-1);
+  next?.focus({ preventScroll: true });
+}
+
+/**
  * The element with this id; the page is broken if it is not there.
  * @param {string} id
  * @returns {HTMLElement}

@@ -33,6 +33,18 @@ export function createKeys(store, actions, commands, escape) {
   };
 }
 
+/**
+ * A button that was clicked gives the focus back, so that Space plays and Enter accepts as the
+ * keys say, and do not press it again. One that was pressed by a key keeps it.
+ * @param {MouseEvent} event
+ * @param {HTMLElement} to
+ */
+export function letGoOfButton({ detail, target }, to) {
+  const button = /** @type {HTMLElement} */ (target)?.closest?.("button");
+  if (detail && button && button === document.activeElement && !button.closest("dialog, form"))
+    to.focus({ preventScroll: true });
+}
+
 /** Whether the key belongs to a text field, ours or the panel's. */
 function isTyping({ target }) {
   const field = /** @type {HTMLElement} */ (target)?.closest?.(

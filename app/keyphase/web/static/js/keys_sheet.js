@@ -9,6 +9,7 @@ const GESTURES = [
   ["Move without snapping", "Alt drag"],
   ["Merge", "drag over segments"],
   ["Rename", "double click"],
+  ["Repeat in the plan", "Ctrl drag a chip"],
   ["Everything else", "right click"],
 ];
 

@@ -7,7 +7,7 @@ import { placeIcons } from "./dom.js";
 import { createEmpty } from "./empty.js";
 import { createExplain } from "./explain.js";
 import { createHeader } from "./header.js";
-import { createKeys } from "./keys.js";
+import { createKeys, letGoOfButton } from "./keys.js";
 import { createKeysSheet } from "./keys_sheet.js";
 import { createLatency } from "./latency.js";
 import { createMenu } from "./menu.js";
@@ -46,7 +46,7 @@ const send = (message) => socket?.send(message) ?? false;
 const latency = createLatency(store, send, sceneFrames);
 const signals = createSignals(store, send, () => wantedTracks(store.state));
 const actions = createActions(store, send, latency);
-const dialogs = { openPalette: (query) => palette.open(query), openKeys: () => keysSheet.open(), chooseFiles: () => upload.choose() };
+const dialogs = { openPalette: (query) => palette.open(query), openKeys: () => keysSheet.open(), chooseFiles: () => upload.choose(), openMenu: () => menu.forChosen(timeline) };
 const replayActions = createReplayActions(store, send);
 Object.assign(actions, { replay: replayActions });
 const commands = createCommands(actions, store, dialogs);
@@ -97,7 +97,7 @@ function escape() {
   const { explained, current, selected } = store.state;
   if (explained !== null || current !== null) store.set({ explained: null, current: null });
   else if (selected !== null) actions.select(null);
-  else return false;
+  else return upload.cancel();
   return true;
 }
 
@@ -105,6 +105,7 @@ const replayKey = createReplayKeys(store, replayActions, commands);
 const plainKey = createKeys(store, actions, commands, escape);
 const onKey = (event) => replayKey(event) || plainKey(event);
 addEventListener("keydown", onKey);
+addEventListener("click", (event) => letGoOfButton(event, timeline.surface));
 addEventListener("resize", () => {
   const small = isSmall();
   if (small === store.state.small) return;

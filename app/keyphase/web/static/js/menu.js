@@ -1,6 +1,7 @@
 /** Menus at the pointer: everything one can do to what was clicked, and which tracks to show. */
 
 import { byId, el, icon } from "./dom.js";
+import { segmentAt } from "./timeline/hit.js";
 import { TRACKS, toggleTrack } from "./timeline/rows.js";
 
 /**
@@ -13,15 +14,21 @@ import { TRACKS, toggleTrack } from "./timeline/rows.js";
  */
 export function createMenu(store, actions) {
   const node = byId("menu");
+  /** @type {HTMLElement|null} where the focus was before */
+  let before = null;
 
   function close() {
     const was = !node.hidden;
+    const hadFocus = node.contains(document.activeElement);
     node.hidden = true;
+    if (hadFocus) before?.focus({ preventScroll: true });
     return was;
   }
 
   /** @param {Item[]} items @param {{x: number, y: number}} at */
   function open(items, { x, y }) {
+    close();
+    before = /** @type {HTMLElement} */ (document.activeElement);
     node.replaceChildren(...items.map(drawItem));
     node.hidden = false;
     const { offsetWidth: width, offsetHeight: height } = node;
@@ -61,7 +68,7 @@ export function createMenu(store, actions) {
       ...node.querySelectorAll("button:not(:disabled)"),
     ]);
     const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-    if (event.key === "Escape") close();
+    if (event.key === "Escape" || event.key === "Tab") close();
     else if (by)
       buttons
         .at(
@@ -79,9 +86,25 @@ export function createMenu(store, actions) {
     true,
   );
   addEventListener("blur", close);
+  node.addEventListener("contextmenu", (event) => event.preventDefault());
 
   return {
     close,
+    /** The menu of the current boundary, or of the segment selected or at the playhead. */
+    forChosen(timeline) {
+      const { document: doc, selected, current, clock } = store.state;
+      const boundary = doc.boundaries[current];
+      const index = selected ?? segmentAt(doc, clock);
+      const time = boundary ? boundary.time_s : timeInside(doc.segments[index], clock);
+      const hit = boundary ? { kind: "boundary", boundary: current } : { kind: "segment" };
+      const box = timeline.surface.getBoundingClientRect();
+      const { width } = timeline.scale();
+      const row = timeline.layout().rows.get(boundary ? "boundaries" : "segments");
+      open(timelineItems(store, actions, hit, time), {
+        x: box.left + Math.min(Math.max(timeline.scale().x(time), 0), width),
+        y: box.top + row.y + row.height,
+      });
+    },
     /** @param {import("./timeline/hit.js").Hit} hit */
     forTimeline(hit, time, { clientX: x, clientY: y }) {
       open(timelineItems(store, actions, hit, time), { x, y });
@@ -103,6 +126,11 @@ export function createMenu(store, actions) {
       });
     },
   };
+}
+
+/** The playhead where it is inside the segment, else the segment's middle. */
+function timeInside({ start_s: start, end_s: end }, clock) {
+  return clock > start && clock < end ? clock : (start + end) / 2;
 }
 
 /** @returns {Item[]} */
@@ -137,6 +165,9 @@ function timelineItems(store, actions, hit, time) {
     ...(segment.proposed
       ? [{ text: "Accept its name", off, run: () => actions.label(segment.label, index) }]
       : []),
+    ...(doc.segments.some(({ proposed, kept }) => proposed && kept)
+      ? [{ text: "Accept all proposed names", key: "Shift Enter", off, run: actions.acceptNames }]
+      : []),
     { text: segment.kept ? "Drop" : "Keep", key: "X", off, run: () => actions.toggleDrop(index) },
     { text: "Split here", off, run: () => actions.addBoundary(time) },
     {
@@ -158,7 +189,20 @@ function timelineItems(store, actions, hit, time) {
       run: () => (actions.select(index), actions.repeat()),
     },
     {
+      text: "Earlier in the plan",
+      key: "{",
+      off: off || !segment.kept,
+      run: () => (actions.select(index), actions.shift(-1)),
+    },
+    {
+      text: "Later in the plan",
+      key: "}",
+      off: off || !segment.kept,
+      run: () => (actions.select(index), actions.shift(1)),
+    },
+    {
       text: "Take out of the plan",
+      key: "Shift X",
       off: off || !segment.kept,
       run: () => (actions.select(index), actions.takeOut()),
     },
@@ -184,9 +228,10 @@ function boundaryItems(doc, index, actions, off) {
   return [
     { heading: `Boundary ${index + 1}` },
     { text: "Why it is there", run: () => actions.visit(index) },
-    { text: "Accept", off: off || boundary.accepted, run: () => actions.acceptBoundary(index) },
+    { text: "Accept", key: "Enter", off: off || boundary.accepted, run: () => actions.acceptBoundary(index) },
     {
       text: boundary.contact_change ? "Not a contact change" : "A contact change",
+      key: "C",
       off,
       run: () => actions.toggleContact(index),
     },

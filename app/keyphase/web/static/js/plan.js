@@ -1,8 +1,9 @@
 /** The plan: what will run, in which order, how each skill ends. Chips are dragged into order. */
 
-import { byId, el, icon } from "./dom.js";
+import { byId, el, icon, redraw } from "./dom.js";
 import { plural } from "./format.js";
 import { shortName } from "./names.js";
+import { attachChipKeys } from "./plan_keys.js";
 import { segmentFill } from "./timeline/band.js";
 
 const CLICK_PX = 4;
@@ -22,6 +23,7 @@ export function createPlan(store, actions) {
     drops,
   );
 
+  const keys = attachChipKeys(chips, store, actions);
   store.on(["document", "selected", "small", "planDrag", "readOnly"], (state) => {
     const { document: doc, selected, planDrag } = state;
     if (!doc) return void [summary, chips, drops].forEach((node) => node.replaceChildren());
@@ -36,7 +38,7 @@ export function createPlan(store, actions) {
     });
     if (order.length > MOST_CHIPS)
       nodes.push(el("span", { class: "plan-note", text: `and ${order.length - MOST_CHIPS} more` }));
-    chips.replaceChildren(...nodes.filter(Boolean));
+    redraw(chips, "entry", nodes.filter(Boolean), keys.wanted());
     if (!doc.plan.length)
       chips.replaceChildren(
         el("span", { class: "plan-note", text: "No segment is kept: nothing would run." }),
@@ -165,15 +167,6 @@ function attachDragging(chips, store, actions) {
     chips.addEventListener("pointermove", move);
     chips.addEventListener("pointerup", end);
     chips.addEventListener("pointercancel", end);
-  });
-  chips.addEventListener("keydown", (event) => {
-    const chip = /** @type {HTMLElement} */ (event.target).closest(".chip");
-    if (!chip || store.state.readOnly || !["Delete", "Backspace"].includes(event.key)) return;
-    event.stopPropagation();
-    const out = Number(/** @type {HTMLElement} */ (chip).dataset.entry);
-    actions.reorder(
-      store.state.document.plan.filter((_, k) => k !== out).map(({ time_s: time }) => time),
-    );
   });
 }
 

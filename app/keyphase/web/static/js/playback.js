@@ -1,5 +1,8 @@
 /** Between two messages of the server the playhead runs on by itself, frame by frame. */
 
+/** How many times faster than recorded. */
+export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
+
 /** @param {import("./store.js").Store} store */
 export function createPlayback(store) {
   let at = { time: 0, now: 0 };

@@ -1,7 +1,7 @@
 /** The recordings at the left: what is left to do, and where doubt is greatest. */
 
 import { leastCertainOf } from "./actions.js";
-import { byId, el, svg } from "./dom.js";
+import { byId, el, redraw, svg } from "./dom.js";
 import { segmentFill } from "./timeline/band.js";
 
 const UNSURE_BELOW = 0.7;
@@ -15,9 +15,7 @@ const STATES = ["done", "touched", "automatic"];
 export function createQueue(store, actions) {
   const rows = byId("queue-rows");
   const sort = byId("queue-sort");
-  sort.addEventListener("click", () =>
-    store.set({ leastCertainFirst: !store.state.leastCertainFirst }),
-  );
+  sort.addEventListener("click", actions.toggleOrder);
   byId("least-certain").addEventListener("click", actions.leastCertain);
   byId("previous-recording").addEventListener("click", () => actions.nextRecording(-1));
   byId("next-recording").addEventListener("click", () => actions.nextRecording(1));
@@ -34,7 +32,11 @@ export function createQueue(store, actions) {
       const shown = leastCertainFirst
         ? items.toSorted((a, b) => (a.confidence ?? 2) - (b.confidence ?? 2))
         : items;
-      rows.replaceChildren(...shown.map((item) => drawRow(item, item.id === current, actions)));
+      redraw(
+        rows,
+        "recording",
+        shown.map((item) => drawRow(item, item.id === current, actions)),
+      );
       rows.querySelector(".on")?.scrollIntoView({ block: "nearest" });
       const least = leastCertainOf(recordings);
       byId("least-certain-value").textContent = least ? least.confidence.toFixed(2) : "";

@@ -32,6 +32,7 @@ export function createReceiver(store, { latency, playback, notices, signals, rep
     progress: (message) => store.set({ progress: message.done ? null : message }),
     upload_ready: (message) => upload().heard(message),
     upload_refused: (message) => upload().heard(message),
+    upload_cancelled: (message) => upload().heard(message),
     uploaded(message) {
       upload().heard(message);
       notices.show({ level: "info", text: `${message.name} has arrived.` });

@@ -3,7 +3,7 @@
 import { byId, el, icon } from "./dom.js";
 import { segmentFill } from "./timeline/band.js";
 
-const LEAST_WIDTH = 220;
+const LEAST_WIDTH = 264;
 
 /**
  * @param {import("./store.js").Store} store

@@ -12,7 +12,7 @@ import { firstChoice } from "./timeline/rows.js";
  *   ghost: {time_s: number, origin: import("./types.js").Origin, fate: "comes"|"goes"}[],
  *   whole: import("./types.js").Signals|null, fine: import("./types.js").Signals|null,
  *   lens: import("./types.js").Signals|null, playhead: import("./types.js").Playhead,
- *   progress: any, notice: ?{level: string, text: string}, comparison: any, spread: any,
+ *   progress: any, sending: any, notice: ?{level: string, text: string}, comparison: any, spread: any,
  *   replay: any, samples: any, replayShown: boolean}} Told
  *
  * What a person looks at and holds; `hovered`, `current` and `explained` are numbers of boundaries,
@@ -36,7 +36,7 @@ export function firstState(small) {
     recordings: { folder: "", current: null, items: [] }, recording: null, document: null,
     labels: [], ghost: [], whole: null, fine: null, lens: null,
     playhead: { time_s: 0, playing: false, speed: 1, loop: false },
-    progress: null, notice: null, comparison: null, spread: null,
+    progress: null, sending: null, notice: null, comparison: null, spread: null,
     replay: null, samples: null, replayShown: false,
     view: null, clock: 0, selected: null, hovered: null, current: null, explained: null,
     pointer: null, drag: null, range: null, planDrag: null, renaming: null, heldThreshold: null,

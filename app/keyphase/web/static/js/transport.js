@@ -2,9 +2,9 @@
 
 import { byId, el, icon } from "./dom.js";
 import { time as timeText } from "./format.js";
+import { SPEEDS } from "./playback.js";
 import { unsureBoundaries } from "./timeline/boundaries.js";
 
-const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 /** The zoom slider's whole way: this many times closer. */
 const CLOSEST = 1000;
 
