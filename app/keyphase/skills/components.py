@@ -1,6 +1,6 @@
 """Formulae by component: the same lines serve one in plain numbers and a batch in arrays.
 
-Control steps one at a time, and numpy is slow at single numbers.
+Control steps one at a time, and numpy takes ten times as long as Python for a single number.
 """
 
 import math
@@ -27,21 +27,31 @@ def joined(parts: Components) -> Array:
     return np.stack(np.broadcast_arrays(*parts), axis=-1)
 
 
-def functions(array: Array) -> Any:
-    """The module whose `sqrt`, `sin`, ... take the components of `array`: math or numpy."""
-    return math if array.ndim == 1 else np
-
-
 def number(array: Array) -> Any:
     """What has no axis to take apart: the number of one, the array (...) of a batch."""
     return array.item() if array.ndim == 0 else array
 
 
-def expanded(value: Any) -> Any:
-    """A number as it is, an array (...) with an axis that goes along with the components."""
-    return value if isinstance(value, float) else value[..., None]
+def functions(part: Any) -> Any:
+    """The module whose `sqrt`, `exp`, ... are for such a component: math or numpy."""
+    return math if isinstance(part, float) else np
 
 
 def dot(left: Components, right: Components) -> Any:
     """Sum of the products of the components."""
-    return sum(a * b for a, b in zip(left, right, strict=True))
+    total = 0.0
+    for a, b in zip(left, right, strict=True):
+        total = total + a * b
+    return total
+
+
+def larger(part: Any, least: float) -> Any:
+    """The component, or `least` where it is less."""
+    return max(part, least) if isinstance(part, float) else np.maximum(part, least)
+
+
+def chosen(condition: Any, this: Any, other: Any) -> Any:
+    """One component where the condition holds, else the other."""
+    if isinstance(condition, bool):
+        return this if condition else other
+    return np.where(condition, this, other)

@@ -17,15 +17,24 @@ Everything is a pure function over arrays; a leading batch axis steps many at on
 
 from dataclasses import dataclass
 from math import ceil
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from keyphase.demonstration import Array
 from keyphase.errors import SkillError
 from keyphase.skills import quaternions
 from keyphase.skills.changed import changed
-from keyphase.skills.components import components, dot, expanded, joined, number
+from keyphase.skills.components import (
+    chosen,
+    components,
+    dot,
+    functions,
+    joined,
+    larger,
+    number,
+)
 from keyphase.skills.primitive import (
     Primitive,
     forcing,
@@ -196,7 +205,7 @@ def step(
 
 def substeps(primitive: Primitive, tau: Array, h: float) -> int:
     """Integration steps that one control step needs to stay accurate."""
-    ratio = primitive.constants.alpha_z * h / float(np.min(tau))
+    ratio = primitive.constants.alpha_z * h / (tau.item() if tau.ndim == 0 else float(np.min(tau)))
     return max(1, ceil(ratio / LARGEST_STEP - 1e-9))
 
 
@@ -209,7 +218,6 @@ def _advance(
         state.goal_position_m, state.goal_orientation_wxyz, state.position_m, state.orientation_wxyz
     )
     force = forcing(primitive, state.phase, state.scale, state.hold)
-    drive = components(transformation(c, left, state.z, force))
     away = components(_deviation(measured, state))
     error, z, tau = components(state.error_m), components(state.z), number(state.tau)
     error_rate = [
@@ -218,19 +226,23 @@ def _advance(
     ]
     tau_rate = 2.0 * c.k_c * tau * dot(error, error_rate)
     tau = tau * (1.0 + c.k_c * dot(error, error))
-    z_rate = [right / tau for right in drive]
+    z_rate = [
+        transformation(c, u, v, f) / tau
+        for u, v, f in zip(components(left), z, components(force), strict=True)
+    ]
     acceleration = [
         (rate - tau_rate * v / tau) / tau + c.k_v * (v / tau - own) - c.k_p * d
         for rate, v, own, d in zip(z_rate, z, components(measured.velocity), away, strict=True)
     ]
-    z = joined([v + h * rate for v, rate in zip(z, z_rate, strict=True)])
-    moved = z * expanded(h / tau)
+    z = [v + h * rate for v, rate in zip(z, z_rate, strict=True)]
+    moved = joined([h / tau * v for v in z])
+    decay = functions(tau).exp(-c.alpha_x * h / tau)
     advanced = changed(
         state,
-        phase=np.asarray(state.phase * np.exp(-c.alpha_x * h / tau)),
+        phase=np.asarray(number(state.phase) * decay),
         position_m=state.position_m + moved[..., :3],
         orientation_wxyz=quaternions.turned(state.orientation_wxyz, moved[..., 3:]),
-        z=z,
+        z=joined(z),
         error_m=joined([e + h * rate for e, rate in zip(error, error_rate, strict=True)]),
     )
     return advanced, joined(acceleration)
@@ -251,21 +263,23 @@ def _reference(state: State, measured: Measured, acceleration: Array, h: float) 
     turn = quaternions.shortest_difference(wxyz, measured.orientation_wxyz)
     away, far = _within(away, REFERENCE_REACH[0])
     turn, far_turned = _within(turn, REFERENCE_REACH[1])
-    if np.count_nonzero(far) or np.count_nonzero(far_turned):
-        clamped = np.concatenate([far] * 3 + [far_turned] * 3, axis=-1)
-        velocity = np.where(clamped, measured.velocity, velocity)
+    own, wanted = components(measured.velocity), components(velocity)
+    clamped = (far,) * 3 + (far_turned,) * 3
     return Reference(
         position_m=measured.position_m + away,
         orientation_wxyz=quaternions.turned(measured.orientation_wxyz, turn),
-        velocity=velocity,
+        velocity=joined([chosen(*each) for each in zip(clamped, own, wanted, strict=True)]),
         acceleration=acceleration,
     )
 
 
-def _within(vector: Array, reach: float) -> tuple[Array, NDArray[np.bool_]]:
-    """The vector (..., 3) shortened to `reach`, and whether (..., 1) it had to be."""
-    norm = np.sqrt(np.add.reduce(vector * vector, axis=-1, keepdims=True))
-    return vector * (reach / np.maximum(norm, reach)), norm > reach
+def _within(vector: Array, reach: float) -> tuple[Array, Any]:
+    """The vector (..., 3) shortened to `reach`, and whether (...) it had to be."""
+    parts = components(vector)
+    squared = dot(parts, parts)
+    norm = functions(squared).sqrt(squared)
+    shorter = reach / larger(norm, reach)
+    return joined([shorter * part for part in parts]), norm > reach
 
 
 def refuse_not_positive(duration_s: Array) -> None:

@@ -23,6 +23,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.errors import ParameterError
 from keyphase.skills import quaternions
+from keyphase.skills.components import components, joined, number
 
 PHASE_SPAN = 3.0
 """The duration in units of tau: the phase falls from 1 to exp(-3 alpha_x)."""
@@ -141,12 +142,14 @@ def scale_and_hold(primitive: Primitive, displacement: Array) -> tuple[Array, Ar
 
 def forcing(primitive: Primitive, phase: Array, scale: Array, hold: Array) -> Array:
     """Forcing term f (..., 6) at phases (...)."""
-    shape = activations(phase, primitive.centres, primitive.widths) @ primitive.weights
-    return phase[..., None] * (shape * scale - hold)
+    shape = activations(phase, primitive.centres, primitive.widths).dot(primitive.weights)
+    parts = zip(components(shape), components(scale), components(hold), strict=True)
+    x = number(phase)
+    return joined([x * (w * s - b) for w, s, b in parts])
 
 
 def transformation(constants: Constants, left: Array, z: Array, force: Array) -> Array:
-    """tau z' (..., 6): the right-hand side of the transformation system."""
+    """tau z' (..., 6): the right-hand side of the transformation system, axis by axis."""
     return constants.alpha_z * (constants.beta_z * left - z) + force
 
 

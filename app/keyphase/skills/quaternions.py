@@ -7,8 +7,6 @@ Everything is written by component (`keyphase.skills.components`), and what is d
 other on the way is joined at its end only.
 """
 
-from typing import Any
-
 import numpy as np
 
 from keyphase.demonstration import Array
@@ -35,38 +33,38 @@ def rotation_vector(wxyz: Array) -> Array:
 
     Continuous everywhere but at (-1, 0, 0, 0), a whole turn.
     """
-    return joined(_rotation_vector(components(wxyz), functions(wxyz)))
+    return joined(_rotation_vector(components(wxyz)))
 
 
 def shortest_rotation_vector(wxyz: Array) -> Array:
     """Axis times angle (..., 3) of the same rotation by its shorter way, at most pi [rad]."""
-    return joined(_shortest_rotation_vector(components(wxyz), functions(wxyz)))
+    return joined(_shortest_rotation_vector(components(wxyz)))
 
 
 def from_rotation_vector(vector: Array) -> Array:
     """Quaternion (..., 4) of the rotation by |vector| [rad] about its axis."""
-    return joined(_from_rotation_vector(components(vector), functions(vector)))
+    return joined(_from_rotation_vector(components(vector)))
 
 
 def normalised(wxyz: Array) -> Array:
     """The same (..., 4) at unit length."""
-    return joined(_normalised(components(wxyz), functions(wxyz)))
+    return joined(_normalised(components(wxyz)))
 
 
 def difference(to: Array, origin: Array) -> Array:
     """Rotation vector (..., 3) that turns `origin` into `to`, in the base frame, sign-aware."""
-    return joined(_rotation_vector(_turn(to, origin), _common(to, origin)))
+    return joined(_rotation_vector(_turn(to, origin)))
 
 
 def shortest_difference(to: Array, origin: Array) -> Array:
     """Like `difference` by the shorter way, at most pi, whatever the signs."""
-    return joined(_shortest_rotation_vector(_turn(to, origin), _common(to, origin)))
+    return joined(_shortest_rotation_vector(_turn(to, origin)))
 
 
 def turned(wxyz: Array, vector: Array) -> Array:
     """The orientation (..., 4) turned by a rotation vector (..., 3), in the base frame."""
-    turn = _from_rotation_vector(components(vector), functions(vector))
-    return joined(_normalised(_product(turn, components(wxyz)), _common(wxyz, vector)))
+    turn = _from_rotation_vector(components(vector))
+    return joined(_normalised(_product(turn, components(wxyz))))
 
 
 def nearest_sign(wxyz: Array, to: Array) -> Array:
@@ -95,31 +93,28 @@ def _turn(to: Array, origin: Array) -> Components:
     return _product(components(to), _conjugate(components(origin)))
 
 
-def _rotation_vector(wxyz: Components, m: Any) -> Components:
+def _rotation_vector(wxyz: Components) -> Components:
     w, x, y, z = wxyz
+    m = functions(w)
     sine = m.sqrt(x * x + y * y + z * z)
     scale = 2.0 * m.atan2(sine, w) / (sine + _TINY)
     return scale * x, scale * y, scale * z
 
 
-def _shortest_rotation_vector(wxyz: Components, m: Any) -> Components:
-    sign = m.copysign(1.0, wxyz[0])
-    return _rotation_vector([sign * part for part in wxyz], m)
+def _shortest_rotation_vector(wxyz: Components) -> Components:
+    sign = functions(wxyz[0]).copysign(1.0, wxyz[0])
+    return _rotation_vector([sign * part for part in wxyz])
 
 
-def _from_rotation_vector(vector: Components, m: Any) -> Components:
+def _from_rotation_vector(vector: Components) -> Components:
     x, y, z = vector
+    m = functions(x)
     half = 0.5 * m.sqrt(x * x + y * y + z * z)
     scale = 0.5 * m.sin(half) / (half + _TINY)
     return m.cos(half), scale * x, scale * y, scale * z
 
 
-def _normalised(wxyz: Components, m: Any) -> Components:
+def _normalised(wxyz: Components) -> Components:
     w, x, y, z = wxyz
-    scale = 1.0 / m.sqrt(w * w + x * x + y * y + z * z)
+    scale = 1.0 / functions(w).sqrt(w * w + x * x + y * y + z * z)
     return scale * w, scale * x, scale * y, scale * z
-
-
-def _common(first: Array, second: Array) -> Any:
-    """The functions for what comes of both: numbers only if both are."""
-    return functions(first if first.ndim > second.ndim else second)
