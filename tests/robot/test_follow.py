@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from keyphase.demonstration import Demonstration
 from keyphase.robot.arm import Arm
 from keyphase.robot.description import load_description
-from keyphase.robot.follow import JointPath, Unreached, follow, tool_poses
+from keyphase.robot.follow import JointPath, Unreached, follow, posture_at, tool_poses
 from keyphase.robot.pose import Placement
 from keyphase.robot.yumi import yumi
 
@@ -222,3 +222,29 @@ def test_progress_is_heard_from_none_to_all(arm, within):
 
 def test_the_same_demonstration_gives_the_same_joints(arm, within, followed):
     assert follow(arm, within).joints_rad.tobytes() == followed.joints_rad.tobytes()
+
+
+def test_of_a_long_demonstration_some_poses_are_followed_and_every_sample_is_still_met(
+    arm, within, monkeypatch
+):
+    monkeypatch.setattr("keyphase.robot.follow.MOST_FOLLOWED", 60)
+    path = follow(arm, within)
+    placement = Placement()
+
+    postures = [posture_at(arm, within, path, time, placement) for time in within.time_s]
+
+    assert len(path.time_s) <= 60
+    assert all(reached for _, reached in postures)
+    tools = np.array([arm.forward(joints)[:3, 3] for joints, _ in postures])
+    np.testing.assert_allclose(tools, within.position_m, atol=2e-6)
+    steps = np.abs(np.diff([joints for joints, _ in postures], axis=0)).max(axis=0)
+    assert (steps * RATE_HZ <= arm.robot.speed_rad_s).all()
+
+
+def test_stretches_out_of_reach_are_found_in_a_long_demonstration_too(
+    arm, beyond, partly, monkeypatch
+):
+    monkeypatch.setattr("keyphase.robot.follow.MOST_FOLLOWED", 60)
+    coarse = follow(arm, beyond).unreached
+
+    assert len(coarse) == len(partly.unreached)

@@ -36,6 +36,12 @@ PREVIEW_HZ = 20.0
 PREVIEWS = 8
 """How many ways to start are compared at most."""
 
+MOST_PREVIEWED = 2000
+"""So many poses of the path decide between ways to start."""
+
+MOST_FOLLOWED = 20_000
+"""So many poses are followed of any demonstration; `posture_at` finds what lies between."""
+
 Progress = Callable[[float], None]
 
 
@@ -53,7 +59,7 @@ class Unreached:
 class JointPath:
     """The joints of an arm over a demonstration.
 
-    time_s      (N,)   the demonstration's
+    time_s      (N,)   the demonstration's, or of a long one evenly some
     joints_rad  (N, J) within limits, continuous: no step is faster than the joints can move
     distance_m  (N,)   from the tool point to the recorded position
     angle_rad   (N,)   between the tool's and the recorded orientation
@@ -74,7 +80,8 @@ class JointPath:
     def unreached(self) -> tuple[Unreached, ...]:
         """The stretches that were not reached, in order; those less than 0.1 s apart as one."""
         missed = np.flatnonzero(~self.reached)
-        breaks = np.flatnonzero(np.diff(self.time_s[missed]) > SAME_STRETCH_S) + 1
+        apart = max(SAME_STRETCH_S, 1.5 * float(np.median(np.diff(self.time_s))))
+        breaks = np.flatnonzero(np.diff(self.time_s[missed]) > apart) + 1
         return tuple(self._stretch(rows) for rows in np.split(missed, breaks) if len(rows))
 
     def _stretch(self, rows: np.ndarray) -> Unreached:
@@ -99,24 +106,53 @@ def follow(
     Of several postures to start from (`start_rad`, by default that of recorded joints if they are
     as many as the arm's; the arm's own; random ones of `seed`) the first is taken from which all
     of the path is reached, or else the one that reaches most. A demonstration without orientation
-    is followed with the tool pointing down. `progress` hears the share that is done.
+    is followed with the tool pointing down. `progress` hears the share that is done. Of a
+    demonstration of more than MOST_FOLLOWED samples so many at most are followed.
     """
     if start_rad is None:
         start_rad = _recorded_start(arm, demonstration)
-    poses = (placement or Placement()).apply(tool_poses(demonstration))
+    every = -(-len(demonstration) // MOST_FOLLOWED)
+    rows = np.arange(0, len(demonstration), every)
+    poses = (placement or Placement()).apply(tool_poses(demonstration, rows))
     goals = [pinocchio.SE3(pose) for pose in poses]
-    time = demonstration.time_s
-    stride = max(1, round(demonstration.rate_hz / PREVIEW_HZ))
+    time = demonstration.time_s[rows]
+    stride = max(1, round(demonstration.rate_hz / PREVIEW_HZ / every))
+    stride = max(stride, -(-len(goals) // MOST_PREVIEWED))
     start = _best_start(arm, goals[::stride], time[::stride], start_rad, seed)
     return _followed(arm, goals, time, start, progress)
 
 
-def tool_poses(demonstration: Demonstration) -> Array:
-    """Recorded poses (N, 4, 4); pointing down where no orientation was recorded."""
-    orientation = demonstration.orientation_wxyz
+def posture_at(
+    arm: Arm,
+    demonstration: Demonstration,
+    path: JointPath,
+    time_s: float,
+    placement: Placement | None = None,
+) -> tuple[Array, bool]:
+    """Joints (J,) for the sample at a time, and whether they reach it.
+
+    Where `path` has no joints for that sample they are found from those around it.
+    """
+    row = demonstration.index_at(time_s)
+    if len(path.time_s) == len(demonstration):
+        return path.joints_rad[row], bool(path.reached[row])
+    between = [np.interp(demonstration.time_s[row], path.time_s, q) for q in path.joints_rad.T]
+    pose = (placement or Placement()).apply(tool_poses(demonstration, np.array([row])))[0]
+    lower, upper, data = arm.robot.lower_rad, arm.robot.upper_rad, arm.model.createData()
+    found = nearest(arm, pinocchio.SE3(pose), np.array(between), lower, upper, data)
+    return found.joints_rad, found.reached
+
+
+def tool_poses(demonstration: Demonstration, rows: np.ndarray | None = None) -> Array:
+    """Recorded poses (N, 4, 4), of all or of some samples; pointing down where no orientation
+    was recorded."""
+    position, orientation = demonstration.position_m, demonstration.orientation_wxyz
+    if rows is not None:
+        position = position[rows]
+        orientation = None if orientation is None else orientation[rows]
     if orientation is None:
-        orientation = np.tile(TOOL_DOWN_WXYZ, (len(demonstration), 1))
-    return matrices(demonstration.position_m, orientation)
+        orientation = np.tile(TOOL_DOWN_WXYZ, (len(position), 1))
+    return matrices(position, orientation)
 
 
 def _recorded_start(arm: Arm, demonstration: Demonstration) -> Array | None:

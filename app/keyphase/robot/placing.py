@@ -49,7 +49,7 @@ def suggested_placement(arm: Arm, demonstration: Demonstration) -> Placement:
 
 def _some_poses(demonstration: Demonstration) -> Array:
     rows = np.unique(np.linspace(0, len(demonstration) - 1, TRIED).astype(int))
-    return tool_poses(demonstration)[rows]
+    return tool_poses(demonstration, rows)
 
 
 def _reached(arm: Arm, poses: Array, enough: int) -> int:

@@ -16,7 +16,7 @@ from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import KeyphaseError
 from keyphase.robot.arm import Arm
 from keyphase.robot.description import RobotDescription
-from keyphase.robot.follow import JointPath, Unreached, follow
+from keyphase.robot.follow import JointPath, Unreached, follow, posture_at
 from keyphase.robot.placing import suggested_placement, within_reach
 from keyphase.robot.pose import Placement
 from keyphase.robot.recorded import recorded_path
@@ -272,9 +272,11 @@ class RobotView(View):
             if shown:
                 assert task is not None
                 assert path is not None
-                row = task.demonstration.index_at(self._playhead.time_s)
-                self.figure.pose(task.arm.robot, path.joints_rad[row])
-                self.figure.fade(not bool(path.reached[row]))
+                joints, reached = posture_at(
+                    task.arm, task.demonstration, path, self._playhead.time_s, task.placement
+                )
+                self.figure.pose(task.arm.robot, joints)
+                self.figure.fade(not reached)
 
     def _add_gizmo(self, base: Placement) -> viser.TransformControlsHandle:
         gizmo = self._server.scene.add_transform_controls(
