@@ -9,8 +9,18 @@ from scipy.spatial.transform import Rotation
 
 from keyphase.demonstration import Demonstration
 from keyphase.segmentation.segmentation import Gaussian
-from keyphase.web.path_geometry import MOST_PIECES, arrow, ellipsoids, path_of, tube, turns_of_z
-from keyphase.web.viewpoint import FIELD_OF_VIEW_RAD, placed, viewpoint_of
+from keyphase.web.path_geometry import (
+    MOST_ELLIPSOIDS,
+    MOST_PIECES,
+    arrow,
+    bent,
+    ellipsoids,
+    heaviest,
+    path_of,
+    tube,
+    turns_of_z,
+)
+from keyphase.web.viewpoint import FIELD_OF_VIEW_RAD, viewpoint_of
 
 POINTS = arrays(np.float64, (12, 3), elements=st.floats(-2, 2))
 
@@ -47,10 +57,36 @@ def test_a_rest_belongs_to_no_piece_after_it(corner: Demonstration) -> None:
     assert moving.all()
 
 
-def test_a_path_however_long_has_a_bounded_number_of_pieces() -> None:
+def test_a_path_however_long_is_drawn_with_a_bounded_number_of_pieces() -> None:
     walk = np.cumsum(np.random.default_rng(0).normal(size=(200_000, 3)), axis=0)
 
-    assert len(path_of(_demonstration(0.01 * walk)).time_s) <= MOST_PIECES
+    assert len(path_of(_demonstration(0.01 * walk)).drawn) <= MOST_PIECES
+
+
+def test_going_round_again_and_again_is_drawn_about_once() -> None:
+    angle = np.linspace(0.0, 2 * np.pi, 500, endpoint=False)
+    once = 0.1 * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    noise = np.random.default_rng(0).normal(0.0, 2e-4, (100_000, 3))
+    path = path_of(_demonstration(np.tile(once, (200, 1)) + noise))
+    seen = path.middle_m[path.drawn]
+
+    assert len(seen) < 0.1 * len(path.time_s)
+    for point in once:
+        assert np.linalg.norm(seen - point, axis=1).min() < 2 * path.radius_m
+
+
+def test_only_bends_that_can_be_seen_are_joined() -> None:
+    directions = np.array([[1.0, 0.0, 0.0], [2.0, 0.01, 0.0], [0.0, 1.0, 0.0]])
+
+    np.testing.assert_array_equal(bent(directions), [False, True])
+
+
+def test_of_very_many_gaussians_the_heaviest_are_drawn() -> None:
+    gaussians = [Gaussian(float(k), 0.0, 1.0, np.zeros(3), np.eye(3)) for k in range(200)]
+    drawn = heaviest(gaussians)
+
+    assert len(drawn) == MOST_ELLIPSOIDS
+    assert min(one.weight for one in drawn) == 200 - MOST_ELLIPSOIDS
 
 
 @pytest.mark.parametrize("rows", [2, 3, 4, 7])
@@ -113,15 +149,3 @@ def test_the_whole_path_is_in_view(points: np.ndarray) -> None:
 
     assert (depth > 0).all()
     assert (np.abs(seen @ view.up) <= 1.05 * np.tan(0.5 * FIELD_OF_VIEW_RAD) * depth).all()
-
-
-@given(st.lists(arrays(np.float64, 3, elements=st.floats(-0.1, 0.1)), max_size=12))
-def test_names_on_one_side_never_cover_each_other(anchors: list[np.ndarray]) -> None:
-    path = path_of(_demonstration(np.array([[0, 0, 0], [0.1, 0.1, 0.1]], float)))
-    view = viewpoint_of(path)
-    names = placed([(str(i), anchor) for i, anchor in enumerate(anchors)], view)
-
-    assert sorted(name.text for name in names) == sorted(map(str, range(len(anchors))))
-    for side in ("left", "right"):
-        heights = sorted(float(n.at_m @ view.up) for n in names if n.side == side)
-        assert all(np.diff(heights) > 0.05 * view.height_m)

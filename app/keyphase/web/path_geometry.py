@@ -13,8 +13,15 @@ from scipy.spatial.transform import Rotation
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.segmentation import Gaussian
 
-MOST_PIECES = 3000
-"""So many pieces draw any path; a longer one has longer pieces."""
+MOST_PIECES = 1000
+"""So many pieces draw any path: where it passes again and again, its first pass is drawn."""
+
+MOST_ELLIPSOIDS = 60
+"""So many Gaussians are drawn, those with the most weight; more hide each other, and every one of
+them is filled pixel by pixel where 3D is drawn in software."""
+
+MOST_ARROWS = 100
+"""So many force arrows are drawn, the longest ones."""
 
 METRES_PER_NEWTON = 0.01
 """Length of a force arrow."""
@@ -22,8 +29,10 @@ METRES_PER_NEWTON = 0.01
 LEAST_M = 0.02
 """A path that hardly moves is seen as if it were so large."""
 
-_MOST_SAMPLES = 20_000
+_MOST_SAMPLES = 200_000
 _SIDES = 12
+_SAME_PASS = 8
+"""Pieces that are no more than so many apart belong to one pass."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +43,8 @@ class Path:
     time_s     (M,)   when the piece was passed: a rest before it belongs to what is before
     wxyz       (M, 4) turns z along it
     length_m   (M,)
+    drawn      (D,)   indices of the pieces that show the whole path; the others lie where it had
+               been before
     low_m, high_m     (3,) the box around the whole path
     least_m    how large what is seen is at least, of which the path may be a small part
     """
@@ -42,6 +53,7 @@ class Path:
     time_s: Array
     wxyz: Array
     length_m: Array
+    drawn: NDArray[np.intp]
     low_m: Array
     high_m: Array
     least_m: float = LEAST_M
@@ -63,15 +75,17 @@ class Path:
 
 
 def path_of(demonstration: Demonstration, least_m: float = LEAST_M) -> Path:
-    """The path of the tool, in at most MOST_PIECES pieces about as long as it is thick."""
+    """The path of the tool in pieces about as long as it is thick, at most MOST_PIECES drawn."""
     stride = -(-len(demonstration) // _MOST_SAMPLES)
     time, position = demonstration.time_s[::stride], demonstration.position_m[::stride]
     low, high = position.min(axis=0), position.max(axis=0)
     spacing = _radius_m(_size_m(low, high, least_m))
     kept = _apart(position, spacing)
-    while len(kept) > MOST_PIECES + 1:
+    drawn = _first_passes(position[kept], spacing)
+    while len(drawn) > MOST_PIECES:
         spacing *= 1.5
-        kept = _apart(position, spacing)
+        kept = kept[_apart(position[kept], spacing)]
+        drawn = _first_passes(position[kept], spacing)
     points = _smoothed(position[kept])
     steps = np.diff(points, axis=0)
     return Path(
@@ -79,10 +93,32 @@ def path_of(demonstration: Demonstration, least_m: float = LEAST_M) -> Path:
         time_s=time[kept[1:]],
         wxyz=turns_of_z(steps),
         length_m=np.linalg.norm(steps, axis=1),
+        drawn=drawn,
         low_m=low,
         high_m=high,
         least_m=least_m,
     )
+
+
+def _first_passes(points_m: Array, cell_m: float) -> NDArray[np.intp]:
+    """Indices of the pieces between points (M + 1, 3) that lie in a cell none had passed before.
+
+    A path of few pieces is drawn whole.
+    """
+    pieces = len(points_m) - 1
+    if pieces <= MOST_PIECES:
+        return np.arange(pieces)
+    middles = 0.5 * (points_m[1:] + points_m[:-1])
+    cells = np.floor((middles - middles.min(axis=0)) / cell_m)
+    _, first, cell = np.unique(cells, axis=0, return_index=True, return_inverse=True)
+    return np.flatnonzero(np.arange(pieces) - first[cell.reshape(-1)] <= _SAME_PASS)
+
+
+def bent(directions: Array, least_rad: float = 0.1) -> NDArray[np.bool_]:
+    """(M - 1,) whether the path turns enough from one of M directions to the next to be seen."""
+    norms = np.linalg.norm(directions, axis=1)
+    along = np.sum(directions[1:] * directions[:-1], axis=1)
+    return along < np.cos(least_rad) * norms[1:] * norms[:-1]
 
 
 def _smoothed(points: Array) -> Array:
@@ -141,6 +177,13 @@ def tube() -> tuple[Array, NDArray[np.uint32]]:
         [np.stack([i, j, j + _SIDES], axis=1), np.stack([i, j + _SIDES, i + _SIDES], axis=1)]
     )
     return np.concatenate([low, high]), faces.astype(np.uint32)
+
+
+def heaviest(gaussians: Sequence[Gaussian]) -> Sequence[Gaussian]:
+    """The MOST_ELLIPSOIDS Gaussians with the most weight; all where there are no more."""
+    if len(gaussians) <= MOST_ELLIPSOIDS:
+        return gaussians
+    return sorted(gaussians, key=lambda gaussian: -gaussian.weight)[:MOST_ELLIPSOIDS]
 
 
 def ellipsoids(gaussians: Sequence[Gaussian], least_m: float) -> tuple[Array, Array, Array]:

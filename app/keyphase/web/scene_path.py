@@ -1,6 +1,7 @@
 """The path in the scene: a tube in the colours of the segments that can be clicked."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 import trimesh
@@ -9,30 +10,25 @@ from numpy.typing import NDArray
 
 from keyphase.labeling.labeling import Labeling
 from keyphase.web.palette import painted, segment_color
-from keyphase.web.path_geometry import Path, tube
+from keyphase.web.path_geometry import MOST_PIECES, Path, bent, tube
 
 _SELECTED = 1.7
 
 
 class ScenePath:
-    """Two batches: straight pieces, and balls where they meet. `on_click` is told a time."""
+    """The whole path, and over it the selected segment thicker. `on_click` is told a time."""
 
     def __init__(
         self, server: viser.ViserServer, path: Path, on_click: Callable[[float], None]
     ) -> None:
+        self._server = server
         self._path = path
+        self._on_click = on_click
+        self._color_of_piece = np.zeros((len(path.time_s), 3), np.uint8)
         self._segment_of_piece = np.zeros(len(path.time_s), np.intp)
         self._selected: int | None = None
-        self._pieces = _batch(server, "/path/pieces", tube(), path.wxyz, path.middle_m)
-        upright = np.tile([1.0, 0.0, 0.0, 0.0], (len(path.position_m), 1))
-        self._joints = _batch(server, "/path/joints", _ball(len(upright)), upright, path.position_m)
-        self._scale()
-
-        @self._pieces.on_click
-        def _(event: viser.SceneNodePointerEvent[viser.BatchedMeshHandle]) -> None:
-            index = event.instance_index
-            if index is not None and 0 <= index < len(path.time_s):
-                on_click(float(path.time_s[index]))
+        self._shown: tuple[object, ...] = ()
+        self._tube = self._add("/path", path.drawn, path.radius_m)
 
     def color(self, labeling: Labeling) -> None:
         """Give each piece the colour of its segment."""
@@ -41,25 +37,85 @@ class ScenePath:
         colors = np.array(
             [painted(segment_color(s.color, s.kept)) for s in labeling.segments], np.uint8
         )
-        of_piece = colors[self._segment_of_piece]
-        self._pieces.batched_colors = of_piece
-        self._joints.batched_colors = np.concatenate([of_piece[:1], of_piece])
-        if self._selected is not None:
-            self._scale()
+        self._color_of_piece = colors[self._segment_of_piece]
+        self._tube.paint(self._color_of_piece)
+        self._draw_selected()
 
     def select(self, segment: int | None) -> None:
         """Draw a segment thicker."""
         if segment != self._selected:
             self._selected = segment
-            self._scale()
+            self._draw_selected()
 
-    def _scale(self) -> None:
-        radius = np.full(len(self._path.time_s), self._path.radius_m)
-        if self._selected is not None:
-            radius[self._segment_of_piece == self._selected] *= _SELECTED
-        scales = np.stack([radius, radius, self._path.length_m], axis=1)
-        self._pieces.batched_scales = scales.astype(np.float32)
-        self._joints.batched_scales = np.concatenate([radius[:1], radius]).astype(np.float32)
+    def _draw_selected(self) -> None:
+        """All of the selected segment, whatever of it was left out of the whole path."""
+        chosen = np.flatnonzero(self._segment_of_piece == self._selected)
+        chosen = chosen[:: -(-len(chosen) // MOST_PIECES)] if len(chosen) else chosen
+        shown = (chosen.tobytes(), self._color_of_piece[chosen[:1]].tobytes())
+        if shown == self._shown:
+            return
+        self._shown = shown
+        self._server.scene.remove_by_name("/path/selected")
+        if len(chosen):
+            thick = self._add("/path/selected", chosen, _SELECTED * self._path.radius_m)
+            thick.paint(self._color_of_piece)
+
+    def _add(self, name: str, chosen: NDArray[np.intp], radius_m: float) -> "_Tube":
+        tube = _tube_of(self._server, name, self._path, chosen, radius_m)
+        time_s = self._path.time_s[chosen]
+
+        @tube.pieces.on_click
+        def _(event: viser.SceneNodePointerEvent[viser.BatchedMeshHandle]) -> None:
+            index = event.instance_index
+            if index is not None and 0 <= index < len(time_s):
+                self._on_click(float(time_s[index]))
+
+        return tube
+
+
+@dataclass(frozen=True, eq=False)
+class _Tube:
+    """Two batches: straight pieces, and balls at its ends and wherever it bends.
+
+    chosen  (D,) which pieces of the path these are
+    joined  (J,) the piece of the path that each ball takes its colour from
+    """
+
+    pieces: viser.BatchedMeshHandle
+    joints: viser.BatchedMeshHandle
+    chosen: NDArray[np.intp]
+    joined: NDArray[np.intp]
+
+    def paint(self, color_of_piece: NDArray[np.uint8]) -> None:
+        """Take the colours (M, 3) of the path's pieces."""
+        self.pieces.batched_colors = color_of_piece[self.chosen]
+        self.joints.batched_colors = color_of_piece[self.joined]
+
+
+def _tube_of(
+    server: viser.ViserServer, name: str, path: Path, chosen: NDArray[np.intp], radius_m: float
+) -> _Tube:
+    scales = np.full((len(chosen), 3), radius_m, np.float32)
+    scales[:, 2] = path.length_m[chosen]
+    pieces = _batch(
+        server, f"{name}/pieces", tube(), path.wxyz[chosen], path.middle_m[chosen], scales
+    )
+    ends, joined = _joints(path, chosen)
+    upright = np.tile([1.0, 0.0, 0.0, 0.0], (len(ends), 1))
+    radii = np.full(len(ends), radius_m, np.float32)
+    ball = _ball(len(ends))
+    joints = _batch(server, f"{name}/joints", ball, upright, path.position_m[ends], radii)
+    return _Tube(pieces, joints, chosen, joined)
+
+
+def _joints(path: Path, chosen: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Points of the path that need a ball, and for each the piece it belongs to."""
+    directions = np.diff(path.position_m, axis=0)[chosen]
+    breaks = np.diff(chosen) != 1
+    bends = bent(directions)
+    starts = chosen[np.concatenate([[True], breaks])]
+    after = chosen[np.concatenate([breaks | bends, [True]])]
+    return np.concatenate([starts, after + 1]), np.concatenate([starts, after])
 
 
 def _batch(
@@ -68,6 +124,7 @@ def _batch(
     shape: tuple[NDArray[np.float64], NDArray[np.uint32]],
     wxyz: NDArray[np.float64],
     position_m: NDArray[np.float64],
+    scales: NDArray[np.float32],
 ) -> viser.BatchedMeshHandle:
     vertices, faces = shape
     return server.scene.add_batched_meshes_simple(
@@ -76,9 +133,7 @@ def _batch(
         faces,
         wxyz,
         position_m,
-        batched_scales=np.ones((len(position_m), 3), np.float32)
-        if name.endswith("pieces")
-        else np.ones(len(position_m), np.float32),
+        batched_scales=scales,
         batched_colors=np.zeros((len(position_m), 3), np.uint8),
         lod="off",
         cast_shadow=False,
@@ -88,5 +143,5 @@ def _batch(
 
 def _ball(count: int) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
     """Round; where there are very many, so that they can still be drawn, a little less."""
-    ball = trimesh.creation.icosphere(subdivisions=2 if count <= 1000 else 1, radius=1.0)
+    ball = trimesh.creation.icosphere(subdivisions=2 if count <= 150 else 1, radius=1.0)
     return np.asarray(ball.vertices), np.asarray(ball.faces, np.uint32)
