@@ -1,0 +1,42 @@
+"""Kill a server that is being edited, again and again, and count what was lost.
+
+python tests/benchmarks/kill_server.py --times 20
+"""
+
+import argparse
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "web"))
+
+from killing_server import Aftermath, kill_once
+
+from keyphase.shipped import shipped
+
+
+def main() -> int:
+    """Kill as often as asked; the exit status says whether anything confirmed was lost."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--times", type=int, default=20)
+    parser.add_argument("--seed", type=int, default=1000)
+    options = parser.parse_args()
+    rounds = [_kill_in_a_new_folder(options.seed + i) for i in range(options.times)]
+    lost = [i for i, each in enumerate(rounds) if not each.is_safe]
+    confirmed = sum(each.confirmed for each in rounds)
+    beyond = sum(len(each.found) - each.confirmed for each in rounds)
+    print(f"{len(rounds)} kills after {confirmed} confirmed edits")
+    print(f"{beyond} more were whole on disk before they could be confirmed")
+    print(f"{len(lost)} lost something confirmed" + (f": rounds {lost}" if lost else ""))
+    return 1 if lost else 0
+
+
+def _kill_in_a_new_folder(seed: int) -> Aftermath:
+    with tempfile.TemporaryDirectory() as folder:
+        recording = shutil.copy(shipped("data") / "synthetic_setup1.npz", folder)
+        return kill_once(Path(recording), seed)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
