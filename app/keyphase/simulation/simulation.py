@@ -32,6 +32,8 @@ _CALIBRATION_TILTS_RAD = ((0.0, 0.0), (0.4, 0.0), (-0.4, 0.0), (0.0, 0.4), (0.0,
 """Turns of the last two joints but one, from the start: enough tilt to tell weight from bias."""
 _CALIBRATION_TICKS, _CALIBRATION_SETTLING_TICKS = 40, 15
 
+_SITE = int(mujoco.mjtObj.mjOBJ_SITE)
+
 _FURTHEST_M = 5.0
 """A tool that is further away has been thrown there by physics that diverged."""
 
@@ -131,9 +133,9 @@ class Simulation:
 
     def tool_velocity(self) -> Array:
         """Velocity (6,) of the tool point in the base frame: m/s, then rad/s."""
-        kind, twist = mujoco.mjtObj.mjOBJ_SITE, np.empty(6)
-        mujoco.mj_objectVelocity(self.model, self.data, kind, self._tool, twist, 0)
-        return np.concatenate([twist[3:], twist[:3]])
+        twist = np.empty(6)
+        mujoco.mj_objectVelocity(self.model, self.data, _SITE, self._tool, twist, 0)
+        return np.concatenate((twist[3:], twist[:3]))
 
     def joints_rad(self) -> Array:
         """Angles of the driven joints, in the order of ARM_JOINTS."""

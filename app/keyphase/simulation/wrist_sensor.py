@@ -102,7 +102,7 @@ class Load:
         rotation  (3, 3) sensor to base frame
         """
         down = -rotation[2]
-        weight = np.concatenate([self.weight_N * down, _cross(self.moment_Nm, down)])
+        weight = np.concatenate((self.weight_N * down, _cross(self.moment_Nm, down)))
         return reading - self.bias - weight
 
 

@@ -22,7 +22,8 @@ def components(array: Array) -> Components:
 
 def joined(parts: Components) -> Array:
     """The array whose last axis are these components, broadcast against each other."""
-    if isinstance(parts[0], float):
+    # First and last, as a position of one may go with the rotations of a batch.
+    if isinstance(parts[0], float) and isinstance(parts[-1], float):
         return np.array(parts)
     return np.stack(np.broadcast_arrays(*parts), axis=-1)
 

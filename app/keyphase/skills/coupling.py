@@ -27,6 +27,7 @@ from keyphase.errors import SkillError
 from keyphase.skills import quaternions
 from keyphase.skills.changed import changed
 from keyphase.skills.components import (
+    Components,
     chosen,
     components,
     dot,
@@ -251,35 +252,35 @@ def _advance(
 def _deviation(measured: Measured, state: State) -> Array:
     """y_a - y_c (..., 6), the rotation by its shorter way."""
     turn = quaternions.shortest_difference(measured.orientation_wxyz, state.orientation_wxyz)
-    return np.concatenate((measured.position_m - state.position_m, turn), axis=-1)
+    return joined([*components(measured.position_m - state.position_m), *components(turn)])
 
 
 def _reference(state: State, measured: Measured, acceleration: Array, h: float) -> Reference:
     """Integrate y_r'' and keep the reference within reach of the measured pose."""
-    velocity = state.reference_velocity + h * acceleration
-    moved = h * velocity
-    away = state.reference_position_m + moved[..., :3] - measured.position_m
-    wxyz = quaternions.turned(state.reference_orientation_wxyz, moved[..., 3:])
+    rate = zip(components(state.reference_velocity), components(acceleration), strict=True)
+    velocity = [v + h * a for v, a in rate]
+    here, own = components(measured.position_m), components(measured.velocity)
+    at = zip(components(state.reference_position_m), velocity[:3], here, strict=True)
+    away, far = _within([y + h * v - m for y, v, m in at], REFERENCE_REACH[0])
+    moved = joined([h * v for v in velocity[3:]])
+    wxyz = quaternions.turned(state.reference_orientation_wxyz, moved)
     turn = quaternions.shortest_difference(wxyz, measured.orientation_wxyz)
-    away, far = _within(away, REFERENCE_REACH[0])
-    turn, far_turned = _within(turn, REFERENCE_REACH[1])
-    own, wanted = components(measured.velocity), components(velocity)
-    clamped = (far,) * 3 + (far_turned,) * 3
+    turn, far_turned = _within(components(turn), REFERENCE_REACH[1])
+    clamped = zip((far,) * 3 + (far_turned,) * 3, own, velocity, strict=True)
     return Reference(
-        position_m=measured.position_m + away,
-        orientation_wxyz=quaternions.turned(measured.orientation_wxyz, turn),
-        velocity=joined([chosen(*each) for each in zip(clamped, own, wanted, strict=True)]),
+        position_m=joined([m + a for m, a in zip(here, away, strict=True)]),
+        orientation_wxyz=quaternions.turned(measured.orientation_wxyz, joined(turn)),
+        velocity=joined([chosen(*each) for each in clamped]),
         acceleration=acceleration,
     )
 
 
-def _within(vector: Array, reach: float) -> tuple[Array, Any]:
-    """The vector (..., 3) shortened to `reach`, and whether (...) it had to be."""
-    parts = components(vector)
-    squared = dot(parts, parts)
+def _within(vector: Components, reach: float) -> tuple[Components, Any]:
+    """The vector shortened to `reach`, and whether it had to be."""
+    squared = dot(vector, vector)
     norm = functions(squared).sqrt(squared)
     shorter = reach / larger(norm, reach)
-    return joined([shorter * part for part in parts]), norm > reach
+    return [shorter * part for part in vector], norm > reach
 
 
 def refuse_not_positive(duration_s: Array) -> None:

@@ -126,10 +126,7 @@ def activations(phase: Array, centres: Array, widths: Array) -> Array:
 def remaining(goal_m: Array, goal_wxyz: Array, position_m: Array, wxyz: Array) -> Array:
     """Displacement u (..., 6) that is left to the goal: metres, then rotation vector in rad."""
     turn = quaternions.difference(goal_wxyz, wxyz)
-    way = goal_m - position_m
-    if way.shape != turn.shape:
-        way, turn = np.broadcast_arrays(way, turn)
-    return np.concatenate((way, turn), axis=-1)
+    return joined([*components(goal_m - position_m), *components(turn)])
 
 
 def scale_and_hold(primitive: Primitive, displacement: Array) -> tuple[Array, Array]:
