@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from keyphase.errors import SimulationError
-from keyphase.simulation import Reference, Simulation
+from keyphase.simulation import Disturbance, Reference, Simulation, record
 from keyphase.simulation.setup1 import SETUP1
 from keyphase.simulation.setup2 import SETUP2
 from keyphase.simulation.wrist_sensor import SensorModel, WristSensor, estimated_load
@@ -60,6 +60,16 @@ def test_free_space_reads_under_three_tenths_of_a_newton(recorded, name, seed) -
     free = demonstration.time_s < min(onsets.values()) - 0.02
     force = means_over_20ms(demonstration.force_N[free])
     assert np.linalg.norm(force, axis=1).max() < FREE_N
+
+
+@pytest.mark.parametrize("name", ["setup1", "setup2"])
+def test_without_noise_every_free_sample_is_under_three_tenths_of_a_newton(name) -> None:
+    demonstration = record(name, seed=0, disturbance=Disturbance(sensor_noise=0))
+    onsets = demonstration.metadata["ground_truth"]["contact_onsets_s"]
+    free = demonstration.time_s < min(onsets.values()) - 0.02
+    assert demonstration.force_N is not None
+    assert free.sum() > 500
+    assert np.linalg.norm(demonstration.force_N[free], axis=1).max() < FREE_N
 
 
 @both
@@ -132,6 +142,14 @@ def test_the_bias_wanders_slowly() -> None:
     wandering = readings(model, np.zeros(6), 15000)
     assert 0.0 < np.abs(wandering[250] - wandering[0]).max() < 0.02
     assert np.ptp(wandering[:, 0]) > np.ptp(wandering[:250, 0])
+
+
+def test_the_bias_never_jumps() -> None:
+    model = SensorModel(noise=(0.0, 0.0), resolution=(1e-12, 1e-12))
+    steps = np.abs(np.diff(readings(model, np.zeros(6), 2000), axis=0)).max(axis=0)
+    deviation = np.repeat(model.bias_walk, 3) * np.sqrt(0.004)
+    assert np.all(steps > 2.0 * deviation), "it does wander"
+    assert np.all(steps < 6.0 * deviation)
 
 
 def test_the_low_pass_delays_a_step_by_its_time_constant() -> None:
