@@ -2,12 +2,13 @@
 
     PYTHONPATH=tests python tests/benchmarks/accuracy_segmentation.py [--demonstrations 200]
 
-prints the tables of docs/method.md. Demonstrations are seeded from 5000 on.
+prints the tables of docs/method.md. Demonstrations are seeded from 5000 on, or `--first-seed`;
+`--force-only` leaves out the tables of position alone.
 """
 
 import argparse
 from collections.abc import Callable
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import Executor, ProcessPoolExecutor
 from functools import partial
 
 import numpy as np
@@ -24,27 +25,38 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--demonstrations", type=int, default=200)
     parser.add_argument("--processes", type=int, default=1)
+    parser.add_argument("--first-seed", type=int, default=FIRST_SEED)
+    parser.add_argument("--force-only", action="store_true")
     given = parser.parse_args()
-    seeds = range(FIRST_SEED, FIRST_SEED + given.demonstrations)
+    seeds = range(given.first_seed, given.first_seed + given.demonstrations)
     with ProcessPoolExecutor(given.processes) as pool:
-        print(
-            "| Setup 1, position alone | level | five segments | vs switch times | vs 5 % speed |"
-        )
-        print("|---|---|---|---|---|")
-        for name, parameters in position_variants().items():
-            for level in LEVELS:
-                outcomes = list(pool.map(partial(setup1_errors, parameters, level), seeds))
-                cells = " | ".join(row(outcomes, kinds=2))
-                print(f"| {name} | {level} | {cells} |", flush=True)
-        print("\n| with force | level | right number | all within 0.3 s | vs switch times |")
-        print("|---|---|---|---|---|")
-        for name, make in (("Setup 1", synthetic.setup1), ("Setup 2", synthetic.setup2)):
-            for level in LEVELS:
-                outcomes = list(pool.map(partial(force_errors, make, level), seeds))
-                near = np.mean([bool(errors) and errors[0].max() < 0.3 for _, errors in outcomes])
-                number, *errors = row(outcomes, kinds=1)
-                cells = " | ".join([number, f"{near:.3f}", *errors])
-                print(f"| {name} | {level} | {cells} |", flush=True)
+        if not given.force_only:
+            print_position_alone(pool, seeds)
+        print_with_force(pool, seeds)
+
+
+def print_position_alone(pool: Executor, seeds: range) -> None:
+    """The table of Setup 1 by position alone."""
+    print("| Setup 1, position alone | level | five segments | vs switch times | vs 5 % speed |")
+    print("|---|---|---|---|---|")
+    for name, parameters in position_variants().items():
+        for level in LEVELS:
+            outcomes = list(pool.map(partial(setup1_errors, parameters, level), seeds))
+            cells = " | ".join(row(outcomes, kinds=2))
+            print(f"| {name} | {level} | {cells} |", flush=True)
+
+
+def print_with_force(pool: Executor, seeds: range) -> None:
+    """The table of both set-ups by position and force together."""
+    print("\n| with force | level | right number | all within 0.3 s | vs switch times |")
+    print("|---|---|---|---|---|")
+    for name, make in (("Setup 1", synthetic.setup1), ("Setup 2", synthetic.setup2)):
+        for level in LEVELS:
+            outcomes = list(pool.map(partial(force_errors, make, level), seeds))
+            near = np.mean([bool(errors) and errors[0].max() < 0.3 for _, errors in outcomes])
+            number, *errors = row(outcomes, kinds=1)
+            cells = " | ".join([number, f"{near:.3f}", *errors])
+            print(f"| {name} | {level} | {cells} |", flush=True)
 
 
 def position_variants() -> dict[str, Parameters]:

@@ -12,7 +12,6 @@ from keyphase.segmentation.contiguous import (
     best_cut,
     best_cut_into,
     parameters_per_gaussian,
-    refine_cuts,
 )
 
 FLOOR = np.array([0.01, 1e-3, 1e-3])
@@ -100,9 +99,3 @@ def test_a_given_number_of_stretches_is_kept():
 def test_more_stretches_than_fit_give_as_many_as_fit():
     cuts = best_cut_into(Moments.of(strokes(3, 1), FLOOR), np.arange(13), 6, 5)
     assert len(cuts) == 1
-
-
-def test_refining_moves_cuts_onto_the_corners():
-    samples = strokes(5, 3)
-    refined = refine_cuts(Moments.of(samples, FLOOR), np.array([9, 28]), 5, 6)
-    assert np.abs(refined - [12, 24]).max() <= 1

@@ -41,6 +41,14 @@ def test_setup_1_gives_five_segments_in_98_of_100(level, within_s):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("level", ["easy", "real"])
+def test_setup_1_with_force_gives_five_segments_in_98_of_100(level):
+    made = [synthetic.setup1(seed, level, forces=True).demonstration for seed in SEEDS]
+    right = sum(len(segment(each).segments) == 5 for each in made)
+    assert right >= 0.98 * len(SEEDS)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("level", ["easy", "real"])
 def test_setup_2_with_force_gives_the_right_four_segments_in_95_of_100(level):
     right = 0
     for seed in SEEDS[:100]:

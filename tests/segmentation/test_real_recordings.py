@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from keyphase.demonstration import Demonstration
+from keyphase.scoring import read_truth, tally
 from keyphase.segmentation import Segmentation, segment
 
 CHANNELS = ("time_s", "position_m", "orientation_wxyz", "force_N", "torque_Nm")
@@ -56,6 +57,18 @@ def test_a_snap_assembly_has_few_and_sure_contact_changes(real_data):
     mating = min(found.boundaries, key=lambda boundary: abs(boundary.time_s - 16.4))
     assert mating.time_s == pytest.approx(16.4, abs=0.15)
     assert mating.confidence > 0.9
+
+
+def test_human_pick_and_place_is_cut_about_where_people_cut_it(real_data):
+    truths = read_truth(real_data / "truth.json")
+    counts = [
+        tally(truth, [b.time_s for b in segmented(real_data, name).boundaries])
+        for name, truth in truths.items()
+        if name.startswith("dfki_pick_and_place/")
+    ]
+    found, false = sum(each.found for each in counts), sum(each.false for each in counts)
+    assert found >= 86
+    assert false <= 94
 
 
 def test_two_minutes_of_peeling_repeat_their_strokes(real_data):

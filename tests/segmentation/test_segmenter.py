@@ -182,6 +182,15 @@ def test_going_back_gives_the_same_segmentation_as_at_first(bundled):
     assert after.peaks == before.peaks
 
 
+def test_a_contact_after_a_gentle_end_of_two_seconds_is_that_end():
+    # Position sees a movement that slows down this long end a third of a second early.
+    found = segment(synthetic.setup1(5043, "real", forces=True).demonstration)
+    assert [b.origin for b in found.boundaries] == ["position", "position", "both", "position"]
+    met = found.boundaries[2]
+    assert met.position_s is not None
+    assert 0.3 < met.time_s - met.position_s < Parameters().merge_tolerance_s
+
+
 def test_a_fresh_segmenter_agrees_with_one_that_was_used(bundled):
     parameters = Parameters(force_threshold=200.0, merge_tolerance_s=0.05)
     fresh = segment(synthetic.bundled_setup1(), parameters)

@@ -6,7 +6,6 @@ follows from the Bayesian information criterion with an effective number of samp
 samples of a motion are correlated, and counting them all would split without end.
 """
 
-import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -235,24 +234,3 @@ def best_cut_into(moments: Moments, grid: Indices, least: int, count: int) -> In
         at = step[at]
         cuts.append(grid[at])
     return np.array(cuts[::-1], dtype=np.intp)
-
-
-def refine_cuts(moments: Moments, cuts: Indices, reach: int, least: int) -> Indices:
-    """Move each cut by up to `reach` samples so that all stretches together cost least."""
-    choices = [np.zeros(1, dtype=np.intp)]
-    for cut in cuts:
-        low, high = max(cut - reach, least), min(cut + reach, len(moments) - least)
-        choices.append(np.arange(low, high + 1) if low <= high else np.array([cut]))
-    choices.append(np.array([len(moments)]))
-    best = np.zeros(1)
-    came_from = []
-    for before, after in itertools.pairwise(choices):
-        total = best[:, None] + moments.costs(before, after, min(least, len(moments)))
-        came_from.append(total.argmin(axis=0))
-        best = total.min(axis=0)
-    refined = []
-    at = 0
-    for options, step in zip(reversed(choices[1:-1]), reversed(came_from[1:]), strict=True):
-        at = step[at]
-        refined.append(options[at])
-    return np.array(refined[::-1], dtype=np.intp) if np.isfinite(best[0]) else cuts

@@ -41,7 +41,7 @@ class Parameters:
     """Where in its interval a boundary lies."""
     seed: int = 0
     """Of the scikit-learn variant's random starts."""
-    merge_tolerance_s: float = 0.3
+    merge_tolerance_s: float = 0.4
     """How far apart a force and a position boundary may be one [s]."""
 
     def __post_init__(self) -> None:

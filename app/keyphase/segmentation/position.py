@@ -16,11 +16,11 @@ from keyphase.segmentation.contiguous import (
     Moments,
     best_cut,
     best_cut_into,
-    refine_cuts,
 )
 from keyphase.segmentation.mixture import fit_mixture
 from keyphase.segmentation.motion import Motion
 from keyphase.segmentation.parameters import Estimator
+from keyphase.segmentation.refinement import refine_cuts
 from keyphase.segmentation.strokes import merge_strokes
 
 WINDOW_S = 60.0
@@ -28,7 +28,8 @@ OVERLAP_S = 10.0
 
 _GRID_S = 0.04
 _SHORTEST_S = 0.12
-_REFINE_REACH_S = 0.4
+_REFINE_REACH_S = 1.2
+_REFINE_STRIDE_S = 0.06
 _LEAST_SPREAD_M = 2e-3
 _TIME_FLOOR_S = 0.01
 _COARSE_FLOOR_M = 1e-3
@@ -157,11 +158,14 @@ def _window_cuts(samples: Array, step_s: float) -> Indices:
 def _refined(
     samples: Array, cuts: Indices, step_s: float, reach_s: float = _REFINE_REACH_S
 ) -> Indices:
-    """The cuts moved to the full grid, where a finer floor tells the exact moment."""
+    """The cuts moved to the full grid, where a finer floor tells the exact moment.
+
+    It sees pauses and turns of a few millimetres, which may lie far from the coarse cut.
+    """
     n = len(samples)
     fine = Moments.of(samples, _floor(samples, _FINE_FLOOR_M))
-    reach = count_in(reach_s, step_s, 1, n)
-    return refine_cuts(fine, cuts, reach, count_in(_SHORTEST_S, step_s, 2, n))
+    reach, stride = count_in(reach_s, step_s, 1, n), count_in(_REFINE_STRIDE_S, step_s, 1, n)
+    return refine_cuts(fine, cuts, reach, count_in(_SHORTEST_S, step_s, 2, n), stride)
 
 
 def _widest_gap(earlier: Indices, later: Indices, low: int, high: int) -> int:
