@@ -69,13 +69,14 @@ class CartesianImpedance:
         self._low, self._high = low + gains.limit_margin_rad, high - gains.limit_margin_rad
         self._damping = np.repeat((gains.damping_Ns_m, gains.rotational_damping_Nms_rad), 3)
         self._jacobian = np.zeros((6, model.nv))
+        self._moving, self._turning = self._jacobian[:3], self._jacobian[3:]
         self._inverse = np.zeros((6, model.nv))
 
     def torques(self, data: mujoco.MjData, reference: Reference, posture: Array) -> Array:
         """Torques of the driven joints [N m], (7,), towards `reference`, near `posture`."""
         gains, dofs = self.gains, self._dofs
         q, qd = data.qpos.take(self._positions), data.qvel.take(dofs)
-        mujoco.mj_jacSite(self._model, data, self._jacobian[:3], self._jacobian[3:], self._tool)
+        mujoco.mj_jacSite(self._model, data, self._moving, self._turning, self._tool)
         mujoco.mj_solveM(self._model, data, self._inverse, self._jacobian)
         jacobian, inverse = self._jacobian[:, dofs], self._inverse[:, dofs]
         wrench = self._wrench(data, reference, jacobian.dot(qd))

@@ -65,10 +65,13 @@ class Simulation:
         self.model, self.data = model, mujoco.MjData(model)
         joints = np.array([model.joint(name).id for name in ARM_JOINTS])
         self._positions = model.jnt_qposadr[joints]
-        self._tool, self._wrist = model.site(TOOL_SITE).id, model.site(SENSOR_SITE).id
+        self._tool, wrist = model.site(TOOL_SITE).id, model.site(SENSOR_SITE).id
         first = int(model.sensor("wrist_force").adr[0])
-        # A view, into which every step of the physics writes.
+        # Views, into which every step of the physics writes.
         self._exerted = self.data.sensordata[first : first + 6]
+        places, turns = self.data.site_xpos, self.data.site_xmat
+        self._tool_m, self._tool_turn = places[self._tool], turns[self._tool]
+        self._wrist_m, self._wrist_turn = places[wrist], turns[wrist].reshape(3, 3)
         self._substeps = round(1.0 / (RATE_HZ * model.opt.timestep))
         bodies = (model.body(index).name for index in range(1, model.nbody))
         self._links = tuple(name for name in bodies if name not in workcell.parts)
@@ -128,8 +131,8 @@ class Simulation:
     def tool_pose(self) -> tuple[Array, Array]:
         """Position (3,) and orientation (4,), w x y z, of the tool point in the base frame."""
         wxyz = np.empty(4)
-        mujoco.mju_mat2Quat(wxyz, self.data.site_xmat[self._tool])
-        return self.data.site_xpos[self._tool].copy(), wxyz
+        mujoco.mju_mat2Quat(wxyz, self._tool_turn)
+        return self._tool_m.copy(), wxyz
 
     def tool_velocity(self) -> Array:
         """Velocity (6,) of the tool point in the base frame: m/s, then rad/s."""
@@ -177,10 +180,8 @@ class Simulation:
         return wrench / self._substeps, contact / self._substeps
 
     def _measured(self, reading: Array) -> Array:
-        rotation = self.data.site_xmat[self._wrist].reshape(3, 3)
-        wrench = self.load.compensated(reading, rotation)
-        sites = self.data.site_xpos
-        return about_tool(wrench, rotation, sites[self._wrist], sites[self._tool])
+        wrench = self.load.compensated(reading, self._wrist_turn)
+        return about_tool(wrench, self._wrist_turn, self._wrist_m, self._tool_m)
 
     def _calibrated(self) -> Load:
         """The load on the sensor, from readings at rest in a few tilted poses."""
@@ -190,7 +191,7 @@ class Simulation:
             pose[4:6] += tilt
             self._place(pose)
             readings.append(self._reading_at_rest())
-            rotations.append(self.data.site_xmat[self._wrist].reshape(3, 3).copy())
+            rotations.append(self._wrist_turn.copy())
         self.sensor.settle()
         return estimated_load(np.array(readings), np.array(rotations))
 
