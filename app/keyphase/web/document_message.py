@@ -45,7 +45,7 @@ def document_message(labeling: Labeling) -> dict[str, Any]:
         ),
         "force_channels": segmentation.curve.channels if segmentation.curve else 0,
         "boundaries": _boundaries(labeling),
-        "segments": [_segment(segment) for segment in labeling.segments],
+        "segments": [_segment(segment, demonstration) for segment in labeling.segments],
         "peaks": [_peak(peak) for peak in segmentation.peaks],
         "gaussians": [
             {
@@ -103,6 +103,7 @@ def short_labels(label: str) -> tuple[str, str, str]:
 def _boundaries(labeling: Labeling) -> list[dict[str, Any]]:
     segmentation = labeling.segmentation
     meeting = _Meeting(segmentation.gaussians)
+    demonstration = segmentation.demonstration
     return [
         {
             "time_s": boundary.time_s,
@@ -112,6 +113,7 @@ def _boundaries(labeling: Labeling) -> list[dict[str, Any]]:
             "contact_change": boundary.contact_change,
             "was_s": boundary.was_s,
             "accepted": boundary.accepted,
+            "at_m": _at_m(demonstration, boundary.time_s) if boundary.contact_change else None,
             "why": _why(boundary, segmentation.threshold, meeting),
         }
         for boundary in labeling.boundaries
@@ -199,7 +201,12 @@ def _steps(peak: Peak | None) -> list[dict[str, Any]]:
     ]
 
 
-def _segment(segment: LabeledSegment) -> dict[str, Any]:
+def _at_m(demonstration: Demonstration, time_s: float) -> list[float]:
+    """Where the tool was, to a tenth of a millimetre."""
+    return demonstration.position_m[demonstration.index_at(time_s)].round(4).tolist()
+
+
+def _segment(segment: LabeledSegment, demonstration: Demonstration) -> dict[str, Any]:
     return {
         "start_s": segment.start_s,
         "end_s": segment.end_s,
@@ -210,6 +217,7 @@ def _segment(segment: LabeledSegment) -> dict[str, Any]:
         "color": segment.color,
         "end_condition": _end_condition(segment.end_condition),
         "short": short_labels(segment.label),
+        "middle_m": _at_m(demonstration, segment.middle_s),
     }
 
 

@@ -9,13 +9,14 @@ Rgb = tuple[int, int, int]
 
 
 class Theme(NamedTuple):
-    """What differs between light and dark."""
+    """What differs between light and dark; `shade` is how dark a shadow on the ground is, to 1."""
 
     accent: Rgb
+    sky: Rgb
     ground: Rgb
     cell: Rgb
     section: Rgb
-    leader: Rgb
+    shade: float
     origins: dict[str, Rgb]
 
 
@@ -44,10 +45,11 @@ IDLE = _rgb("#9aa3ad")
 
 LIGHT = Theme(
     accent=_rgb("#1c7ed6"),
-    ground=_rgb("#f1f3f5"),
-    cell=_rgb("#dee2e6"),
-    section=_rgb("#ced4da"),
-    leader=_rgb("#868e96"),
+    sky=_rgb("#f1f3f5"),
+    ground=_rgb("#d9dcdf"),
+    cell=_rgb("#cbcfd3"),
+    section=_rgb("#bcc1c6"),
+    shade=0.30,
     origins={
         "position": _rgb("#7048e8"),
         "force": _rgb("#e8590c"),
@@ -58,10 +60,11 @@ LIGHT = Theme(
 
 DARK = Theme(
     accent=_rgb("#4dabf7"),
-    ground=_rgb("#1a1a1a"),
-    cell=_rgb("#29292b"),
-    section=_rgb("#333436"),
-    leader=_rgb("#92969b"),
+    sky=_rgb("#141414"),
+    ground=_rgb("#24272b"),
+    cell=_rgb("#3a3e43"),
+    section=_rgb("#4a4f55"),
+    shade=0.5,
     origins={
         "position": _rgb("#a78bfa"),
         "force": _rgb("#ff922b"),

@@ -53,6 +53,7 @@ _SHOWN: dict[str, tuple[str, str]] = {
     "grid": ("Ground", "The grid below the path."),
     "robot": ("Robot", "The robot, its tool at the playhead."),
     "parts": ("Parts", "The parts of the workcell it was recorded in."),
+    "shadows": ("Shadows", "Slow where there is no graphics card."),
 }
 
 
@@ -219,7 +220,7 @@ class Panel(View):
 
     def _add_shown(self, name: str) -> None:
         label, hint = _SHOWN[name]
-        checkbox = self._gui.add_checkbox(label, True, hint=hint)
+        checkbox = self._gui.add_checkbox(label, name not in self._session.hidden, hint=hint)
         self._on_change(checkbox, lambda visible: self._session.show(name, visible))
         self._shown[name] = checkbox
 

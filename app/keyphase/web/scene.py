@@ -12,13 +12,15 @@ import viser
 
 from keyphase.demonstration import Array
 from keyphase.robot.pose import Placement
+from keyphase.web.ground import REACH, Ground
+from keyphase.web.ground_shadow import SUN_M, GroundShadow
 from keyphase.web.opened import Opened
 from keyphase.web.palette import DARK, LIGHT
 from keyphase.web.path_geometry import LEAST_M, Path, path_of
 from keyphase.web.playback import Playhead
-from keyphase.web.scene_marks import draw_forces, draw_gaussians, draw_names
+from keyphase.web.scene_marks import draw_forces, draw_gaussians
 from keyphase.web.scene_path import ScenePath
-from keyphase.web.session import PARTS
+from keyphase.web.session import FIRST_HIDDEN, PARTS
 from keyphase.web.viewpoint import (
     FIELD_OF_VIEW_RAD,
     WITH_ROBOT_M,
@@ -28,11 +30,15 @@ from keyphase.web.viewpoint import (
 )
 from keyphase.web.views import View
 
-_OWN = tuple(part for part in PARTS if part != "robot")
+_OWN = tuple(part for part in PARTS if part not in ("robot", "shadows"))
 """The parts that are shown and hidden here."""
 
 _DRAWN = tuple(part for part in _OWN if part != "parts")
 """The parts that are drawn here and anew for each recording."""
+
+
+_ABOVE_GROUND_M = 0.001
+"""The grid lies so far above the ground, so that it is seen."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +56,8 @@ class _Stage:
 class Scene(View):
     """viser's scene. `on_click` is told the time at which a person clicked the path.
 
-    `robot_base` says where a robot stands beside the path, if one does.
+    `robot_base` says where a robot stands beside the path, if one does, and `shadow` what it
+    throws on the ground.
     """
 
     def __init__(
@@ -58,14 +65,16 @@ class Scene(View):
         server: viser.ViserServer,
         on_click: Callable[[float], None],
         robot_base: Callable[[], Placement | None] = lambda: None,
+        shadow: GroundShadow | None = None,
     ) -> None:
         self._server = server
+        self._shadow = shadow
         self._on_click = on_click
         self._robot_base = robot_base
         self._stage: _Stage | None = None
         self._selected: int | None = None
         self._theme = LIGHT
-        self._hidden: frozenset[str] = frozenset()
+        self._hidden = FIRST_HIDDEN
         self._drawn: tuple[object, ...] = ()
         self._cover: Viewpoint | None = None
         self._dress()
@@ -90,9 +99,7 @@ class Scene(View):
             return
         self._selected = segment
         if self._stage is not None:
-            with self._server.atomic():
-                self._stage.tube.select(segment)
-                self._draw_explained(self._stage)
+            self._stage.tube.select(segment)
             self._server.flush()
 
     def show_playhead(self, playhead: Playhead) -> None:
@@ -108,6 +115,8 @@ class Scene(View):
 
     def show_parts(self, hidden: frozenset[str]) -> None:
         """Hide these parts and show the others."""
+        if ("shadows" in hidden) != ("shadows" in self._hidden):
+            self._sun.cast_shadow = "shadows" not in hidden
         self._hidden = hidden
         covered = self._cover is not None
         for part in _OWN:
@@ -172,8 +181,14 @@ class Scene(View):
         scene = self._server.scene
         scene.configure_default_lights(enabled=False)
         scene.configure_environment_map(None)
+        scene.set_background_image(np.full((4, 4, 3), self._theme.sky, np.uint8), format="png")
         scene.add_light_ambient("/lights/ambient", intensity=2.1)
-        scene.add_light_directional("/lights/sun", intensity=1.9, position=(2.0, 1.0, 4.0))
+        self._sun = scene.add_light_directional(
+            "/lights/sun",
+            intensity=1.9,
+            position=SUN_M,
+            cast_shadow="shadows" not in self._hidden,
+        )
 
     def _build(self, opened: Opened) -> _Stage:
         for part in _DRAWN:
@@ -196,25 +211,39 @@ class Scene(View):
         return self._stage
 
     def _draw_ground(self, size_m: float, at_m: Array) -> None:
-        cell = _round_length(size_m / 3)
-        self._server.scene.add_grid(
+        """A picture of the ground, and the lines of a grid just above it."""
+        base = Placement() if self._cover else self._robot_base()
+        x, y, z = at_m.tolist()
+        ground = Ground((x, y, z), REACH * size_m)
+        cell, side = _round_length(size_m / 3), 2.0 * ground.half_m
+        self._server.scene.add_image(
             "/grid/ground",
-            infinite_grid=True,
+            ground.picture(self._theme, base, self._shadow),
+            side,
+            side,
+            format="png",
+            cast_shadow=False,
+            receive_shadow=False,
+            position=at_m,
+        )
+        self._server.scene.add_grid(
+            "/grid/lines",
+            side,
+            side,
             cell_size=cell,
             section_size=5 * cell,
             cell_color=self._theme.cell,
             section_color=self._theme.section,
-            plane_color=self._theme.ground,
-            plane_opacity=1.0,
-            fade_distance=40 * cell,
-            fade_strength=2.0,
-            position=at_m,
+            plane_opacity=0.0,
+            shadow_opacity=self._theme.shade,
+            fade_distance=0.9 * ground.half_m,
+            fade_strength=1.5,
+            fade_from="origin",
+            position=(x, y, z + _ABOVE_GROUND_M),
         )
 
     def _draw_explained(self, stage: _Stage) -> None:
-        labeling = stage.opened.labeling
-        draw_forces(self._server, labeling, stage.path, self._theme)
-        draw_names(self._server, labeling, stage.view, self._selected, self._theme)
+        draw_forces(self._server, stage.opened.labeling, stage.path, self._theme)
 
     def _look(self, view: Viewpoint) -> None:
         if self._cover not in (None, view):

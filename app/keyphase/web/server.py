@@ -17,6 +17,7 @@ from keyphase.robot.description import RobotDescription
 from keyphase.segmentation.parameters import RANGES
 from keyphase.simulation.recorder import recover
 from keyphase.web.access import Access, Grant
+from keyphase.web.ground_shadow import shadow_of
 from keyphase.web.lead_through_session import LeadThroughSession
 from keyphase.web.library import Library
 from keyphase.web.one_port import control_of, serve, silent
@@ -63,8 +64,11 @@ class PageServer:
             self.session.close()
             raise
         self.port = self.viser.get_port()
-        self.robot = RobotView(self.viser, self.session.telling, arms or yumi_arms())
-        self.scene = Scene(self.viser, self.session.select_at, lambda: self.robot.base)
+        arms = arms or yumi_arms()
+        self.robot = RobotView(self.viser, self.session.telling, arms)
+        self.scene = Scene(
+            self.viser, self.session.select_at, lambda: self.robot.base, shadow_of(arms[0])
+        )
         self.parts = PartsView(self.viser, self.session.telling)
         self.robot.on_stand = self.scene.stand_anew
         self.panel = Panel(self.viser, self.session, read_only=read_only)

@@ -28,8 +28,12 @@ from keyphase.web.uploads import DEFAULT_LIMIT_BYTES
 from keyphase.web.views import Views
 from keyphase.web.worker import Worker
 
-PARTS = ("path", "gaussians", "forces", "labels", "frame", "grid", "robot", "parts")
+PARTS = ("path", "gaussians", "forces", "labels", "frame", "grid", "robot", "parts", "shadows")
 """Parts of the scene that can be shown and hidden."""
+
+FIRST_HIDDEN = frozenset({"shadows"})
+"""Shadows halve the frames a second where 3D is drawn in software; a page that draws it with a
+graphics card asks for them."""
 
 SETTLE_S = 0.4
 """A slider in the panel never says that it was let go; after this long without a change it was."""
@@ -66,7 +70,7 @@ class Session:
         self.opened: Opened | None = None
         self.playhead = Playhead()
         self.selected: int | None = None
-        self.hidden: frozenset[str] = frozenset()
+        self.hidden = FIRST_HIDDEN
         self.latencies_ms: deque[float] = deque(maxlen=1000)
         self.upload_limit_bytes = DEFAULT_LIMIT_BYTES
         self._hello = hello

@@ -1,8 +1,6 @@
-"""Where the scene is looked at from, and where names stand so that they do not cover each other."""
+"""Where the scene is looked at from."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
@@ -25,33 +23,15 @@ lower, since the parts lie there."""
 
 _ELEVATION_RAD = 0.42
 _ROOM = 1.15
-_LINE = 0.072
 
 
 @dataclass(frozen=True, eq=False)
 class Viewpoint:
-    """A camera: where it is, what it looks at, and the directions of its picture."""
+    """A camera: where it is, what it looks at, and what is up in its picture."""
 
     position_m: Array
     look_at_m: Array
-    right: Array
     up: Array
-
-    @property
-    def height_m(self) -> float:
-        """How much of the plane through what is looked at the picture shows, top to bottom."""
-        distance = float(np.linalg.norm(self.position_m - self.look_at_m))
-        return 2 * distance * float(np.tan(0.5 * FIELD_OF_VIEW_RAD))
-
-
-@dataclass(frozen=True, eq=False)
-class PlacedName:
-    """A name in the scene: what it says, what it is about, where and on which side it stands."""
-
-    text: str
-    about_m: Array
-    at_m: Array
-    side: Literal["left", "right"]
 
 
 def viewpoint_of(path: Path, base: Placement | None = None) -> Viewpoint:
@@ -81,45 +61,7 @@ def _viewpoint(middle: Array, azimuth: float, size_m: float) -> Viewpoint:
     )
     distance = _ROOM * 0.5 * size_m / np.tan(0.5 * FIELD_OF_VIEW_RAD)
     right = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
-    return Viewpoint(middle + distance * towards, middle, right, np.cross(towards, right))
-
-
-def placed(names: Sequence[tuple[str, Array]], view: Viewpoint) -> list[PlacedName]:
-    """Names beside what they are about, in a column on either side, one line apart."""
-    across = [float((at_m - view.look_at_m) @ view.right) for _, at_m in names]
-    reach = max(map(abs, across), default=0.0) + 0.1 * view.height_m
-    sides = [(name, a >= 0) for name, a in zip(names, across, strict=True)]
-    left = [name for name, is_right in sides if not is_right]
-    right = [name for name, is_right in sides if is_right]
-    return [*_column(left, "left", -reach, view), *_column(right, "right", reach, view)]
-
-
-def _column(
-    names: Sequence[tuple[str, Array]],
-    side: Literal["left", "right"],
-    across_m: float,
-    view: Viewpoint,
-) -> list[PlacedName]:
-    heights = np.array([(at_m - view.look_at_m) @ view.up for _, at_m in names])
-    order = np.argsort(-heights)
-    spread = _one_line_apart(heights[order], _LINE * view.height_m)
-    return [
-        PlacedName(
-            names[index][0],
-            names[index][1],
-            view.look_at_m + across_m * view.right + height * view.up,
-            side,
-        )
-        for index, height in zip(order, spread, strict=True)
-    ]
-
-
-def _one_line_apart(heights: Array, line: float) -> Array:
-    """Descending heights, pushed down where they are too near, then centred as they were."""
-    placed = heights.copy()
-    for i in range(1, len(placed)):
-        placed[i] = min(placed[i], placed[i - 1] - line)
-    return placed + (heights.mean() - placed.mean()) if len(placed) else placed
+    return Viewpoint(middle + distance * towards, middle, np.cross(towards, right))
 
 
 def _azimuth_of(base: Placement) -> float:

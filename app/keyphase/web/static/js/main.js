@@ -21,6 +21,8 @@ import { createReplayKeys } from "./replay/keys.js";
 import { createReplay, createReplayActions } from "./replay/replay.js";
 import { createRename } from "./rename.js";
 import { createScene, sceneFrames } from "./scene.js";
+import { createNames } from "./scene/names.js";
+import { askForShadows } from "./scene/shadows.js";
 import { createSignals } from "./signals.js";
 import { openSocket } from "./socket.js";
 import { createSplitter } from "./splitter.js";
@@ -122,7 +124,9 @@ socket = openSocket({
   },
 });
 const upload = createUpload(store, socket, actions);
-createScene(store, { onKey, onSlide: latency.slid });
+const sceneFrame = createScene(store, { onKey, onSlide: latency.slid });
+createNames(store, actions, () => sceneFrame.contentWindow);
+askForShadows(store, send, () => sceneFrame.contentWindow);
 store.set({ dark: firstDark(), snap: true });
 
 /** For tests and for anyone who wants to know how fast it is. */

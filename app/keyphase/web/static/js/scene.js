@@ -13,6 +13,7 @@ export function sceneFrames() {
 /**
  * @param {import("./store.js").Store} store
  * @param {{onKey: (event: KeyboardEvent) => void, onSlide: (value: number, at: number) => void}} handlers
+ * @returns {HTMLIFrameElement} viser's frame
  */
 export function createScene(store, { onKey, onSlide }) {
   const calm = createCalmScene(sceneFrames);
@@ -23,7 +24,9 @@ export function createScene(store, { onKey, onSlide }) {
     if (now !== segments) calm.changed();
     segments = now;
   });
-  store.on(["holding"], ({ holding }) => (holding ? calm.hold() : calm.release()));
+  store.on(["samples", "replay"], calm.changed);
+  store.on(["holding"], ({ holding }) => calm.hold(holding));
+  store.on(["pointer"], ({ pointer }) => calm.come(pointer !== null));
   const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
   frame.addEventListener("load", () => {
     const inside = frame.contentWindow;
@@ -50,6 +53,7 @@ export function createScene(store, { onKey, onSlide }) {
   store.later(["document"], ({ document: doc }) =>
     byId("legend").replaceChildren(...(doc ? legend(doc) : [])),
   );
+  return frame;
 }
 
 function legend(doc) {

@@ -7,9 +7,10 @@
  * @typedef {{sentences: string[], height: number|null, times_threshold: number|null,
  *   position_s: number|null, steps: Step[]}} Why
  * @typedef {{time_s: number, origin: Origin, interval_s: [number, number], confidence: number,
- *   contact_change: boolean, was_s: number|null, accepted: boolean, why: Why}} Boundary
+ *   contact_change: boolean, was_s: number|null, accepted: boolean, at_m: number[]|null, why: Why}} Boundary
  * @typedef {{start_s: number, end_s: number, label: string, proposed: boolean, kept: boolean,
- *   idle: boolean, color: number, end_condition: Object<string, *>, short: string[]}} Segment
+ *   idle: boolean, color: number, end_condition: Object<string, *>, short: string[],
+ *   middle_m: number[]}} Segment
  * @typedef {{time_s: number, bin_time_s: number, height: number, rejection: string}} Peak
  * @typedef {{time_s: number, segment: number, repeat: number, connect_mm: number|null}} PlanEntry
  *

@@ -1,0 +1,145 @@
+/**
+ * Names of segments and times of contact changes over the 3D scene, each with a line to what it is
+ * about. They are our own elements, so that they look like the rest of the page in both themes,
+ * and a click on one selects what it names. They follow viser's camera.
+ */
+
+import { byId, el, svg } from "../dom.js";
+import { time as timeText } from "../format.js";
+import { segmentFill } from "../timeline/band.js";
+import { glyphIcon } from "../timeline/glyphs.js";
+import { projection, viserIn } from "./projection.js";
+import { placed } from "./placing.js";
+
+/** With more names than this only the selected segment is named. */
+const MOST = 12;
+/** The node the server shows and hides for all names. */
+const NODE = "/labels";
+/** How often we look whether viser has started, and whether it still shows that node. */
+const LOOK_MS = 250;
+
+/**
+ * @typedef {{at: number[], plate: HTMLElement, line: SVGElement, dot: SVGElement}} Name
+ *
+ * @param {import("../store.js").Store} store
+ * @param {any} actions
+ * @param {() => Window|null} inside viser's window
+ */
+export function createNames(store, actions, inside) {
+  const layer = byId("names");
+  const lines = svg("svg", { "aria-hidden": "true" });
+  /** @type {Name[]} */
+  let names = [];
+  let followed = null;
+
+  function build() {
+    const { document: doc, selected, small } = store.state;
+    names = doc ? namesOf(doc, selected, small).map((name) => drawn(name, actions)) : [];
+    lines.replaceChildren(...names.flatMap(({ line, dot }) => [line, dot]));
+    layer.replaceChildren(lines, ...names.map(({ plate }) => plate));
+    place();
+  }
+
+  function place() {
+    const viser = viserIn(inside());
+    const isShown = Boolean(viser?.nodeRefFromName[NODE]?.visible) && !store.state.replayShown;
+    layer.hidden = !isShown || !names.length;
+    if (layer.hidden) return;
+    const project = projection(viser, NODE);
+    const seen = names.map(({ at, plate }) => ({ anchor: project(at), width: plate.offsetWidth }));
+    const inView = seen.map(({ anchor }) => anchor && isInside(anchor, viser.canvas));
+    const places = placed(seen.filter((_, k) => inView[k]), {
+      width: viser.canvas.clientWidth,
+      height: viser.canvas.clientHeight,
+    });
+    names.forEach((name, k) => put(name, seen[k].anchor, inView[k] ? places.shift() : null));
+  }
+
+  /** viser may make its camera controls anew; they tell of every move before it is drawn. */
+  function look() {
+    const viser = viserIn(inside());
+    const control = viser?.cameraControl ?? null;
+    if (control !== followed) {
+      followed = control;
+      control?.addEventListener("update", place);
+    }
+    place();
+  }
+
+  store.later(["document", "selected", "small"], build);
+  store.later(["replayShown", "dark"], place);
+  setInterval(look, LOOK_MS);
+}
+
+/** What is to be named. @param {import("../types.js").Doc} doc */
+function namesOf(doc, selected, small) {
+  const kept = doc.segments.flatMap((one, index) => (one.kept ? [index] : []));
+  const contacts = doc.boundaries.flatMap((one, index) => (one.at_m ? [index] : []));
+  const shown = kept.length > MOST ? [] : kept;
+  const told = small || kept.length + contacts.length > MOST ? [] : contacts;
+  const withSelected = [...new Set([...shown, ...(selected === null ? [] : [selected])])];
+  return [
+    ...withSelected.filter((index) => doc.segments[index]).map((index) => segmentName(doc, index, selected, small)),
+    ...told.map((index) => contactName(doc, index)),
+  ];
+}
+
+function segmentName(doc, index, selected, small) {
+  const { middle_m: at, short, color: number, kept, label } = doc.segments[index];
+  const isSelected = index === selected;
+  const color = kept ? segmentFill({ color: number }) : "var(--idle)";
+  return {
+    at,
+    isSelected,
+    title: label,
+    color,
+    mark: el("i", { style: { background: color } }),
+    text: `${index + 1} ${short[small && !isSelected ? 1 : 0]}`,
+    chosen: (actions) => actions.select(index),
+  };
+}
+
+function contactName(doc, index) {
+  const { at_m: at, origin, time_s: time } = doc.boundaries[index];
+  return {
+    at,
+    isSelected: false,
+    title: "",
+    color: `var(--origin-${origin})`,
+    mark: glyphIcon(origin, true),
+    text: `contact change ${timeText(time)} s`,
+    chosen: (actions) => actions.goTo(time),
+  };
+}
+
+/** @returns {Name} */
+function drawn({ at, isSelected, title, color, mark, text, chosen }, actions) {
+  const plate = el(
+    "button",
+    {
+      type: "button",
+      class: isSelected ? "name selected" : "name",
+      title,
+      tabindex: -1,
+      on: { click: () => chosen(actions) },
+    },
+    mark,
+    text,
+  );
+  return { at, plate, line: svg("path"), dot: svg("circle", { r: 2.5, style: { fill: color } }) };
+}
+
+function isInside({ x, y }, canvas) {
+  return x > 0 && y > 0 && x < canvas.clientWidth && y < canvas.clientHeight;
+}
+
+function put({ plate, line, dot }, anchor, to) {
+  for (const node of [plate, line, dot]) node.toggleAttribute("hidden", !to);
+  line.style.display = dot.style.display = to ? "" : "none";
+  if (!to) return;
+  const back = to.side === "left" ? "-100%" : "0";
+  plate.style.transform = `translate(${Math.round(to.x)}px, ${Math.round(to.y)}px) translate(${back}, -50%)`;
+  line.setAttribute("d", `M${to.x} ${to.y}L${anchor.x} ${anchor.y}`);
+  dot.setAttribute("cx", anchor.x);
+  dot.setAttribute("cy", anchor.y);
+}

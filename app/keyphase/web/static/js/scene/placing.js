@@ -1,0 +1,54 @@
+/**
+ * Names beside what they are about: in a column on either side of it all, in the order of their
+ * heights, so that lines never cross far and no name covers another.
+ *
+ * @typedef {{x: number, y: number}} Point
+ * @typedef {{anchor: Point, width: number}} Asked
+ * @typedef {{side: "left"|"right", x: number, y: number}} Place  where the line meets the name
+ */
+
+const LINE_PX = 26;
+const BESIDE_PX = 52;
+const MARGIN_PX = 12;
+/** What lies over the scene above and below: time, legend. */
+const COVERED_PX = 50;
+
+/**
+ * @param {Asked[]} asked
+ * @param {{width: number, height: number}} canvas
+ * @returns {Place[]} in the same order
+ */
+export function placed(asked, canvas) {
+  const across = asked.map(({ anchor }) => anchor.x);
+  const order = asked.map((_, index) => index).sort((a, b) => across[a] - across[b] || a - b);
+  const half = Math.ceil(order.length / 2);
+  /** @type {Place[]} */
+  const places = Array(asked.length);
+  for (const [side, indices] of /** @type {["left"|"right", number[]][]} */ ([
+    ["left", order.slice(0, half)],
+    ["right", order.slice(half)],
+  ])) {
+    const column = indices.sort((a, b) => asked[a].anchor.y - asked[b].anchor.y);
+    const heights = apart(column.map((index) => asked[index].anchor.y), canvas.height);
+    column.forEach((index, k) => {
+      const { width } = asked[index];
+      const x = side === "left"
+        ? Math.max(Math.min(...across) - BESIDE_PX, MARGIN_PX + width)
+        : Math.min(Math.max(...across) + BESIDE_PX, canvas.width - MARGIN_PX - width);
+      places[index] = { side, x, y: heights[k] };
+    });
+  }
+  return places;
+}
+
+/** Ascending heights, at least a line apart, around where they were, and in the canvas. */
+function apart(heights, canvasHeight) {
+  const spread = [];
+  for (const y of heights) spread.push(Math.max(y, (spread.at(-1) ?? -Infinity) + LINE_PX));
+  const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
+  const shift = spread.length ? mean(heights) - mean(spread) : 0;
+  const low = COVERED_PX - (spread[0] + shift);
+  const high = canvasHeight - COVERED_PX - (spread.at(-1) + shift);
+  const into = Math.max(Math.min(0, high), low);
+  return spread.map((y) => y + shift + into);
+}

@@ -1,0 +1,117 @@
+"""Names over the 3D scene: beside what they name, never on each other, in the page's own look."""
+
+import random
+from itertools import pairwise
+from typing import Any
+
+import pytest
+from driver import SEGMENT_COLORS, Box, KeyphasePage, Serve, Visit
+
+NEAR_PX = 14
+
+_PLACED = """async ([anchors, canvas]) => {
+  const { placed } = await import("/app/static/js/scene/placing.js");
+  return placed(anchors.map(([x, y, width]) => ({ anchor: { x, y }, width })), canvas);
+}"""
+
+
+def names(page: KeyphasePage) -> list[str]:
+    page.until("document.querySelectorAll('.name').length")
+    return page.page.locator("#names .name").all_text_contents()
+
+
+def anchor_of(page: KeyphasePage, text: str) -> Box:
+    """A square of the page around the point that a name is about."""
+    dots = page.page.locator("#names circle")
+    box = dots.nth(names(page).index(text)).bounding_box()
+    assert box
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    return Box(x - NEAR_PX, y - NEAR_PX, 2 * NEAR_PX, 2 * NEAR_PX)
+
+
+def moved(page: KeyphasePage, before: Box) -> None:
+    page.page.wait_for_function(
+        "([x, y]) => { const box = document.querySelector('#names circle').getBoundingClientRect();"
+        " return Math.hypot(box.x + box.width / 2 - x, box.y + box.height / 2 - y) > 10; }",
+        arg=list(before.middle),
+    )
+
+
+def test_every_kept_segment_and_contact_change_is_named(setup1: KeyphasePage) -> None:
+    setup1.wait_for_scene()
+    document = setup1.document
+    kept = [f"{k + 1} {s['label']}" for k, s in enumerate(document["segments"]) if s["kept"]]
+    times = [b["time_s"] for b in document["boundaries"] if b["contact_change"]]
+
+    assert names(setup1) == kept + [f"contact change {time:.3f} s" for time in times]
+
+
+def test_a_name_points_at_its_segments_path(setup1: KeyphasePage) -> None:
+    setup1.wait_for_scene()
+    setup1.page.evaluate("() => keyphase.actions.seek(keyphase.state.document.end_s)")
+    setup1.wait_for_scene()
+    picture = setup1.picture("names")
+    for index in (0, 4):
+        text = f"{index + 1} {setup1.document['segments'][index]['label']}"
+        color = SEGMENT_COLORS[setup1.document["segments"][index]["color"]]
+        assert picture.count_hue(color, anchor_of(setup1, text)) > 40
+
+
+def test_names_follow_the_camera(setup1: KeyphasePage) -> None:
+    setup1.wait_for_scene()
+    first = names(setup1)[0]
+    before = anchor_of(setup1, first)
+    scene = setup1.box("#viser")
+    empty = (scene.x + 0.25 * scene.width, scene.y + 0.8 * scene.height)
+    setup1.drag(empty, (empty[0] + 60, empty[1] - 20))
+    moved(setup1, before)
+    setup1.wait_for_scene()
+    color = SEGMENT_COLORS[setup1.document["segments"][0]["color"]]
+    picture = setup1.picture("names_orbited")
+    assert picture.count_hue(color, anchor_of(setup1, first)) > 20
+
+
+def test_a_click_on_a_name_selects_its_segment(setup1: KeyphasePage) -> None:
+    setup1.wait_for_scene()
+    setup1.page.locator("#names .name", has_text="5 ").click()
+    setup1.until("keyphase.state.selected === 4")
+    setup1.page.locator("#names .name.selected", has_text="5 ").wait_for()
+
+
+def test_names_are_hidden_and_shown_again(setup1: KeyphasePage) -> None:
+    setup1.wait_for_scene()
+    for visible, state in ((False, "hidden"), (True, "visible")):
+        setup1.page.evaluate(
+            "visible => keyphase.socket.send({ type: 'show', what: 'labels', visible })", visible
+        )
+        setup1.page.locator("#names").wait_for(state=state)
+
+
+@pytest.mark.parametrize("dark", [False, True])
+def test_names_have_the_themes_colours(folder: Any, serve: Serve, visit: Visit, dark: bool) -> None:
+    page = visit(serve(folder / "setup1.npz"), size=(1280, 720), dark=dark)
+    page.wait_for_document()
+    page.wait_for_scene()
+    assert not any(name.startswith("contact change") for name in names(page))
+    plate = page.box("#names .name")
+    brightness = page.picture(f"names_{'dark' if dark else 'light'}").brightness(plate)
+    assert brightness < 90 if dark else brightness > 180
+
+
+def test_names_never_cover_each_other_nor_leave_the_scene(timeline: KeyphasePage) -> None:
+    draw = random.Random(7)
+    canvas = {"width": 900, "height": 420}
+    for count in range(1, 13):
+        asked = [
+            (draw.uniform(0, 900), draw.uniform(0, 420), draw.uniform(60, 260))
+            for _ in range(count)
+        ]
+        places = timeline.page.evaluate(_PLACED, [asked, canvas])
+        for side in ("left", "right"):
+            heights = sorted(p["y"] for p in places if p["side"] == side)
+            assert all(b - a > 20 for a, b in pairwise(heights))
+        for (_, _, width), place in zip(asked, places, strict=True):
+            left = place["x"] - (width if place["side"] == "left" else 0)
+            assert left >= 0
+            assert left + width <= canvas["width"]
+            assert 20 < place["y"] < canvas["height"] - 20
