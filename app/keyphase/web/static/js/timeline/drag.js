@@ -15,11 +15,11 @@ export function withDrag(doc, drag) {
     time_s: drag.time,
     was_s: was,
   });
-  const segments = doc.segments.map((segment) => ({
-    ...segment,
-    start_s: segment.start_s === moved.time_s ? drag.time : segment.start_s,
-    end_s: segment.end_s === moved.time_s ? drag.time : segment.end_s,
-  }));
+  const before = doc.segments[drag.boundary];
+  const after = doc.segments[drag.boundary + 1];
+  const segments = doc.segments.slice();
+  segments[drag.boundary] = { ...before, end_s: drag.time };
+  segments[drag.boundary + 1] = { ...after, start_s: drag.time };
   return { ...doc, boundaries, segments };
 }
 

@@ -144,7 +144,7 @@ export function createTimeline(pane, store, actions) {
     groups.band.replaceChildren(...drawBand(state, at, layout.rows.get("segments")));
     groups.boundaries.replaceChildren(...drawBoundaries(state, at, layout, bottom()));
     groups.ghosts.replaceChildren(...drawGhosts(state, at, layout, bottom()));
-    gutters.get("segments").describe(state.document);
+    gutters.get("segments").describe(plain.document);
     gutters.get("boundaries").small.textContent = String(state.document.boundaries.length);
   }
 
@@ -309,13 +309,17 @@ function createGutters(pane, store, actions) {
     on: { click: actions.acceptNames },
   });
   segments.body.append(accept);
+  let told = { segments: null, small: false, readOnly: false };
   segments.describe = (doc) => {
+    const { small, readOnly } = store.state;
+    if (told.segments === doc.segments && told.small === small && told.readOnly === readOnly) return;
+    told = { segments: doc.segments, small, readOnly };
     const kept = doc.segments.filter((segment) => segment.kept).length;
-    segments.small.textContent = store.state.small
+    segments.small.textContent = small
       ? String(doc.segments.length)
       : `${doc.segments.length}, ${kept} kept`;
     const proposed = doc.segments.filter((segment) => segment.kept && segment.proposed).length;
-    accept.hidden = proposed === 0 || store.state.readOnly;
+    accept.hidden = proposed === 0 || readOnly;
     accept.textContent = `Accept ${proposed} ${proposed === 1 ? "name" : "names"}`;
   };
   const compared = gutters.get("comparison");
