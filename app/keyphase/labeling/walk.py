@@ -49,6 +49,7 @@ class Walk:
     decided_before_idle: int | None = None
     plan: HeldPlan | None = None
     _missed: dict[float, Inapplicable] = field(default_factory=dict)
+    _holds: dict[Span, HeldSpan] = field(default_factory=dict)
 
     @property
     def missed(self) -> list[Inapplicable]:
@@ -131,7 +132,14 @@ class Walk:
         for side in span if insisted else ():
             if self.line.find(side) is None and self.line.obstacle(side) is None:
                 self.line.place(Mark(side, contact_change=False), side)
-        return hold(span, self.line)
+                self.forget_holds()
+        if span not in self._holds:
+            self._holds[span] = hold(span, self.line)
+        return self._holds[span]
+
+    def forget_holds(self) -> None:
+        """Marks have come, gone or moved: the sides of spans have to be found anew."""
+        self._holds.clear()
 
     def _around(self, time_s: float) -> Span:
         times = [self.line.start_s, *(m.time_s for m in self.line.marks), self.line.end_s]
@@ -179,6 +187,8 @@ def _in_force(edits: Mapping[int, Edit]) -> dict[int, Edit]:
 
 
 def _apply(done: Walk, number: int, edit: Edit, insisted: bool) -> None:
+    if isinstance(edit, Add | Move | Remove | Merge | Contact | Accept):
+        done.forget_holds()
     match edit:
         case Add():
             done.add(number, edit)
