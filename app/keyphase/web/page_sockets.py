@@ -22,7 +22,7 @@ _log = logging.getLogger(__name__)
 MOST_PAGES = 100
 """So many pages at once; the next one is turned away."""
 
-MOST_CHANGES = 4
+MOST_CHANGES = 2
 """So many changes of one page may wait to be made; it is heard again when there are fewer."""
 
 _LAGGING_BYTES = 1 << 20
