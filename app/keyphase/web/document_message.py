@@ -1,7 +1,6 @@
 """The `document` message: a labeling as the page draws it, with the reasons in words."""
 
 import re
-from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import asdict
 from functools import lru_cache
@@ -12,7 +11,8 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.labeling.labeling import LabeledBoundary, LabeledSegment, Labeling, PlanEntry
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
-from keyphase.segmentation.segmentation import Gaussian, Peak
+from keyphase.segmentation.segmentation import Peak
+from keyphase.web.reasons import Meeting, sentences
 
 CONNECTING_MM = 1.0
 """A plan entry that starts nearer than this to where the last one ended needs no connection."""
@@ -45,7 +45,7 @@ def document_message(labeling: Labeling) -> dict[str, Any]:
         ),
         "force_channels": segmentation.curve.channels if segmentation.curve else 0,
         "boundaries": _boundaries(labeling),
-        "segments": [_segment(segment, demonstration) for segment in labeling.segments],
+        "segments": _segments(labeling),
         "peaks": [_peak(peak) for peak in segmentation.peaks],
         "gaussians": [
             {
@@ -102,8 +102,8 @@ def short_labels(label: str) -> tuple[str, str, str]:
 
 def _boundaries(labeling: Labeling) -> list[dict[str, Any]]:
     segmentation = labeling.segmentation
-    meeting = _Meeting(segmentation.gaussians)
-    demonstration = segmentation.demonstration
+    meeting = Meeting(segmentation.gaussians)
+    at_m = _at_m(segmentation.demonstration, [b.time_s for b in labeling.boundaries])
     return [
         {
             "time_s": boundary.time_s,
@@ -113,80 +113,23 @@ def _boundaries(labeling: Labeling) -> list[dict[str, Any]]:
             "contact_change": boundary.contact_change,
             "was_s": boundary.was_s,
             "accepted": boundary.accepted,
-            "at_m": _at_m(demonstration, boundary.time_s) if boundary.contact_change else None,
+            "at_m": position if boundary.contact_change else None,
             "why": _why(boundary, segmentation.threshold, meeting),
         }
-        for boundary in labeling.boundaries
+        for boundary, position in zip(labeling.boundaries, at_m, strict=True)
     ]
 
 
-def _why(boundary: LabeledBoundary, threshold: float | None, meeting: "_Meeting") -> dict[str, Any]:
+def _why(boundary: LabeledBoundary, threshold: float | None, meeting: Meeting) -> dict[str, Any]:
     found = boundary.automatic
     peak = found.peak if found else None
     return {
-        "sentences": _sentences(boundary, threshold, meeting),
+        "sentences": sentences(boundary, threshold, meeting),
         "height": peak.height if peak else None,
         "times_threshold": peak.height / threshold if peak and threshold else None,
         "position_s": found.position_s if found else None,
         "steps": _steps(peak),
     }
-
-
-def _sentences(
-    boundary: LabeledBoundary, threshold: float | None, meeting: "_Meeting"
-) -> list[str]:
-    said: list[str] = []
-    found = boundary.automatic
-    if found is None:
-        return ["Placed by you."]
-    if boundary.was_s is not None:
-        said.append(f"Moved by you from {boundary.was_s:.3f} s.")
-    if found.peak is not None:
-        said.append(_about_peak(found.peak, threshold))
-    if found.peak is not None and found.position_s is not None:
-        said.append(_about_position(found.position_s - found.time_s))
-    if found.peak is None and found.position_s is not None:
-        said += meeting.sentences(found.position_s)
-    if not boundary.contact_change and found.peak is not None:
-        said.append("It counts as no contact change.")
-    return said
-
-
-def _about_peak(peak: Peak, threshold: float | None) -> str:
-    if not threshold:
-        return f"The error peaks at {_number(peak.height)}."
-    times = _number(peak.height / threshold)
-    return f"The error peaks at {_number(peak.height)}, {times} × the threshold."
-
-
-def _about_position(lead_s: float) -> str:
-    if abs(lead_s) < 5e-4:
-        return "Position alone puts the boundary at the same time."
-    way = "later" if lead_s > 0 else "earlier"
-    return f"Position alone puts the boundary {abs(lead_s) * 1e3:.0f} ms {way}."
-
-
-class _Meeting:
-    """Which two Gaussians meet at a time, in words."""
-
-    def __init__(self, gaussians: Sequence[Gaussian]) -> None:
-        self._order = sorted(gaussians, key=lambda gaussian: gaussian.mean_time_s)
-        self._means = [gaussian.mean_time_s for gaussian in self._order]
-
-    def sentences(self, time_s: float) -> list[str]:
-        """About a boundary that position alone found."""
-        after = bisect_right(self._means, time_s)
-        if not 0 < after < len(self._order):
-            return ["The movement changes here; the force does not."]
-        before, now = self._span(after - 1), self._span(after)
-        return [f"Gaussian {before} gives way to {now}.", "The force shows no change here."]
-
-    def _span(self, index: int) -> str:
-        gaussian = self._order[index]
-        start_s = gaussian.mean_time_s - gaussian.sigma_time_s
-        end_s = gaussian.mean_time_s + gaussian.sigma_time_s
-        part = f"{100 * gaussian.weight:.0f} % of the samples"
-        return f"{index + 1} ({start_s:.2f} to {end_s:.2f} s, {part})"
 
 
 def _steps(peak: Peak | None) -> list[dict[str, Any]]:
@@ -201,12 +144,21 @@ def _steps(peak: Peak | None) -> list[dict[str, Any]]:
     ]
 
 
-def _at_m(demonstration: Demonstration, time_s: float) -> list[float]:
-    """Where the tool was, to a tenth of a millimetre."""
-    return demonstration.position_m[demonstration.index_at(time_s)].round(4).tolist()
+def _at_m(demonstration: Demonstration, times_s: Sequence[float]) -> list[list[float]]:
+    """Where the tool was at the samples nearest to some times, to a tenth of a millimetre."""
+    time = demonstration.time_s
+    after = np.searchsorted(time, times_s).clip(1, len(time) - 1)
+    rows = after - (times_s - time[after - 1] <= time[after] - times_s)
+    return demonstration.position_m[rows].round(4).tolist()
 
 
-def _segment(segment: LabeledSegment, demonstration: Demonstration) -> dict[str, Any]:
+def _segments(labeling: Labeling) -> list[dict[str, Any]]:
+    demonstration = labeling.segmentation.demonstration
+    middles_m = _at_m(demonstration, [segment.middle_s for segment in labeling.segments])
+    return list(map(_segment, labeling.segments, middles_m))
+
+
+def _segment(segment: LabeledSegment, middle_m: Sequence[float]) -> dict[str, Any]:
     return {
         "start_s": segment.start_s,
         "end_s": segment.end_s,
@@ -217,7 +169,7 @@ def _segment(segment: LabeledSegment, demonstration: Demonstration) -> dict[str,
         "color": segment.color,
         "end_condition": _end_condition(segment.end_condition),
         "short": short_labels(segment.label),
-        "middle_m": _at_m(demonstration, segment.middle_s),
+        "middle_m": middle_m,
     }
 
 
@@ -274,13 +226,6 @@ def _positions(demonstration: Demonstration, times_s: Sequence[float]) -> Array:
     """(M, 3) where the tool was at the first sample from each time on."""
     rows = np.searchsorted(demonstration.time_s, times_s).clip(0, len(demonstration) - 1)
     return demonstration.position_m[rows]
-
-
-def _number(value: float) -> str:
-    """Three figures, never in powers of ten."""
-    if value >= 100:
-        return f"{value:.0f}"
-    return f"{value:.3g}"
 
 
 def ghosts(before: Labeling, now: Labeling) -> list[dict[str, Any]]:

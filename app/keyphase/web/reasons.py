@@ -1,0 +1,70 @@
+"""Why a boundary is where it is, in words."""
+
+from bisect import bisect_right
+from collections.abc import Sequence
+
+from keyphase.labeling.labeling import LabeledBoundary
+from keyphase.segmentation.segmentation import Gaussian, Peak
+
+
+def sentences(boundary: LabeledBoundary, threshold: float | None, meeting: "Meeting") -> list[str]:
+    """Why a boundary is there."""
+    said: list[str] = []
+    found = boundary.automatic
+    if found is None:
+        return ["Placed by you."]
+    if boundary.was_s is not None:
+        said.append(f"Moved by you from {boundary.was_s:.3f} s.")
+    if found.peak is not None:
+        said.append(_about_peak(found.peak, threshold))
+    if found.peak is not None and found.position_s is not None:
+        said.append(_about_position(found.position_s - found.time_s))
+    if found.peak is None and found.position_s is not None:
+        said += meeting.sentences(found.position_s)
+    if not boundary.contact_change and found.peak is not None:
+        said.append("It counts as no contact change.")
+    return said
+
+
+def _about_peak(peak: Peak, threshold: float | None) -> str:
+    if not threshold:
+        return f"The error peaks at {_number(peak.height)}."
+    times = _number(peak.height / threshold)
+    return f"The error peaks at {_number(peak.height)}, {times} × the threshold."
+
+
+def _about_position(lead_s: float) -> str:
+    if abs(lead_s) < 5e-4:
+        return "Position alone puts the boundary at the same time."
+    way = "later" if lead_s > 0 else "earlier"
+    return f"Position alone puts the boundary {abs(lead_s) * 1e3:.0f} ms {way}."
+
+
+class Meeting:
+    """Which two Gaussians meet at a time, in words."""
+
+    def __init__(self, gaussians: Sequence[Gaussian]) -> None:
+        self._order = sorted(gaussians, key=lambda gaussian: gaussian.mean_time_s)
+        self._means = [gaussian.mean_time_s for gaussian in self._order]
+
+    def sentences(self, time_s: float) -> list[str]:
+        """About a boundary that position alone found."""
+        after = bisect_right(self._means, time_s)
+        if not 0 < after < len(self._order):
+            return ["The movement changes here; the force does not."]
+        before, now = self._span(after - 1), self._span(after)
+        return [f"Gaussian {before} gives way to {now}.", "The force shows no change here."]
+
+    def _span(self, index: int) -> str:
+        gaussian = self._order[index]
+        start_s = gaussian.mean_time_s - gaussian.sigma_time_s
+        end_s = gaussian.mean_time_s + gaussian.sigma_time_s
+        part = f"{100 * gaussian.weight:.0f} % of the samples"
+        return f"{index + 1} ({start_s:.2f} to {end_s:.2f} s, {part})"
+
+
+def _number(value: float) -> str:
+    """Three figures, never in powers of ten."""
+    if value >= 100:
+        return f"{value:.0f}"
+    return f"{value:.3g}"
