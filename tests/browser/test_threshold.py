@@ -108,3 +108,34 @@ def test_every_move_is_timed_from_the_hand_to_the_frame(timeline: KeyphasePage) 
     measured = timeline.page.evaluate("() => keyphase.latency")
     assert all(0 < one["milliseconds"] < 60_000 for one in measured)
     assert {one["source"] for one in measured} == {"line"}
+
+
+_FOCUS_NUMBER = """wanted => [...document.querySelectorAll('input')].find(
+  field => Math.abs(Number(field.value) / wanted - 1) < 0.01).focus()"""
+
+
+def test_the_threshold_is_typed_and_given_back_by_keys_alone(setup1: KeyphasePage) -> None:
+    scene = setup1.wait_for_scene()
+    automatic = setup1.document["threshold"]
+    scene.evaluate(_FOCUS_NUMBER, automatic)
+    setup1.press("Control+a")
+    setup1.page.keyboard.type("5000")
+    setup1.press("Enter")
+    setup1.until("keyphase.state.document.parameters.force_threshold === 5000")
+    assert contacts(setup1) == 0
+
+    setup1.page.locator("#help").focus()
+    setup1.press("Control+k")
+    setup1.page.keyboard.type("threshold back")
+    setup1.press("Enter")
+    setup1.until("keyphase.state.document.parameters.force_threshold === null")
+    assert setup1.document["threshold"] == automatic
+
+
+def test_the_panels_button_gives_all_parameters_back(setup1: KeyphasePage) -> None:
+    scene = setup1.wait_for_scene()
+    setup1.change(
+        lambda: setup1.page.evaluate("() => keyphase.actions.setThreshold(5000, false, null)")
+    )
+    setup1.change(lambda: scene.get_by_role("button", name="Reset to automatic").click())
+    assert setup1.document["parameters"]["force_threshold"] is None

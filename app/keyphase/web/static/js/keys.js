@@ -45,12 +45,13 @@ export function letGoOfButton({ detail, target }, to) {
     to.focus({ preventScroll: true });
 }
 
-/** Whether the key belongs to a text field, ours or the panel's. */
+/** Whether the key belongs to a text field, ours or the panel's; one just closed has it no more. */
 function isTyping({ target }) {
   const field = /** @type {HTMLElement} */ (target)?.closest?.(
     "input, textarea, select, [contenteditable]",
   );
-  return Boolean(field) && field.getAttribute("type") !== "range";
+  if (!field || field.closest("dialog:not([open]), [hidden]")) return false;
+  return field.getAttribute("type") !== "range";
 }
 
 /** Space and Enter press the button that has the focus. */

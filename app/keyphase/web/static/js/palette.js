@@ -51,6 +51,7 @@ export function createPalette(store, actions, commands) {
 
   input.addEventListener("input", search);
   input.addEventListener("keydown", (event) => {
+    if (!dialog.open) return;
     const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     if (by) choose(at + by);
     else if (event.key === "Enter") run(at);

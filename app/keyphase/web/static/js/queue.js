@@ -1,7 +1,7 @@
 /** The recordings at the left: what is left to do, and where doubt is greatest. */
 
-import { leastCertainOf } from "./actions.js";
 import { byId, el, redraw, svg } from "./dom.js";
+import { leastCertainOf } from "./recording_actions.js";
 import { segmentFill } from "./timeline/band.js";
 
 const UNSURE_BELOW = 0.7;
