@@ -5,7 +5,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-STEPS_PER_S = 40.0
+STEPS_PER_S = 60.0
 """How often a running playhead is told to the pages."""
 
 
@@ -65,10 +65,12 @@ class Clock:
     def _run(self) -> None:
         while self._awake.wait() and not self._stopped:
             self._awake.clear()
-            before = time.perf_counter()
+            due = before = time.perf_counter()
             going = True
             while going and not self._stopped:
-                time.sleep(1.0 / STEPS_PER_S)
+                # By the clock, so that what a step and waking up take does not add up.
+                due = max(due + 1.0 / STEPS_PER_S, before)
+                time.sleep(max(due - time.perf_counter(), 0.0))
                 now = time.perf_counter()
                 going = self._step(now - before)
                 before = now

@@ -12,6 +12,7 @@ from keyphase.segmentation.end_condition import AFTER_S, ContactEnd
 from keyphase.simulation.replay_result import ReplayResult, ReplayState, SkillResult
 from keyphase.skills.skill import Skill, drawn, until
 from keyphase.web.document_message import short_labels
+from keyphase.web.polyline import Polyline
 from keyphase.web.recordings import Recording
 from keyphase.web.replay_plan import PlannedSkill, ReplayPlan
 from keyphase.web.replay_run import ReplayRun
@@ -109,17 +110,17 @@ class Streamed:
     _told: int = 0
     _factor: float = 0.0
     _rows: list[list[float]] = field(default_factory=list)
-    _paths: dict[int, Array] = field(default_factory=dict)
+    _paths: dict[int, Polyline] = field(default_factory=dict)
 
     def more(self, states: Sequence[ReplayState], factor: float) -> dict[str, Any] | None:
         """The `replay_samples` message with what has come since; None where nothing has."""
         end = len(states)
-        new = [self._row(states[k]) for k in range(self._told, end) if k % EVERY == 0]
+        new = [states[k] for k in range(self._told, end) if k % EVERY == 0]
         self._told, self._factor = end, factor
         if not new:
             return None
         first = len(self._rows)
-        self._rows += new
+        self._rows += self._rows_of(new)
         return self._message(first)
 
     def everything(self) -> dict[str, Any]:
@@ -138,20 +139,25 @@ class Streamed:
             message["demonstrated"] = [demonstrated(self.plan, one) for one in self.plan.planned]
         return message
 
-    def _row(self, state: ReplayState) -> list[float]:
-        sample = state.sample
-        at_mm = 1e3 * (sample.position_m - self.plan.demonstration.position_m[0])
-        values = np.concatenate(
-            ([state.elapsed_s], at_mm, sample.force_N, sample.torque_Nm, [self._off_mm(state)])
+    def _rows_of(self, states: Sequence[ReplayState]) -> list[list[float]]:
+        samples = [state.sample for state in states]
+        at_m = np.array([sample.position_m for sample in samples])
+        columns = (
+            np.array([[state.elapsed_s] for state in states]),
+            1e3 * (at_m - self.plan.demonstration.position_m[0]),
+            np.array([sample.force_N for sample in samples]),
+            np.array([sample.torque_Nm for sample in samples]),
+            np.array([[self._off_mm(state)] for state in states]),
         )
-        return [round(value, 4) for value in values.tolist()]
+        return np.round(np.concatenate(columns, axis=1), 4).tolist()
 
     def _off_mm(self, state: ReplayState) -> float:
         """How far the tool is from the path of its skill, wherever on it [mm]."""
         skill = state.skill if state.skill is not None else len(self.plan.planned) - 1
         if skill not in self._paths:
-            self._paths[skill] = path_of_skill(self.plan, self.plan.planned[skill].skill)
-        return 1e3 * distance_m(self._paths[skill], state.sample.position_m)
+            path_m = path_of_skill(self.plan, self.plan.planned[skill].skill)
+            self._paths[skill] = Polyline(path_m)
+        return 1e3 * self._paths[skill].distance_m(state.sample.position_m)
 
 
 def path_of_skill(plan: ReplayPlan, skill: Skill) -> Array:
@@ -159,15 +165,6 @@ def path_of_skill(plan: ReplayPlan, skill: Skill) -> Array:
     if skill.demonstrated_s is None:
         return drawn(skill).position_m
     return plan.demonstration.position_m[_rows(plan.demonstration, *skill.demonstrated_s)]
-
-
-def distance_m(path_m: Array, point_m: Array) -> float:
-    """Distance of a point (3,) from a polyline (M, 3)."""
-    starts, steps = path_m[:-1], np.diff(path_m, axis=0)
-    squares = np.maximum((steps**2).sum(axis=1), 1e-18)
-    shares = np.clip(((point_m - starts) * steps).sum(axis=1) / squares, 0.0, 1.0)
-    away = starts + shares[:, None] * steps - point_m
-    return float(np.sqrt((away**2).sum(axis=1).min()))
 
 
 def demonstrated(plan: ReplayPlan, one: PlannedSkill) -> dict[str, list[float]] | None:

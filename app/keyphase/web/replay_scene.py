@@ -4,6 +4,7 @@ It is drawn in a thread of its own that skips poses which are no longer true, so
 never waits for the scene.
 """
 
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -14,13 +15,14 @@ from keyphase.demonstration import Array
 from keyphase.simulation.replay_result import Frame, ReplayResult, ReplayState
 from keyphase.simulation.replay_skill import STEP_S
 from keyphase.web.lent_yumi import LentYumi
-from keyphase.web.palette import IDLE, LIGHT, Rgb, painted, segment_color
+from keyphase.web.palette import LIGHT, Rgb, painted
 from keyphase.web.part_figures import PartFigures
 from keyphase.web.path_geometry import METRES_PER_NEWTON
 from keyphase.web.recordings import printable
 from keyphase.web.replay_exports import write_page
 from keyphase.web.replay_messages import path_of_skill
-from keyphase.web.replay_plan import PlannedSkill
+from keyphase.web.replay_paths import ReplayPaths
+from keyphase.web.replay_push import PushGizmo
 from keyphase.web.replay_run import Tick
 from keyphase.web.replay_session import ReplaySession, ReplayView, Running
 from keyphase.web.robot_view import RobotView
@@ -38,15 +40,10 @@ FRAME_S = 0.04
 LEAST_FORCE_N = 0.4
 """What the sensor reads in free space is not drawn."""
 
-STIFFNESS_N_M = 200.0
-"""Of the spring between the tool and the gizmo that pushes it."""
+DRAWN_EVERY_S = 0.048
+"""The scene is told new poses no more often than this."""
 
-PIECE_M = 0.003
-"""The path that was run is drawn in pieces of this length."""
-
-_GIZMO_M = 0.11
 _SEEN_M = 0.36
-_GHOST_M, _DONE_M, _NOW_M = 0.0018, 0.004, 0.006
 _BESIDE_M = np.array([0.055, 0.0, 0.0])
 """The arrow stands in front of the gripper, which would hide it."""
 
@@ -59,12 +56,11 @@ class _Shown:
 
     running: Running
     parts: PartFigures
+    paths: ReplayPaths
     arrow: viser.ArrowsHandle
     force: viser.LabelHandle
     name: viser.LabelHandle
     skill: int | None = None
-    piece: int = 0
-    last_m: Array | None = None
 
 
 class ReplayScene(ReplayView):
@@ -83,9 +79,9 @@ class ReplayScene(ReplayView):
         self._telling = telling
         self._painter = Worker(telling.report)
         self._shown: _Shown | None = None
-        self._gizmo: viser.TransformControlsHandle | None = None
+        self._gizmo: PushGizmo | None = None
         self._tool_m = np.zeros(3)
-        self._pulled_to_m: Array | None = None
+        self._shown_s = 0.0
         self._offered = False
 
     def close(self) -> None:
@@ -113,8 +109,18 @@ class ReplayScene(ReplayView):
         self._painter.submit(lambda: self._build(running))
 
     def show_tick(self, running: Running, tick: Tick) -> None:
-        """Everything as it is now."""
-        self._painter.submit(lambda: self._draw(running, tick), "tick")
+        """Everything as it is now, unless it was drawn just before."""
+        now = time.perf_counter()
+        if now - self._shown_s >= DRAWN_EVERY_S:
+            self._shown_s = now
+            self._painter.submit(lambda: self._draw(running, tick), "tick")
+
+    def show_status(self, running: Running) -> None:
+        """Where it stands still all is drawn as it is then."""
+        replay = running.run.replay
+        if running.phase != "running" and replay.states:
+            tick = Tick(replay.state, replay.simulation.part_poses())
+            self._painter.submit(lambda: self._draw(running, tick), "tick")
 
     def show_closed(self) -> None:
         """Give the scene back."""
@@ -130,12 +136,11 @@ class ReplayScene(ReplayView):
             self._shown = _Shown(
                 running,
                 PartFigures(self._server, f"{ROOT}/parts", running.shapes),
+                ReplayPaths(self._server, ROOT, running.plan),
                 self._add_arrow(),
                 scene.add_label(f"{ROOT}/force_size", "", visible=False, anchor="center-left"),
                 scene.add_label(f"{ROOT}/name", "", visible=False, anchor="center-right"),
             )
-            for number, one in enumerate(running.plan.planned):
-                self._draw_path(number, one, running, now=False)
             path = np.concatenate(
                 [path_of_skill(running.plan, one.skill) for one in running.plan.planned]
             )
@@ -155,9 +160,8 @@ class ReplayScene(ReplayView):
         with self._server.atomic():
             self._draw_state(shown, tick.state, tick.parts)
             self._tool_m = tick.state.sample.position_m
-            if self._gizmo is not None and self._pulled_to_m is None:
-                self._gizmo.position = self._tool_m
-            self._push()
+            if self._gizmo is not None:
+                self._gizmo.follow(self._tool_m)
 
     def _draw_state(self, shown: _Shown, state: ReplayState, parts: PartPoses) -> None:
         sample = state.sample
@@ -165,7 +169,7 @@ class ReplayScene(ReplayView):
         shown.parts.pose(parts)
         self._draw_force(shown, sample.position_m, sample.force_N)
         self._draw_skill(shown, state.skill)
-        self._draw_done(shown, sample.position_m)
+        shown.paths.follow(sample.position_m, state.skill)
 
     def _draw_force(self, shown: _Shown, tool_m: Array, force_N: Array) -> None:
         size = float(np.linalg.norm(force_N))
@@ -188,45 +192,12 @@ class ReplayScene(ReplayView):
         if before == skill:
             return
         planned = shown.running.plan.planned
-        for number in (before, skill):
-            if number is not None:
-                self._draw_path(number, planned[number], shown.running, now=number == skill)
+        shown.paths.highlight(before, skill)
         shown.name.visible = skill is not None
         if skill is not None:
             path = path_of_skill(shown.running.plan, planned[skill].skill)
             shown.name.text = planned[skill].name
             shown.name.position = path[len(path) // 2]
-
-    def _draw_path(self, number: int, one: PlannedSkill, running: Running, *, now: bool) -> None:
-        path = path_of_skill(running.plan, one.skill)
-        points = path[np.unique(np.linspace(0, len(path) - 1, 60).astype(int))]
-        if float(np.linalg.norm(np.ptp(points, axis=0))) < 1e-4:
-            return
-        self._server.scene.add_line_segments(
-            f"{ROOT}/ghost/{number}",
-            np.stack([points[:-1], points[1:]], axis=1).astype(np.float32),
-            np.array(_color(one) if now else IDLE, np.uint8),
-            thickness=_NOW_M if now else _GHOST_M,
-        )
-
-    def _draw_done(self, shown: _Shown, tool_m: Array) -> None:
-        """Another piece of the path that was run, once the tool has moved so far."""
-        last = shown.last_m
-        if last is None:
-            shown.last_m = tool_m
-            return
-        if float(np.linalg.norm(tool_m - last)) < PIECE_M:
-            return
-        planned = shown.running.plan.planned
-        one = planned[shown.skill] if shown.skill is not None else None
-        self._server.scene.add_line_segments(
-            f"{ROOT}/done/{shown.piece}",
-            np.array([[last, tool_m]], np.float32),
-            np.array(IDLE if one is None else _color(one), np.uint8),
-            thickness=_DONE_M,
-        )
-        shown.piece += 1
-        shown.last_m = tool_m
 
     def _remove(self) -> None:
         if self._shown is None:
@@ -247,8 +218,7 @@ class ReplayScene(ReplayView):
         if shown is None or result is None:
             return
         with self._server.atomic():
-            self._server.scene.remove_by_name(f"{ROOT}/done")
-            shown.piece, shown.last_m = 0, None
+            shown.paths.forget_run()
             film = self._server.get_scene_serializer()
             for frame in result.frames:
                 self._draw_state(shown, state_at(result, frame.time_s), parts_in(result, frame))
@@ -267,40 +237,14 @@ class ReplayScene(ReplayView):
             visible=False,
         )
 
-    # -- pushing
-
     def _show_gizmo(self) -> None:
         wanted = self._offered and self._shown is not None
         if wanted and self._gizmo is None:
-            self._gizmo = self._add_gizmo()
+            push = self._session.push
+            self._gizmo = PushGizmo(self._server, f"{ROOT}/push", self._tool_m, push)
         elif not wanted and self._gizmo is not None:
             self._gizmo.remove()
             self._gizmo = None
-
-    def _add_gizmo(self) -> viser.TransformControlsHandle:
-        gizmo = self._server.scene.add_transform_controls(
-            f"{ROOT}/push",
-            scale=_GIZMO_M,
-            disable_rotations=True,
-            depth_test=False,
-            position=self._tool_m,
-        )
-
-        @gizmo.on_update
-        async def _(event: viser.TransformControlsEvent) -> None:
-            if event.phase == "end":
-                self._pulled_to_m = None
-                self._session.push(np.zeros(3))
-            else:
-                self._pulled_to_m = np.array(event.target.position)
-                self._push()
-
-        return gizmo
-
-    def _push(self) -> None:
-        """The spring between tool and gizmo, which is stretched as either of them moves."""
-        if self._pulled_to_m is not None:
-            self._session.push(STIFFNESS_N_M * (self._pulled_to_m - self._tool_m))
 
 
 def state_at(result: ReplayResult, time_s: float) -> ReplayState:
@@ -312,7 +256,3 @@ def parts_in(result: ReplayResult, frame: Frame) -> PartPoses:
     """Where everything that is no link of the robot was."""
     poses = zip(result.bodies, frame.position_m, frame.orientation_wxyz, strict=True)
     return {name: (position, wxyz) for name, position, wxyz in poses}
-
-
-def _color(one: PlannedSkill) -> Rgb:
-    return painted(IDLE if one.color is None else segment_color(one.color, True))

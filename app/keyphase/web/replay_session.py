@@ -1,7 +1,6 @@
 """Replay in the page: what was chosen for it, the one that runs, and whoever watches it."""
 
 import threading
-import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -23,12 +22,9 @@ from keyphase.web.replay_messages import Streamed, replay_message
 from keyphase.web.replay_plan import ReplayPlan, plan_of
 from keyphase.web.replay_run import Phase, ReplayRun, Tick
 from keyphase.web.replay_settings import WORKCELLS, Action, ReplaySettings
-from keyphase.web.replay_trials import run_and_tell
+from keyphase.web.replay_trials import ReplayTrials
 from keyphase.web.telling import Telling
 from keyphase.web.worker import Worker
-
-SHOWN_EVERY_S = 0.032
-"""Samples are told to the pages, and poses to the scene, no more often than this."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +68,9 @@ class ReplayView:
     def show_closed(self) -> None:
         """It is not shown any more."""
 
+    def show_trials_run(self, done: int, count: int) -> None:
+        """Trials run: of `count` worlds so many are done."""
+
     def show_trials(self, outcome: str) -> None:
         """Trials are over, with this outcome in one line."""
 
@@ -88,9 +87,12 @@ class ReplaySession:
         self._views: tuple[ReplayView, ...] = ()
         self._lock = threading.RLock()
         self._worker = Worker(telling.report)
-        self._trials = Worker(telling.report)
+        self._trials = ReplayTrials(
+            telling,
+            lambda done, count: self._each(lambda view: view.show_trials_run(done, count)),
+            lambda outcome: self._each(lambda view: view.show_trials(outcome)),
+        )
         self._streamed: Streamed | None = None
-        self._shown_s = 0.0
         self._count = 0
         self._building = False
         self._proposed: Demonstration | None = None
@@ -211,14 +213,11 @@ class ReplaySession:
 
     def run_trials(self, count: int) -> None:
         """Run the open recording's plan in `count` disturbed worlds, in the background."""
-        opened, settings = self._current(), self.settings
+        self._trials.run(self._current(), self.settings, count)
 
-        def tell(outcome: str) -> None:
-            self._each(lambda view: view.show_trials(outcome))
-
-        self._trials.submit(
-            lambda: run_and_tell(opened, settings, count, self._telling, tell), "trials"
-        )
+    def cancel_trials(self) -> None:
+        """Give up the trials that run."""
+        self._trials.cancel()
 
     def over(self) -> Running:
         """The replay that is over. Raises SimulationError where there is none."""
@@ -290,12 +289,10 @@ class ReplaySession:
             run.start(one_skill=one_skill)
 
     def _ticked(self, tick: Tick) -> None:
-        now = time.perf_counter()
         with self._lock:
             running = self.running
-            if running is None or now - self._shown_s < SHOWN_EVERY_S:
+            if running is None:
                 return
-            self._shown_s = now
             self._tell_samples(running)
         self._each(lambda view: view.show_tick(running, tick))
 

@@ -79,6 +79,7 @@ class ReplayTab(ReplayView):
         with self._gui.add_folder("Trials", expand_by_default=False):
             self._count = self._gui.add_slider("Worlds", 10, 200, 10, 20, hint=_WORLDS_HINT)
             self._button("Run trials", lambda: session.run_trials(int(self._count.value)))
+            self._cancel = self._button("Cancel trials", session.cancel_trials, visible=False)
             self._trials = self._gui.add_markdown("")
         with self._gui.add_folder("Carry on elsewhere", expand_by_default=False):
             for label, kind, hint in _EXPORTS:
@@ -114,8 +115,14 @@ class ReplayTab(ReplayView):
 
     # -- hearing what a person does
 
+    def show_trials_run(self, done: int, count: int) -> None:
+        """How many worlds of the trials are done."""
+        _put(self._cancel, "visible", True)
+        _put(self._trials, "content", f"{done} of {count} worlds")
+
     def show_trials(self, outcome: str) -> None:
         """What came of the trials, in one line."""
+        _put(self._cancel, "visible", False)
         _put(self._trials, "content", outcome)
 
     def _steered(self) -> None:

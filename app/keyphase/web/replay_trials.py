@@ -1,5 +1,6 @@
 """Trials from the page: the plan in many disturbed worlds, in the background."""
 
+import threading
 from collections.abc import Callable
 
 from keyphase.simulation.replay_report import trials_outcome
@@ -10,6 +11,7 @@ from keyphase.web.opened import Opened
 from keyphase.web.replay_plan import plan_of
 from keyphase.web.replay_settings import ReplaySettings
 from keyphase.web.telling import Telling
+from keyphase.web.worker import Worker
 
 WORLDS = Worlds(
     part_height_m=Spread(-0.01, 0.01),
@@ -20,34 +22,69 @@ WORLDS = Worlds(
 """Parts ±10 mm in height and ±5 mm aside, friction 0.2 to 0.6, sensor noise doubled."""
 
 
-def run_and_tell(
-    opened: Opened,
-    settings: ReplaySettings,
-    count: int,
-    telling: Telling,
-    on_outcome: Callable[[str], None],
-) -> None:
-    """Run `count` worlds on all cores; the pages get progress, then the picture.
+class _CancelledError(Exception):
+    """A person gave the trials up."""
 
-    Raises SkillError or SimulationError for a plan that cannot be replayed.
+
+class ReplayTrials:
+    """Runs trials one after another; pages get progress, then the picture.
+
+    `show_progress` is told how many worlds are done and how many there are, `show_outcome` what
+    came of them in one line.
     """
-    plan = plan_of(opened.labeling, settings.end_by)
-    worlds = drawn_worlds(WORLDS, count, settings.seed)
-    what = f"Trials of {opened.recording.name}"
-    telling.progress(what, 0.0)
 
-    def progress(done: int, total: int) -> None:
-        telling.progress(what, done / total)
+    def __init__(
+        self,
+        telling: Telling,
+        show_progress: Callable[[int, int], None],
+        show_outcome: Callable[[str], None],
+    ) -> None:
+        self._telling = telling
+        self._show_progress, self._show_outcome = show_progress, show_outcome
+        self._worker = Worker(telling.report)
+        self._cancelled = threading.Event()
 
-    try:
+    def run(self, opened: Opened, settings: ReplaySettings, count: int) -> None:
+        """Run the open recording's plan in `count` disturbed worlds on all cores."""
+        self._worker.submit(lambda: self._run(opened, settings, count), "trials")
+
+    def cancel(self) -> None:
+        """Give up those that run; what came of their worlds is forgotten."""
+        self._cancelled.set()
+
+    def stop(self) -> None:
+        """End everything."""
+        self.cancel()
+        self._worker.stop()
+
+    def _run(self, opened: Opened, settings: ReplaySettings, count: int) -> None:
+        self._cancelled.clear()
+        try:
+            self._run_and_tell(opened, settings, count)
+        except _CancelledError:
+            self._show_outcome("Cancelled.")
+        except Exception:
+            self._show_outcome("")
+            raise
+        finally:
+            self._telling.progress_done()
+
+    def _run_and_tell(self, opened: Opened, settings: ReplaySettings, count: int) -> None:
+        plan = plan_of(opened.labeling, settings.end_by)
+        worlds = drawn_worlds(WORLDS, count, settings.seed)
+        what = f"Trials of {opened.recording.name}"
+
+        def progress(done: int, total: int) -> None:
+            if self._cancelled.is_set():
+                raise _CancelledError
+            self._telling.progress(what, done / total)
+            self._show_progress(done, total)
+
+        progress(0, count)
         trials = run_trials(
             settings.workcell, plan.demonstration, plan.skills, worlds, progress=progress
         )
-    finally:
-        telling.progress_done()
-    title = f"{opened.recording.name} in {settings.workcell}, {settings.end_by} end conditions"
-    outcome = trials_outcome(trials)
-    on_outcome(outcome)
-    telling.all(
-        {"type": "trials", "title": title, "outcome": outcome, "svg": trials_svg(trials, title)}
-    )
+        title = f"{opened.recording.name} in {settings.workcell}, {settings.end_by} end conditions"
+        outcome, picture = trials_outcome(trials), trials_svg(trials, title)
+        self._show_outcome(outcome)
+        self._telling.all({"type": "trials", "title": title, "outcome": outcome, "svg": picture})

@@ -23,7 +23,7 @@ import { firstChoice } from "./timeline/rows.js";
  *   drag: any, range: [number, number]|null, planDrag: any, renaming: number|null,
  *   heldThreshold: number|null, holding: boolean, saving: boolean, small: boolean,
  *   dark: boolean|null, snap: boolean|null, logarithmic: boolean, leastCertainFirst: boolean,
- *   folded: Set<string>, hidden: Set<string>, replayFolded: Set<string>, plotWidth: number,
+ *   folded: Set<string>, hidden: Set<string>, replayFolded: Set<string>, replayView: ?import("./types.js").View, plotWidth: number,
  *   paneHeight: number, paneWidth: number, layout: ?import("./timeline/rows.js").Layout}} Seen
  *
  * @typedef {Told & Seen & {[name: string]: any}} State
@@ -41,7 +41,7 @@ export function firstState(small) {
     view: null, clock: 0, selected: null, hovered: null, current: null, explained: null,
     pointer: null, drag: null, range: null, planDrag: null, renaming: null, heldThreshold: null,
     holding: false, saving: false, small, dark: null, snap: null, logarithmic: true,
-    leastCertainFirst: false, ...firstChoice(small), replayFolded: new Set(["torque"]),
+    leastCertainFirst: false, ...firstChoice(small), replayFolded: new Set(["torque"]), replayView: null,
     plotWidth: 0, paneHeight: 0, paneWidth: 0, layout: null,
   };
 }

@@ -9,7 +9,7 @@ import { keyOf } from "../commands.js";
  * @returns {(event: KeyboardEvent) => boolean} whether the key was the replay's
  */
 export function createReplayKeys(store, actions, commands) {
-  const own = { Space: actions.toggle, ".": actions.next, H: actions.hold };
+  const own = { Space: actions.toggle, ".": actions.next, H: actions.hold, F: () => store.set({ replayView: null }) };
   return (event) => {
     const { replay } = store.state;
     if (!replay || event.defaultPrevented || event.altKey || document.querySelector("dialog[open]")) return false;

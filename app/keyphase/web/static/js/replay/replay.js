@@ -1,6 +1,8 @@
 /** Replay in the page: turns it from the demonstration to the replay and back. */
 
 import { byId, el, svg } from "../dom.js";
+import { sceneFrames } from "../scene.js";
+import { createScenePace } from "../scene_pace.js";
 import { createReplayPlan } from "./plan.js";
 import { withRows } from "./samples.js";
 import { placeText } from "./schedule.js";
@@ -35,6 +37,7 @@ export function createReplay(store, actions) {
   createReplayTransport(store, actions);
   createReplayPlan(store);
   createReplayHud(store);
+  paceScene(store);
   const status = byId("replay-status");
   store.on(["replay"], ({ replay, replayShown }) => {
     const shown = replay !== null;
@@ -47,10 +50,18 @@ export function createReplay(store, actions) {
     if (replay) status.replaceChildren("Replay of ", el("b", { text: replay.name }), el("span", { class: "wide", text: ending(replay) }));
   });
   return {
-    replay: (message) => store.set(message.phase === null ? { replay: null, samples: null } : { replay: message }),
+    replay: (message) => store.set(message.phase === null ? { replay: null, samples: null, replayView: null } : { replay: message }),
     samples: (message) => store.set({ samples: withRows(store.state.samples, message) }),
     trials: showTrials,
   };
+}
+
+/** While something plays or is replayed the scene leaves time to the timeline. */
+function paceScene({ state }) {
+  const pace = createScenePace(sceneFrames, () => state.replay?.phase === "running" || state.playhead.playing);
+  const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
+  // After all others that watch the frame, so that what it draws with is seen as it is.
+  frame.addEventListener("load", () => setTimeout(() => pace.watch(frame.contentWindow)));
 }
 
 /** When the skill that runs will be over. */

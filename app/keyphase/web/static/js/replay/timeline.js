@@ -6,8 +6,9 @@ import { createPlayhead, drawRuler } from "../timeline/ruler.js";
 import { createScale } from "../timeline/scale.js";
 import { drawCurrent, drawEnds, drawSkills, drawWholePlan } from "./band.js";
 import { layOutReplay, REPLAY_TRACKS } from "./rows.js";
-import { planned, slotsOf, viewOf } from "./schedule.js";
+import { planned, slotsOf } from "./schedule.js";
 import { createReplayTrack } from "./tracks.js";
+import { attachReplayView, shownOf } from "./view.js";
 
 const MARGIN_PX = { large: 42, small: 34 };
 const GUTTER_PX = { large: 172, small: 132 };
@@ -15,9 +16,11 @@ const GUTTER_PX = { large: 172, small: 132 };
 /** @param {import("../store.js").Store} store */
 export function createReplayTimeline(store) {
   const pane = byId("replay-timeline");
-  const groups = { current: svg("g"), plan: svg("g"), ruler: svg("g"), skills: svg("g"), ends: svg("g"), playhead: svg("g", { class: "playhead" }), whole: svg("rect", { class: "overview-playhead", width: 1.5 }) };
+  const clip = svg("rect", { y: -10_000, height: 20_000 });
+  const inside = { "clip-path": "url(#replay-clip)" };
+  const groups = { current: svg("g", inside), plan: svg("g"), ruler: svg("g"), skills: svg("g", inside), ends: svg("g", inside), playhead: svg("g", { class: "playhead" }), whole: svg("rect", { class: "overview-playhead", width: 1.5 }) };
   const below = svg("svg", { class: "layer below" }, patterns(), groups.current);
-  const above = svg("svg", { class: "layer above" }, groups.plan, groups.whole, groups.ruler, groups.skills, groups.ends, groups.playhead);
+  const above = svg("svg", { class: "layer above" }, svg("clipPath", { id: "replay-clip" }, clip), groups.plan, groups.whole, groups.ruler, groups.skills, groups.ends, groups.playhead);
   const content = el("div", { class: "tracks-content" });
   pane.append(below, el("div", { class: "tracks" }, content), above);
   const gutters = createGutters(pane);
@@ -50,22 +53,25 @@ export function createReplayTimeline(store) {
     draw(state);
   }
 
-  const scaleOf = (slots, now) => {
-    const size = store.state.small ? "small" : "large";
-    return createScale(viewOf(slots, now), Math.max(50, pane.clientWidth - GUTTER_PX[size] - MARGIN_PX[size]));
-  };
+  const left = () => GUTTER_PX[store.state.small ? "small" : "large"];
+  const width = () => Math.max(50, pane.clientWidth - left() - MARGIN_PX[store.state.small ? "small" : "large"]);
+  let shown = { whole: { from: 0, to: 1 }, view: { from: 0, to: 1 } };
+  attachReplayView(store, pane, () => ({ ...shown, width: width(), left: pane.getBoundingClientRect().left + left() }));
 
   function draw(state) {
     const { replay, samples } = state;
     if (!replay || !samples || !pane.clientWidth) return;
     const now = nowOf(state);
     const slots = slotsOf(replay, now);
-    const scale = scaleOf(slots, now);
+    shown = shownOf(slots, now, state.replayView);
+    const scale = createScale(shown.view, width());
+    const whole = createScale(shown.whole, scale.width);
+    clip.setAttribute("width", String(scale.width));
     const { rows } = layout;
     const bottom = pane.clientHeight;
     const body = rows.get("skills").y + rows.get("skills").height;
     groups.current.replaceChildren(...drawCurrent(slots, scale, body, bottom));
-    groups.plan.replaceChildren(...drawWholePlan(slots, scale, rows.get("overview")));
+    groups.plan.replaceChildren(...drawWholePlan(slots, whole, rows.get("overview")), ...drawPart(shown, whole, rows.get("overview")));
     groups.ruler.replaceChildren(...drawRuler(scale, rows.get("ruler")));
     groups.skills.replaceChildren(...drawSkills(slots, scale, rows.get("skills"), now));
     groups.ends.replaceChildren(...drawEnds(slots, scale, rows.get("ends"), bottom));
@@ -73,18 +79,30 @@ export function createReplayTimeline(store) {
       track.draw(samples, slots, scale, rows.get(key));
       track.read(samples);
     }
+    groups.playhead.style.setProperty("visibility", now < scale.from || now > scale.to ? "hidden" : "visible");
     playhead.move(scale, now, groups.ruler.querySelectorAll("text"));
-    for (const [name, value] of Object.entries({ x: scale.x(now) - 0.75, y: rows.get("overview").y, height: rows.get("overview").height })) groups.whole.setAttribute(name, String(value));
+    for (const [name, value] of Object.entries({ x: whole.x(now) - 0.75, y: rows.get("overview").y, height: rows.get("overview").height })) groups.whole.setAttribute(name, String(value));
     describe(gutters.get("skills"), slots);
   }
 
   store.on(["replay", "replayFolded", "small", "paneHeight", "paneWidth", "replayShown"], arrange);
-  store.on(["samples"], draw);
+  store.on(["samples", "replayView"], draw);
   store.on(["dark"], (state) => {
     for (const track of tracks.values()) track.recolor();
     draw(state);
   });
   new ResizeObserver(() => arrange(store.state)).observe(pane);
+}
+
+/** Where the part in view lies in the whole plan; nothing where all of it is in view. */
+function drawPart({ view, whole: all }, whole, { y, height }) {
+  if (view.from <= all.from && view.to >= all.to) return [];
+  const [from, to] = [whole.x(view.from), whole.x(view.to)];
+  return [
+    svg("rect", { y, width: Math.max(0, from), height, class: "overview-outside" }),
+    svg("rect", { x: to, y, width: Math.max(0, whole.width - to), height, class: "overview-outside" }),
+    svg("rect", { x: from, y: y + 1.5, width: Math.max(2, to - from), height: height - 3, rx: 3, class: "overview-window" }),
+  ];
 }
 
 /** Replay time now: that of the newest sample. */

@@ -87,7 +87,8 @@ export function createReplayTrack(key, { plot, marks, gutter }) {
       open.resize(scale.width, row.height, false);
       open.draw(live, range, view);
       const ends = key === "force" ? drawEndConditions(slots, samples, scale, open.y) : [];
-      marks.replaceChildren(...tickLabels(range, open.y), ...ends, ...dots(live, scale, open.y, curves));
+      const inside = svg("g", { "clip-path": "url(#replay-clip)" }, ...ends, ...dots(live, scale, open.y, curves));
+      marks.replaceChildren(...tickLabels(range, open.y), inside);
     },
     /** The newest values, in the gutter. */
     read(samples) {

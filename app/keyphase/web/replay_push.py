@@ -1,0 +1,55 @@
+"""The gizmo by which a person pushes the tool of a replay: a spring between it and the tool."""
+
+from collections.abc import Callable
+
+import numpy as np
+import viser
+
+from keyphase.demonstration import Array
+
+STIFFNESS_N_M = 200.0
+"""Of the spring."""
+
+GIZMO_M = 0.11
+
+
+class PushGizmo:
+    """Follows the tool until it is dragged; `push` is told the force (3,) [N] from then on."""
+
+    def __init__(
+        self, server: viser.ViserServer, name: str, tool_m: Array, push: Callable[[Array], None]
+    ) -> None:
+        self._push, self._tool_m = push, tool_m
+        self._pulled_to_m: Array | None = None
+        self._gizmo = server.scene.add_transform_controls(
+            name, scale=GIZMO_M, disable_rotations=True, depth_test=False, position=tool_m
+        )
+        self._gizmo.on_update(self._dragged)
+
+    def follow(self, tool_m: Array) -> None:
+        """The tool is at `tool_m` now, which stretches the spring or takes the gizmo along."""
+        self._tool_m = tool_m
+        if self._pulled_to_m is None:
+            self._gizmo.position = tool_m
+        self._pull()
+
+    def remove(self) -> None:
+        """Draw it no more, and let go."""
+        self._let_go()
+        self._gizmo.remove()
+
+    async def _dragged(self, event: viser.TransformControlsEvent) -> None:
+        if event.phase == "end":
+            self._let_go()
+        else:
+            self._pulled_to_m = np.array(event.target.position)
+            self._pull()
+
+    def _pull(self) -> None:
+        if self._pulled_to_m is not None:
+            self._push(STIFFNESS_N_M * (self._pulled_to_m - self._tool_m))
+
+    def _let_go(self) -> None:
+        if self._pulled_to_m is not None:
+            self._pulled_to_m = None
+            self._push(np.zeros(3))
