@@ -56,6 +56,9 @@ export function createScene(store, { onKey, onSlide }) {
   return frame;
 }
 
+/** So many Gaussians the server draws at most (MOST_ELLIPSOIDS of path_geometry.py). */
+const MOST_ELLIPSOIDS = 60;
+
 function legend(doc) {
   const parts = [];
   if (doc.gaussians.length) {
@@ -74,7 +77,9 @@ function legend(doc) {
             style: { fill: "var(--segment-0)", opacity: ".45" },
           }),
         ),
-        "Gaussian, 1 σ",
+        doc.gaussians.length > MOST_ELLIPSOIDS
+          ? `Gaussian, 1 σ (${MOST_ELLIPSOIDS} heaviest of ${doc.gaussians.length})`
+          : "Gaussian, 1 σ",
       ),
     );
   }

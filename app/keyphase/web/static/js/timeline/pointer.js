@@ -16,7 +16,7 @@ const CURSORS = {
   track: "crosshair",
 };
 const WHEEL_ZOOM = 0.0016;
-const WHEEL_REST_MS = 300;
+const WHEEL_REST_MS = 500;
 
 /**
  * @param {import("../store.js").Store} store
@@ -50,11 +50,17 @@ export function attachPointer(store, timeline, actions) {
     });
   }
 
-  /** A wheel never says that it was let go; after a moment without a turn it was. */
+  /**
+   * A wheel never says that it was let go; after a moment without a turn it was. Turns that came
+   * in while the page was busy are heard before the next frame, so one frame more is awaited.
+   */
   function holdWhileTurning() {
     store.set({ holding: true });
     clearTimeout(turning);
-    turning = setTimeout(() => store.set({ holding: gesture !== null }), WHEEL_REST_MS);
+    const turn = setTimeout(() => {
+      requestAnimationFrame(() => turn === turning && store.set({ holding: gesture !== null }));
+    }, WHEEL_REST_MS);
+    turning = turn;
   }
 
   surface.addEventListener("pointermove", (event) => {
