@@ -23,12 +23,14 @@ export function createCalmScene(sceneFrames) {
   const waiting = new Map();
   let drawsUntil = 0;
   let askedUntil = 0;
+  /** Whether a frame was asked for since the last one was drawn. */
+  let isOwed = false;
   let isHeld = false;
   let isNear = false;
 
   const mayDraw = () => {
     const now = performance.now();
-    return now < drawsUntil || (!isHeld && (!isNear || now < askedUntil));
+    return now < drawsUntil || (!isHeld && (!isNear || isOwed || now < askedUntil));
   };
 
   function release() {
@@ -43,6 +45,7 @@ export function createCalmScene(sceneFrames) {
     const ask = viser.requestRender;
     const heard = () => {
       askedUntil = performance.now() + FOLLOWS_MS;
+      isOwed = true;
       ask();
       release();
     };
@@ -60,7 +63,9 @@ export function createCalmScene(sceneFrames) {
           if (viser() && !viser().requestRender.isHeard) hearRequests(viser());
           const before = sceneFrames();
           callback(now);
-          if (sceneFrames() !== before) drawing.add(callback.draws ?? callback);
+          if (sceneFrames() === before) return;
+          drawing.add(callback.draws ?? callback);
+          isOwed = false;
         });
       inside.requestAnimationFrame = (/** @type {Callback} */ callback) => {
         if (mayDraw() || !drawing.has(callback.draws ?? callback)) return draw(callback);
