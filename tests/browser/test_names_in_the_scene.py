@@ -73,9 +73,9 @@ def test_names_follow_the_camera(setup1: KeyphasePage) -> None:
 
 def test_a_click_on_a_name_selects_its_segment(setup1: KeyphasePage) -> None:
     setup1.wait_for_scene()
-    setup1.page.locator("#names .name", has_text="5 ").click()
+    setup1.page.locator("#names .name", has_text="5 Slide").click()
     setup1.until("keyphase.state.selected === 4")
-    setup1.page.locator("#names .name.selected", has_text="5 ").wait_for()
+    setup1.page.locator("#names .name.selected", has_text="5 Slide").wait_for()
 
 
 def test_names_are_hidden_and_shown_again(setup1: KeyphasePage) -> None:

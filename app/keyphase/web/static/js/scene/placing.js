@@ -43,12 +43,20 @@ export function placed(asked, canvas) {
 
 /** Ascending heights, at least a line apart, around where they were, and in the canvas. */
 function apart(heights, canvasHeight) {
-  const spread = [];
-  for (const y of heights) spread.push(Math.max(y, (spread.at(-1) ?? -Infinity) + LINE_PX));
+  const spread = downwards(heights, -Infinity);
   const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
-  const shift = spread.length ? mean(heights) - mean(spread) : 0;
-  const low = COVERED_PX - (spread[0] + shift);
-  const high = canvasHeight - COVERED_PX - (spread.at(-1) + shift);
-  const into = Math.max(Math.min(0, high), low);
-  return spread.map((y) => y + shift + into);
+  const shift = mean(heights) - mean(spread);
+  const below = downwards(spread.map((y) => y + shift), COVERED_PX);
+  // From the lowest up, the same as from the highest down seen in a mirror.
+  return downwards(below.map((y) => -y).reverse(), COVERED_PX - canvasHeight).map((y) => -y).reverse();
+}
+
+/** Each at least a line below the one before, the first no higher than `top`. */
+function downwards(heights, top) {
+  let least = top;
+  return heights.map((y) => {
+    const placed = Math.max(y, least);
+    least = placed + LINE_PX;
+    return placed;
+  });
 }
