@@ -50,6 +50,38 @@ def test_a_hostile_name_and_metadata_run_nothing_in_page_and_scene(
     assert page.scene.evaluate("() => window.hacked") is None
 
 
+MESSAGES: list[dict[str, object]] = [
+    {"type": HOSTILE[0]},
+    {"type": "edit", "edit": {"kind": HOSTILE[0]}},
+    {"type": "edit", "edit": {"kind": "label", "time_s": 1.0, "label": HOSTILE[0], "x": 1}},
+    {"type": "edit", "edit": {"kind": "add", "time_s": 1e300}},
+    {"type": "set", "parameter": HOSTILE[0], "value": 1.0},
+    {"type": "set", "parameter": "gaussians", "value": -1.0},
+    {"type": "open", "id": HOSTILE[0]},
+    {"type": "select", "segment": 999},
+    {"type": "seek", "time_s": HOSTILE[0]},
+    {"type": "compare", "with": "../../../etc/passwd"},
+    {"type": "take_over", "from": HOSTILE[0]},
+    {"type": "export", "format": "../../x"},
+    {"type": "show", "what": HOSTILE[0], "visible": True},
+]
+
+
+def test_hostile_messages_are_refused_in_words_and_change_nothing(timeline: KeyphasePage) -> None:
+    before = timeline.document
+    notice = timeline.page.locator(".notice.warning")
+    for message in MESSAGES:
+        timeline.page.evaluate("message => keyphase.actions.send(message)", message)
+        notice.wait_for()
+        assert timeline.page.locator(".notice :is(img, script, [onload], [onerror])").count() == 0
+        notice.get_by_role("button").click()
+        notice.wait_for(state="detached")
+
+    assert timeline.page.evaluate("() => window.hacked") is None
+    assert timeline.document["boundaries"] == before["boundaries"]
+    assert timeline.labels() == [segment["label"] for segment in before["segments"]]
+
+
 def test_no_script_can_be_put_into_the_page(timeline: KeyphasePage) -> None:
     timeline.errors.clear()
     timeline.page.evaluate(
