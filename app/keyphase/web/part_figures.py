@@ -23,7 +23,7 @@ class PartFigures:
     """One frame for each part, its shapes below it; not for several threads at once."""
 
     def __init__(self, server: viser.ViserServer, root: str, shapes: Sequence[Shape]) -> None:
-        self._scene = server.scene
+        self._server, self._scene = server, server.scene
         self._root = root
         self.base = self._scene.add_frame(root, show_axes=False)
         drawn = [shape for shape in shapes if shape.name != TABLE_TOP]
@@ -41,10 +41,11 @@ class PartFigures:
         moved = ~(np.abs(wanted - self._shown) <= UNSEEN)
         if not moved.any():
             return
-        for row, handle in enumerate(self._parts.values()):
-            if moved[row].any():
-                handle.position, handle.wxyz = wanted[row, :3], wanted[row, 3:]
-                self._shown[row] = wanted[row]
+        with self._server.atomic():
+            for row, handle in enumerate(self._parts.values()):
+                if moved[row].any():
+                    handle.position, handle.wxyz = wanted[row, :3], wanted[row, 3:]
+                    self._shown[row] = wanted[row]
 
     def remove(self) -> None:
         """Draw them no more."""

@@ -48,8 +48,7 @@ class PartsView(View):
         shown = self._shown
         if shown is not None:
             path, figures = shown
-            with self._server.atomic():
-                figures.pose(path.at(playhead.time_s))
+            figures.pose(path.at(playhead.time_s))
 
     def _work_out(self, demonstration: Demonstration) -> None:
         path = parts_path(demonstration)
