@@ -132,16 +132,18 @@ def _why(boundary: LabeledBoundary, threshold: float | None, meeting: Meeting) -
     }
 
 
-def _steps(peak: Peak | None) -> list[dict[str, Any]]:
+@lru_cache(maxsize=8192)
+def _steps(peak: Peak | None) -> tuple[dict[str, Any], ...]:
+    """The same for as long as a peak is: an hour of recording has thousands of them."""
     if peak is None:
-        return []
+        return ()
     measured = [("Force", "N", peak.force_step_N), ("Torque", "N m", peak.torque_step_Nm)]
-    return [
+    return tuple(
         {"name": f"{name} {axis}", "value": value, "unit": unit, "axis": axis}
         for name, unit, values in measured
         if values is not None
         for axis, value in zip(_AXES, values, strict=True)
-    ]
+    )
 
 
 def _at_m(demonstration: Demonstration, times_s: Sequence[float]) -> list[list[float]]:

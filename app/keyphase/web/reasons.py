@@ -2,6 +2,7 @@
 
 from bisect import bisect_right
 from collections.abc import Sequence
+from functools import lru_cache
 
 from keyphase.labeling.labeling import LabeledBoundary
 from keyphase.segmentation.segmentation import Gaussian, Peak
@@ -57,10 +58,13 @@ class Meeting:
 
     def _span(self, index: int) -> str:
         gaussian = self._order[index]
-        start_s = gaussian.mean_time_s - gaussian.sigma_time_s
-        end_s = gaussian.mean_time_s + gaussian.sigma_time_s
-        part = f"{100 * gaussian.weight:.0f} % of the samples"
-        return f"{index + 1} ({start_s:.2f} to {end_s:.2f} s, {part})"
+        return _span(index, gaussian.mean_time_s, gaussian.sigma_time_s, gaussian.weight)
+
+
+@lru_cache(maxsize=8192)
+def _span(index: int, mean_s: float, sigma_s: float, weight: float) -> str:
+    part = f"{100 * weight:.0f} % of the samples"
+    return f"{index + 1} ({mean_s - sigma_s:.2f} to {mean_s + sigma_s:.2f} s, {part})"
 
 
 def _number(value: float) -> str:
