@@ -12,7 +12,7 @@ import { projection, viserIn } from "./projection.js";
 import { placed } from "./placing.js";
 
 /** With more names than this only the selected segment is named. */
-const MOST = 12;
+const MOST = 10;
 /** The node the server shows and hides for all names. */
 const NODE = "/labels";
 /** How often we look whether viser has started, and whether it still shows that node. */
