@@ -3,7 +3,7 @@
 import time
 from dataclasses import dataclass, field
 
-MESSAGES_PER_S = 400.0
+MESSAGES_PER_S = 200.0
 """A connection that goes on faster than this is made to wait."""
 
 

@@ -22,8 +22,8 @@ _log = logging.getLogger(__name__)
 MOST_PAGES = 100
 """So many pages at once; the next one is turned away."""
 
-MOST_CHANGES = 2
-"""So many changes of one page may wait to be made; it is heard again when there are fewer."""
+MOST_CHANGES = 1
+"""So many changes of one page may wait to be made; with more, the page itself waits."""
 
 _LAGGING_BYTES = 1 << 20
 _LOST_BYTES = 64 << 20
