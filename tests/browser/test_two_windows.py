@@ -36,9 +36,11 @@ def test_a_page_opened_for_looking_looks_and_changes_nothing(
     before = page.state("view")
     page.press("+")
     page.until(f"keyphase.state.view.to < {before['to']}")
-    for key in ("]", "x", "t", "i", "Control+z"):
+    for key in ("]", "End", "x", "t", "i", "Control+z"):
         page.press(key)
     _try_to_drag_a_boundary(page)
+    assert page.state("selected") == 0
+    assert page.page.locator(".notice").count() == 0
     assert page.document["edits"] == 0
     assert not list(folder.glob(".keyphase/*.journal"))
 

@@ -46,6 +46,9 @@ export function createActions(store, send, latency) {
     store.set({ view: clampView(time - half, time + half, doc()) });
   }
 
+  /** What all windows see; one that may only look keeps it to itself. */
+  const share = (message) => !state.lookingOnly && send(message);
+
   const actions = {
     send,
     open: (id) => send({ type: "open", id }),
@@ -55,11 +58,11 @@ export function createActions(store, send, latency) {
       if (!doc()) return;
       const at = Math.min(Math.max(time, doc().start_s), doc().end_s);
       store.set({ clock: at });
-      send({ type: "seek", time_s: at });
+      share({ type: "seek", time_s: at });
     },
     play(change = {}) {
       const { playing, speed, loop } = { ...state.playhead, ...change };
-      if (doc()) send({ type: "play", playing, speed, loop });
+      if (doc()) share({ type: "play", playing, speed, loop });
     },
     togglePlay: () => actions.play({ playing: !state.playhead.playing }),
     toggleLoop: () => actions.play({ loop: !state.playhead.loop }),
@@ -105,7 +108,7 @@ export function createActions(store, send, latency) {
     select(index) {
       if (!doc()) return;
       store.set({ selected: index });
-      send({ type: "select", segment: index });
+      share({ type: "select", segment: index });
     },
     selectNext(direction) {
       if (!doc()) return;

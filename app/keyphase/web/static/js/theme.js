@@ -34,7 +34,7 @@ export function createTheme(store, send) {
       // Private windows may refuse storage; the choice then lasts as long as the page.
     }
   });
-  store.on(["dark", "connected"], ({ dark, connected }) => {
-    if (connected) send({ type: "theme", dark });
+  store.on(["dark", "connected", "greeted"], ({ dark, connected, greeted, lookingOnly }) => {
+    if (connected && greeted && !lookingOnly) send({ type: "theme", dark });
   });
 }
