@@ -20,7 +20,7 @@ from driver import KeyphasePage
 
 from keyphase.shipped import shipped
 from keyphase.web.replay_run import Tick
-from keyphase.web.replay_session import ReplayView, Running
+from keyphase.web.replay_view import ReplayView, Running
 from keyphase.web.server import PageServer
 
 WINDOW_S = 0.5

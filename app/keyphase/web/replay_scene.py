@@ -24,7 +24,8 @@ from keyphase.web.replay_messages import path_of_skill
 from keyphase.web.replay_paths import ReplayPaths
 from keyphase.web.replay_push import PushGizmo
 from keyphase.web.replay_run import Tick
-from keyphase.web.replay_session import ReplaySession, ReplayView, Running
+from keyphase.web.replay_session import ReplaySession
+from keyphase.web.replay_view import ReplayView, Running
 from keyphase.web.robot_view import RobotView
 from keyphase.web.scene import Scene
 from keyphase.web.telling import Telling

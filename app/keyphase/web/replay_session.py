@@ -2,7 +2,7 @@
 
 import threading
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +11,7 @@ from keyphase.errors import SimulationError
 from keyphase.readers import save_npz
 from keyphase.simulation.replay import Replay
 from keyphase.simulation.replay_result import ReplayResult
-from keyphase.simulation.shapes import Shape, shapes_of
+from keyphase.simulation.shapes import shapes_of
 from keyphase.simulation.workcell import workcell
 from keyphase.web.opened import Opened
 from keyphase.web.page_sockets import Page
@@ -20,59 +20,12 @@ from keyphase.web.recordings import printable
 from keyphase.web.replay_exports import export_plan
 from keyphase.web.replay_messages import Streamed, replay_message
 from keyphase.web.replay_plan import ReplayPlan, plan_of
-from keyphase.web.replay_run import Phase, ReplayRun, Tick
+from keyphase.web.replay_run import ReplayRun, Tick
 from keyphase.web.replay_settings import WORKCELLS, Action, ReplaySettings
 from keyphase.web.replay_trials import ReplayTrials
+from keyphase.web.replay_view import ReplayView, Running
 from keyphase.web.telling import Telling
 from keyphase.web.worker import Worker
-
-
-@dataclass(frozen=True, eq=False)
-class Running:
-    """A replay that runs, or that is over and still shown.
-
-    goals   names of what counts as success
-    result  None until it is over
-    """
-
-    number: int
-    opened: Opened
-    settings: ReplaySettings
-    plan: ReplayPlan
-    run: ReplayRun
-    shapes: tuple[Shape, ...]
-    goals: tuple[str, ...]
-    result: ReplayResult | None = None
-
-    @property
-    def phase(self) -> Phase:
-        """Whether it runs, stands still, or is over."""
-        return self.run.phase
-
-
-class ReplayView:
-    """Shows replays beside the pages; each overrides what concerns it."""
-
-    def show_settings(self, settings: ReplaySettings) -> None:
-        """These were chosen."""
-
-    def show_begun(self, running: Running) -> None:
-        """A replay begins."""
-
-    def show_tick(self, running: Running, tick: Tick) -> None:
-        """It has come to here."""
-
-    def show_status(self, running: Running) -> None:
-        """A skill has ended, or it stands still, goes on, is over."""
-
-    def show_closed(self) -> None:
-        """It is not shown any more."""
-
-    def show_trials_run(self, done: int, count: int) -> None:
-        """Trials run: of `count` worlds so many are done."""
-
-    def show_trials(self, outcome: str) -> None:
-        """Trials are over, with this outcome in one line."""
 
 
 class ReplaySession:

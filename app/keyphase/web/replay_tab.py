@@ -9,8 +9,9 @@ import viser
 
 from keyphase.simulation.replay_result import SkillResult
 from keyphase.web.opened import Opened
-from keyphase.web.replay_session import ReplaySession, ReplayView, Running
+from keyphase.web.replay_session import ReplaySession
 from keyphase.web.replay_settings import SPEEDS, WORKCELLS, EndBy, ReplaySettings
+from keyphase.web.replay_view import ReplayView, Running
 from keyphase.web.telling import Telling
 from keyphase.web.views import View
 

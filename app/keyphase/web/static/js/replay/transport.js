@@ -22,9 +22,10 @@ export function createReplayTransport(store, actions) {
   const again = boxed("play", "Run again", "Replay the plan from its start", actions.again);
   const keep = boxed("file", "Open its recording", "Keep the replay as a recording and open it", actions.keep);
   const leave = boxed("close", "Close", "Back to the demonstration", actions.leave);
+  const fit = el("button", { type: "button", class: "boxed", title: "Show all of the replay (F)", on: { click: () => store.set({ replayView: null }) }, text: "Fit" });
   const world = el("span", { class: "wide quiet" });
   byId("replay-transport").append(play, el("div", { class: "boxed speed wide" }, speedText, icon("down", "small"), speed),
-    el("div", { class: "clock" }, now, whole), el("span", { class: "rule" }), next, hold, stop, again, keep, leave, el("span", { class: "space" }), world);
+    el("div", { class: "clock" }, now, whole), el("span", { class: "rule" }), next, hold, stop, again, keep, leave, el("span", { class: "space" }), world, fit);
 
   store.on(["samples", "replay"], (state) => {
     const { replay } = state;
