@@ -254,3 +254,14 @@ def test_how_long_the_page_took_is_remembered(page: PageClient) -> None:
     page.wait_for("selection")
 
     assert list(page.server.session.latencies_ms) == [12.5]
+
+
+def test_a_page_that_comes_late_is_told_what_is_under_way(page: PageClient) -> None:
+    telling = page.server.session.telling
+    telling.progress("reading", 0.5)
+    with PageClient(page.server) as late:
+        assert late.wait_for("progress")["what"] == "reading"
+    telling.progress_done()
+    with PageClient(page.server) as later:
+        later.wait_for("document")
+        assert not any(message["type"] == "progress" for message in later.heard)

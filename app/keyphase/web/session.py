@@ -298,6 +298,8 @@ class Session:
             if self.opened is not None:
                 page.send(self._document_message(self.opened, None))
                 page.send(self._playhead_message())
+            if self.telling.under_way is not None:
+                page.send(self.telling.under_way)
             self.sockets.add(page)
             self.replay.greet(page)
 

@@ -14,10 +14,11 @@ Progress = Callable[[str, float | None], None]
 
 
 class Telling:
-    """Tells all open pages."""
+    """Tells all open pages; `under_way` is what a page that comes now has to be told of progress."""
 
     def __init__(self, sockets: PageSockets) -> None:
         self._sockets = sockets
+        self.under_way: Mapping[str, Any] | None = None
 
     def all(self, message: Mapping[str, Any], may_drop: bool = False) -> None:
         """A message to every page; `may_drop` where a newer one will follow."""
@@ -38,8 +39,10 @@ class Telling:
 
     def progress(self, what: str, fraction: float | None) -> None:
         """How far something is that takes long."""
-        self.all({"type": "progress", "what": what, "fraction": fraction, "done": False})
+        self.under_way = {"type": "progress", "what": what, "fraction": fraction, "done": False}
+        self.all(self.under_way)
 
     def progress_done(self) -> None:
         """It is over."""
+        self.under_way = None
         self.all({"type": "progress", "what": "", "fraction": 1.0, "done": True})
