@@ -76,6 +76,9 @@ def visited(browser: Browser, path: Path) -> Iterator[KeyphasePage]:
     page.wait_for_document()
     drawn = time.perf_counter()
     page.wait_for_scene()
+    # The robot joins the scene once its joints are worked out.
+    assert server.robot.wait_until_idle(180.0)
+    page.wait_for_scene()
     rest = time.perf_counter()
     print(f"\n{path.stem}: timeline after {drawn - begun:.1f} s, scene after {rest - begun:.1f} s")
     page.page.evaluate(_WATCH)

@@ -58,8 +58,11 @@ export function createCalmScene(sceneFrames) {
     watch(inside) {
       const request = inside.requestAnimationFrame.bind(inside);
       const viser = () => /** @type {any} */ (inside).__viserMutable;
+      const isKept = (callback) => !mayDraw() && drawing.has(callback.draws ?? callback);
       const draw = (callback) =>
         request((now) => {
+          // Asked for before the hand took hold.
+          if (isKept(callback)) return void waiting.set(callback, draw);
           if (viser() && !viser().requestRender.isHeard) hearRequests(viser());
           const before = sceneFrames();
           callback(now);
@@ -68,7 +71,7 @@ export function createCalmScene(sceneFrames) {
           isOwed = false;
         });
       inside.requestAnimationFrame = (/** @type {Callback} */ callback) => {
-        if (mayDraw() || !drawing.has(callback.draws ?? callback)) return draw(callback);
+        if (!isKept(callback)) return draw(callback);
         waiting.set(callback, draw);
         return 0;
       };

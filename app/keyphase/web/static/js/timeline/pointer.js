@@ -16,7 +16,7 @@ const CURSORS = {
   track: "crosshair",
 };
 const WHEEL_ZOOM = 0.0016;
-const WHEEL_REST_MS = 500;
+const WHEEL_REST_MS = 1000;
 
 /**
  * @param {import("../store.js").Store} store

@@ -1,0 +1,109 @@
+"""A recording of a million samples, more than an hour, is opened, looked through and corrected."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from driver import SEGMENT_COLORS, KeyphasePage, Serve, Visit
+
+from long_recording import MILLION, write_long
+
+_SCENE_FRAMES = (
+    "() => document.getElementById('viser').contentWindow.__viserTestpoints.rendererInfo.render"
+)
+IN_FLIGHT = 1
+"""So many frames of the scene may be under way as a hand takes hold."""
+
+
+@pytest.fixture(scope="module")
+def hour(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("hour") / "hour.npz"
+    write_long(path, MILLION)
+    return path
+
+
+def _span(page: KeyphasePage) -> float:
+    view = page.state("view")
+    return view["to"] - view["from"]
+
+
+def _scene_frames_during(page: KeyphasePage, act: Callable[[], object]) -> int:
+    before = page.page.evaluate(_SCENE_FRAMES)["frame"]
+    act()
+    return page.page.evaluate(_SCENE_FRAMES)["frame"] - before
+
+
+def test_an_hour_of_recording_opens_zooms_pans_and_is_corrected(
+    hour: Path, serve: Serve, visit: Visit
+) -> None:
+    server = serve(hour)
+    page = visit(server)
+    page.page.set_default_timeout(120_000)
+    page.wait_for_document()
+    assert server.robot.wait_until_idle(120.0)
+    page.wait_for_scene()
+    assert len(page.document["segments"]) > 2000
+    _the_whole_is_seen(page)
+
+    assert _scene_frames_during(page, lambda: _zoom_in(page)) <= IN_FLIGHT
+    assert 2 < page.segments.count() < 300
+    page.picture("hour_zoomed")
+
+    _pan(page)
+    _drag_a_boundary(page)
+    page.picture("hour_corrected")
+
+
+def _the_whole_is_seen(page: KeyphasePage) -> None:
+    """Band, curves and scene have the colours of the segments; the scene is no more than usual."""
+    picture = page.picture("hour")
+    band = page.row("segments")
+    scene = page.box("#viser")
+    for color in SEGMENT_COLORS[:5]:
+        assert picture.count(color, band) > 200
+    assert sum(picture.count_hue(color, scene) for color in SEGMENT_COLORS) > 1000
+    assert page.page.evaluate(_SCENE_FRAMES)["triangles"] < 200_000
+
+
+def _zoom_in(page: KeyphasePage) -> None:
+    """With the wheel, to the minute around the pointer, which stays where it is."""
+    row = page.row("position")
+    at = (row.x + 0.5 * row.width, row.y + 0.5 * row.height)
+    page.page.mouse.move(*at)
+    page.until("keyphase.state.pointer !== null")
+    time = page.state("pointer")
+    while _span(page) > 60.0:
+        before = _span(page)
+        page.page.mouse.wheel(0, -400)
+        page.until(f"keyphase.state.view.to - keyphase.state.view.from < {before}")
+    page.settle()
+    assert page.x(time) == pytest.approx(at[0], abs=2)
+
+
+def _pan(page: KeyphasePage) -> None:
+    row = page.row("position")
+    y = row.y + 0.5 * row.height
+    before, mouse = page.state("view")["from"], page.page.mouse
+    mouse.move(row.x + 0.7 * row.width, y)
+    mouse.down()
+    page.settle()
+    end = row.x + 0.3 * row.width
+    assert _scene_frames_during(page, lambda: mouse.move(end, y, steps=12)) <= IN_FLIGHT
+    mouse.up()
+    page.settle()
+    assert page.state("view")["from"] == pytest.approx(before + 0.4 * _span(page), rel=1e-3)
+
+
+def _drag_a_boundary(page: KeyphasePage) -> None:
+    """It goes where it is dragged to, and is kept there with a mark of where it was."""
+    view, boundaries = page.state("view"), page.document["boundaries"]
+    middle = 0.5 * (view["from"] + view["to"])
+    index = next(k for k, one in enumerate(boundaries) if one["time_s"] > middle)
+    start, row = page.x(boundaries[index]["time_s"]), page.row("boundaries")
+    y = row.y + 0.5 * row.height
+    page.change(lambda: page.drag((start, y), (start + 12, y)))
+    moved = page.document["boundaries"][index]
+    assert moved["was_s"] == pytest.approx(boundaries[index]["time_s"])
+    assert page.x(moved["time_s"]) == pytest.approx(start + 12, abs=10)
+    assert page.boundaries.locator(f"xpath=self::*[@data-boundary='{index}']").count() == 1
+    assert page.page.locator(".was-mark").count() == 1
