@@ -175,6 +175,7 @@ def test_threshold_to_new_segments(short: KeyphasePage, benchmark, source: str) 
     benchmark.pedantic(to_and_fro, args=(short, start, by), rounds=1, iterations=1)
     measured = latencies(short)
     for shown, values in ((source, of(measured, source)), ("3D scene", of(measured, "scene"))):
+        assert values, f"no frame of the {shown} was timed"
         median, late = percentiles(values)
         print(f"\n{source}: {shown}, {len(values)} moves: {median:.1f} ms, 95 % {late:.1f} ms")
         benchmark.extra_info[shown] = {"count": len(values), "median_ms": median, "p95_ms": late}
