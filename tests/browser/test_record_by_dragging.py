@@ -4,62 +4,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from driver import Box, KeyphasePage, Serve, Visit
-from numpy.typing import NDArray
+from driver import KeyphasePage, Serve, Visit
+from gizmo import Gizmo
 
 from keyphase.readers import read
 from keyphase.segmentation import segment
 from keyphase.web.server import PageServer
 from keyphase.web.workcell_scene import GIZMO_M
 
-Vector = NDArray[np.float64]
-
 FORWARD, FORWARD_M = np.array([1.0, 0.0, 0.0]), 0.12
 DOWN, DOWN_M = np.array([0.0, 0.0, -1.0]), 0.115
 """From its start the tool is dragged forward over the housing, then down onto it and into it."""
 
 CONTACT_WITHIN_S = 0.06
-
-STEPS = 10
-"""Mouse moves of one drag; each costs a frame drawn in software."""
-
-
-class Gizmo:
-    """Where the gizmo's arrows are on the page."""
-
-    def __init__(self, server: PageServer, page: KeyphasePage) -> None:
-        self.server, self.page = server, page
-        (self.camera,) = (client.camera for client in server.viser.get_clients().values())
-
-    def pull(self, axis: Vector, distance_m: float) -> None:
-        """Drag the arrow along a direction of the base frame with the mouse."""
-        self.page.wait_for_scene()
-        at = self.handle.position
-        turned = _rotation(self.handle.wxyz).T @ axis
-        side = np.sign(turned[np.argmax(np.abs(turned))])
-        arrow = at + side * axis * GIZMO_M * 0.93
-        start = self.pixel(arrow)
-        end = self.pixel(arrow + axis * distance_m)
-        self.page.drag(start, end, steps=STEPS)
-
-    @property
-    def handle(self):
-        (gizmo,) = self.server.viser.scene._handle_from_transform_controls_name.values()  # type: ignore
-        return gizmo
-
-    def pixel(self, point_m: Vector) -> tuple[float, float]:
-        """Where a point of the scene is on the page."""
-        found = self.page.scene.locator("canvas").first.bounding_box()
-        assert found is not None
-        box = Box(**found)
-        camera = self.camera
-        forward = _unit(np.asarray(camera.look_at) - camera.position)
-        right = _unit(np.cross(forward, camera.up_direction))
-        up = np.cross(right, forward)
-        away = point_m - camera.position
-        scale = 0.5 * box.height / np.tan(0.5 * camera.fov) / (away @ forward)
-        x, y = box.middle
-        return float(x + scale * (away @ right)), float(y - scale * (away @ up))
 
 
 @pytest.fixture
@@ -92,7 +49,7 @@ def wait_until_at_rest(server: PageServer, page: KeyphasePage, least_s: float) -
 def record_a_contact(server: PageServer, page: KeyphasePage) -> None:
     press(page, "Record")
     page.scene.get_by_role("button", name="Stop", exact=True).wait_for()
-    gizmo = Gizmo(server, page)
+    gizmo = Gizmo(server, page, GIZMO_M)
     for axis, distance_m in ((FORWARD, FORWARD_M), (DOWN, DOWN_M)):
         gizmo.pull(axis, distance_m)
         wait_until_at_rest(server, page, 0.8)
@@ -124,7 +81,7 @@ def test_the_force_is_seen_while_pressing(server: PageServer, page: KeyphasePage
     arrow = "#e8590c"
     scene = page.box("#viser")
     before = page.picture("free").count(arrow, scene, tolerance=40)
-    gizmo = Gizmo(server, page)
+    gizmo = Gizmo(server, page, GIZMO_M)
     for axis, distance_m in ((FORWARD, FORWARD_M), (DOWN, DOWN_M)):
         gizmo.pull(axis, distance_m)
         wait_until_at_rest(server, page, 0.8)
@@ -164,18 +121,3 @@ def test_a_take_is_kept_when_the_browser_closes_midway(
     again.wait_for_document()
     assert again.document["name"] == "setup1_01"
     assert read(tmp_path / "setup1_01.npz").duration_s > 1.5
-
-
-def _unit(vector: Vector) -> Vector:
-    return vector / np.linalg.norm(vector)
-
-
-def _rotation(wxyz: Vector) -> Vector:
-    w, x, y, z = wxyz
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )

@@ -115,3 +115,72 @@ def test_its_recording_is_opened_from_the_result(page: KeyphasePage) -> None:
     page.page.get_by_role("button", name="Open its recording").click()
     page.until("keyphase.state.document.name.includes('_replay')")
     assert len(page.state("recordings")["items"]) == 2
+
+
+@pytest.mark.parametrize(
+    ("moved", "said"),
+    [
+        ({"part_height_m": 0.008}, "parts 8 mm higher"),
+        ({"part_height_m": -0.008}, "parts 8 mm lower"),
+        ({"part_aside_m": 0.004}, "part 4 mm aside"),
+    ],
+)
+def test_parts_moved_before_the_run_are_met_by_contact_ends(
+    server: PageServer, page: KeyphasePage, moved: dict[str, float], said: str
+) -> None:
+    server.session.replay.configure(lambda settings: replace(settings, **moved))
+    begin(page)
+    assert said in page.text("#replay-what")
+    phase(page, "over")
+    assert chips(page) == ["reached", "contact", "contact"]
+    assert "Success" in page.text("#replay-plan .plan-verdict")
+
+
+@pytest.mark.parametrize("height_m", [0.008, -0.008])
+def test_parts_moved_before_the_run_are_missed_without_contact_ends(
+    server: PageServer, page: KeyphasePage, height_m: float
+) -> None:
+    server.session.replay.configure(
+        lambda settings: replace(settings, part_height_m=height_m, end_by="configuration")
+    )
+    begin(page)
+    assert "without contact ends" in page.text("#replay-what")
+    phase(page, "over")
+    assert "Success" not in page.text("#replay-plan .plan-verdict")
+
+
+def test_trials_end_with_their_picture(server: PageServer, page: KeyphasePage) -> None:
+    server.session.replay.run_trials(3)
+    picture = page.page.locator("dialog.trials img")
+    picture.wait_for(timeout=120_000)
+    page.picture("replay_trials")
+    assert "of 3" in (picture.get_attribute("alt") or "")
+    assert picture.evaluate("image => image.naturalWidth") > 300
+    page.page.get_by_role("button", name="Close").last.click()
+    assert page.page.locator("dialog.trials").count() == 0
+
+
+def test_the_wheel_zooms_a_drag_shifts_and_f_shows_all(page: KeyphasePage) -> None:
+    begin(page)
+    phase(page, "over")
+    box = page.box("#replay-timeline")
+    x, y = box.x + 0.5 * box.width, box.y + 0.6 * box.height
+    page.page.mouse.move(x, y)
+    page.page.mouse.wheel(0, -600)
+    page.until("keyphase.state.replayView !== null")
+    page.settle()
+    zoomed = page.state("replayView")
+    assert zoomed["to"] - zoomed["from"] < 0.6 * page.state("replay")["time_s"]
+    assert page.page.locator("#replay-timeline .overview-window").count() == 1
+    page.picture("replay_zoomed")
+    page.drag((x, y), (x + 120, y))
+    page.settle()
+    shifted = page.state("replayView")
+    assert shifted["from"] < zoomed["from"]
+    assert shifted["to"] - shifted["from"] == pytest.approx(zoomed["to"] - zoomed["from"])
+    page.press("f")
+    page.until("keyphase.state.replayView === null")
+    page.page.mouse.wheel(0, -600)
+    page.until("keyphase.state.replayView !== null")
+    page.page.locator("#replay-transport").get_by_role("button", name="Fit").click()
+    page.until("keyphase.state.replayView === null")

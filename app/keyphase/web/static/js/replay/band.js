@@ -50,8 +50,11 @@ export function drawSkills(slots, scale, row, now) {
   const nodes = [svg("rect", { y: row.y, width: scale.width, height: row.height, class: "band-ground" })];
   let ring = null;
   for (const slot of slots) {
-    const left = scale.x(slot.start) + 1;
-    const place = { ...box, left, width: Math.max(1, scale.x(slot.end) - 1 - left) };
+    // What of it is in view, so that its text is, too.
+    const left = Math.max(scale.x(slot.start) + 1, 0);
+    const right = Math.min(scale.x(slot.end) - 1, scale.width);
+    if (left >= scale.width || right <= 0) continue;
+    const place = { ...box, left, width: Math.max(1, right - left) };
     nodes.push(drawSkill(slot, place, scale, now));
     if (slot.progress === "running") ring = drawRing(place);
   }

@@ -158,7 +158,8 @@ function drawEndConditions(slots, samples, scale, y) {
     const { direction, threshold_N: threshold } = slot.skill.contact;
     const axis = direction.reduce((best, value, k) => (Math.abs(value) > Math.abs(direction[best]) ? k : best), 0);
     const level = levelBefore(slot, samples, axis) + direction[axis] * threshold;
-    const [from, to] = [scale.x(slot.start), scale.x(slot.met ?? slot.end)];
+    const [from, to] = [Math.max(scale.x(slot.start), 0), scale.x(slot.met ?? slot.end)];
+    if (to <= 0) return [];
     const at = y(level);
     const text = `ends at F${AXIS_NAMES[axis]} ${signed(level, 1).replace("+", "")} N`;
     const below = direction[axis] < 0;

@@ -1,0 +1,116 @@
+"""A replay with its scene and panel: pushed by the gizmo, tried in worlds, carried elsewhere."""
+
+import json
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from driver import KeyphasePage, Serve, Visit
+from gizmo import Gizmo
+from playwright.sync_api import expect
+
+from keyphase.web.replay_push import GIZMO_M
+from keyphase.web.server import PageServer
+
+SIDEWAYS, PULLED_M = np.array([0.0, 1.0, 0.0]), 0.15
+"""The spring of the gizmo then pulls with 30 N."""
+
+ASIDE_MM = 6.0
+HELD_S = 0.6
+
+_OFF_MM = "keyphase.state.samples.columns.get('off')[keyphase.state.samples.count - 1]"
+_NOW_S = "keyphase.state.samples.time[keyphase.state.samples.count - 1]"
+
+
+@pytest.fixture
+def server(folder: Path, serve: Serve) -> PageServer:
+    return serve(folder / "setup1.npz")
+
+
+@pytest.fixture
+def page(server: PageServer, visit: Visit) -> KeyphasePage:
+    """The page with the idle segments dropped and the Replay tab open."""
+    page = visit(server, size=(1280, 720))
+    page.wait_for_document()
+    page.change(lambda: page.press("i"))
+    page.wait_for_scene().get_by_role("tab", name="Replay").click()
+    return page
+
+
+def phase(page: KeyphasePage, wanted: str) -> None:
+    page.until(f"keyphase.state.replay?.phase === '{wanted}' && keyphase.state.samples")
+    page.settle()
+
+
+def steer(page: KeyphasePage, name: str) -> None:
+    """By the transport's button."""
+    page.page.locator("#replay-transport").get_by_role("button", name=name).click()
+
+
+def open_folder(page: KeyphasePage, name: str) -> None:
+    page.scene.get_by_text(name, exact=True).click()
+
+
+def button(page: KeyphasePage, name: str):
+    return page.scene.get_by_role("button", name=name, exact=True)
+
+
+@pytest.mark.slow
+def test_pulled_aside_by_the_gizmo_it_waits_and_goes_on(
+    server: PageServer, page: KeyphasePage
+) -> None:
+    page.scene.locator("input[type=checkbox]:visible").last.check()
+    button(page, "Run").click()
+    page.until("keyphase.state.replay?.current === 1 && keyphase.state.samples")
+    steer(page, "Pause")
+    phase(page, "paused")
+    Gizmo(server, page, GIZMO_M).hold(SIDEWAYS, PULLED_M)
+    page.page.evaluate("() => keyphase.actions.replay.toggle()")
+    page.until(f"{_OFF_MM} > {ASIDE_MM}")
+    from_s = page.page.evaluate(_NOW_S)
+    page.until(f"{_NOW_S} > {from_s + HELD_S}")
+    page.picture("replay_pushed")
+    page.page.mouse.up()
+    phase(page, "over")
+    skill = page.state("replay")["skills"][1]
+    assert skill["outcome"] == "reached"
+    assert skill["end_s"] - skill["start_s"] > skill["expected_s"] + 0.5 * HELD_S
+
+
+@pytest.mark.slow
+def test_trials_tell_how_far_they_are_and_can_be_cancelled(page: KeyphasePage) -> None:
+    open_folder(page, "Trials")
+    button(page, "Run trials").click()
+    expect(page.scene.get_by_text(re.compile(r"^[1-9]\d* of 20 worlds"))).to_be_visible(
+        timeout=60_000
+    )
+    button(page, "Cancel trials").click()
+    expect(page.scene.get_by_text("Cancelled.")).to_be_visible(timeout=30_000)
+    expect(button(page, "Cancel trials")).to_be_hidden()
+    assert page.page.locator("dialog.trials").count() == 0
+
+
+@pytest.mark.slow
+def test_the_plan_and_the_replay_are_carried_elsewhere(
+    folder: Path, server: PageServer, page: KeyphasePage
+) -> None:
+    server.session.replay.configure(lambda settings: replace(settings, speed=4.0))
+    button(page, "Run").click()
+    phase(page, "over")
+    open_folder(page, "Carry on elsewhere")
+    for name, file in (
+        ("Behaviour tree (XML)", "setup1.xml"),
+        ("Program listing", "setup1.program.txt"),
+        ("Skills (JSON)", "setup1.skills.json"),
+        ("Shareable replay (HTML)", "setup1.replay.html"),
+    ):
+        button(page, name).click()
+        expect(page.page.get_by_text(re.compile(f"Written to .*{file}"))).to_be_visible(
+            timeout=30_000
+        )
+        assert (folder / file).stat().st_size > 100
+    assert "BTCPP_format" in (folder / "setup1.xml").read_text()
+    assert json.loads((folder / "setup1.skills.json").read_text())["skills"]
+    assert "__VISER_EMBED_DATA__" in (folder / "setup1.replay.html").read_text()
