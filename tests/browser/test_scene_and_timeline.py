@@ -1,7 +1,5 @@
 """A segment selected in the timeline is seen in the scene, and the other way round."""
 
-from collections.abc import Callable
-
 import numpy as np
 from driver import SEGMENT_COLORS, KeyphasePage, Picture
 
@@ -24,23 +22,42 @@ def _thickness(page: KeyphasePage, picture: Picture) -> int:
     return picture.count_hue(_COLOR, page.box("#viser"))
 
 
-_FRAME = "() => window.__viserTestpoints.rendererInfo.render.frame"
+_HIDDEN = """names => names.every(name => {
+  const node = window.__viserMutable.nodeRefFromName["/" + name];
+  return !node || !node.visible;
+})"""
+
+PATIENCE = 40
+"""Pictures that are taken, half a second apart, until one shows what is waited for."""
 
 
-def _drawn_anew(page: KeyphasePage, act: Callable[[], None]) -> None:
-    """Act, and wait until the scene has drawn what came of it."""
-    frame = page.scene.evaluate(_FRAME)
-    act()
-    page.scene.wait_for_function(f"({_FRAME})() > {frame} + 2")
-    page.wait_for_scene()
+def _thickness_at_rest(page: KeyphasePage) -> int:
+    """How much of the picture the segment has, once hiding the robot has moved the camera."""
+    seen = [-1]
+    while len(seen) < PATIENCE and seen[-1] not in seen[:-1][-2:]:
+        page.page.wait_for_timeout(700)
+        seen.append(_thickness(page, page.picture("not_selected")))
+    return seen[-1]
+
+
+def _is_drawn_thicker(page: KeyphasePage, before: int) -> bool:
+    """Whether the segment gets more of the picture than before, once the scene is drawn."""
+    for _ in range(PATIENCE):
+        if _thickness(page, page.picture("selected")) > 1.2 * before:
+            return True
+        page.page.wait_for_timeout(500)
+    return False
 
 
 def _only_the_path(page: KeyphasePage) -> None:
     page.wait_for_scene()
-    for what in ("gaussians", "labels", "forces", "robot", "parts"):
+    hidden = ("gaussians", "labels", "forces", "robot", "parts")
+    for what in hidden:
         page.page.evaluate(
             "what => keyphase.actions.send({ type: 'show', what, visible: false })", what
         )
+    shown = [name for name in hidden if name != "robot"]
+    page.scene.wait_for_function(_HIDDEN, arg=shown)
     page.wait_for_scene()
 
 
@@ -56,16 +73,16 @@ def test_a_segment_clicked_in_the_timeline_is_drawn_thicker_in_the_scene(
     setup1: KeyphasePage,
 ) -> None:
     _only_the_path(setup1)
-    before = _thickness(setup1, setup1.picture("not_selected"))
-    _drawn_anew(setup1, lambda: setup1.click(setup1.middle_of(_SEGMENT)))
-    assert setup1.state("selected") == _SEGMENT
-    assert _thickness(setup1, setup1.picture("selected")) > 1.2 * before
+    before = _thickness_at_rest(setup1)
+    setup1.click(setup1.middle_of(_SEGMENT))
+    setup1.until(f"keyphase.state.selected === {_SEGMENT}")
+    assert _is_drawn_thicker(setup1, before)
 
 
 def test_a_segment_selected_by_keys_is_drawn_thicker_in_the_scene(setup1: KeyphasePage) -> None:
     _only_the_path(setup1)
-    before = _thickness(setup1, setup1.picture("not_selected"))
+    before = _thickness_at_rest(setup1)
     for index in range(_SEGMENT + 1):
-        _drawn_anew(setup1, lambda: setup1.press("]"))
-        assert setup1.state("selected") == index
-    assert _thickness(setup1, setup1.picture("selected_by_keys")) > 1.2 * before
+        setup1.press("]")
+        setup1.until(f"keyphase.state.selected === {index}")
+    assert _is_drawn_thicker(setup1, before)

@@ -272,13 +272,16 @@ def _seen_of(opened: Opened) -> tuple[object, ...]:
 
 
 def _ground_of(stage: _Stage) -> Array:
-    """Where the ground is: at the robot's feet, or where they would be if that is just below."""
+    """Where the ground is: at the robot's feet, or where they would be if that is just below.
+
+    It never hides the path, which may go below the robot's feet.
+    """
     path = stage.path
     x, y = (0.5 * (path.low_m + path.high_m)[:2]).tolist()
     lowest = float(path.low_m[2])
     if stage.base is not None:
-        height = stage.base.position_m[2]
-    elif 0.0 <= lowest <= 0.6 * path.size_m:
+        height = min(stage.base.position_m[2], lowest - 2.0 * path.radius_m)
+    elif 2.0 * path.radius_m <= lowest <= 0.6 * path.size_m:
         height = 0.0
     else:
         height = lowest - 0.08 * path.size_m

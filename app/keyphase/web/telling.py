@@ -14,7 +14,7 @@ Progress = Callable[[str, float | None], None]
 
 
 class Telling:
-    """Tells all open pages; `under_way` is what a page that comes now has to be told of progress."""
+    """Tells all open pages; `under_way` is what one that comes later has to be told of progress."""
 
     def __init__(self, sockets: PageSockets) -> None:
         self._sockets = sockets

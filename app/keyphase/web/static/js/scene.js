@@ -26,7 +26,6 @@ export function createScene(store, { onKey, onSlide }) {
   });
   store.on(["samples", "replay"], calm.changed);
   store.on(["holding"], ({ holding }) => calm.hold(holding));
-  store.on(["pointer"], ({ pointer }) => calm.come(pointer !== null));
   const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
   frame.addEventListener("load", () => {
     const inside = frame.contentWindow;
