@@ -57,6 +57,12 @@ def test_a_replay_runs_to_success_and_says_how_each_skill_ended(replaying: PageC
     assert outcomes(end) == ["reached", "contact", "contact"]
 
 
+def test_as_one_skill_ends_the_next_one_is_the_current(replaying: PageClient) -> None:
+    ended = replaying.wait_for("replay", lambda m: m["skills"][0]["outcome"] is not None)
+    assert ended["skills"][1]["outcome"] is None
+    assert ended["current"] == 1
+
+
 def test_every_sample_is_told_once_and_in_order(replaying: PageClient) -> None:
     end = over(replaying)
     times = np.array(rows(replaying))[:, 0]
@@ -107,6 +113,7 @@ def test_pushed_it_leaves_the_path_and_comes_back(
     replaying: PageClient, setup1: PageServer
 ) -> None:
     replaying.wait_for("replay", lambda m: m["current"] == 1)
+    replaying.send("replay", do="speed", speed=1.0)
     setup1.session.replay.push(np.array([0.0, -40.0, 0.0]))
     replaying.wait_for("replay_samples", lambda m: m["rows"][-1][10] > 8.0)
     setup1.session.replay.push(np.zeros(3))

@@ -9,7 +9,13 @@ from numpy.typing import NDArray
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.end_condition import AFTER_S, ContactEnd
-from keyphase.simulation.replay_result import ReplayResult, ReplayState, SkillResult
+from keyphase.simulation.replay import Replay
+from keyphase.simulation.replay_result import (
+    ReplayResult,
+    ReplayState,
+    SkillResult,
+    went_on,
+)
 from keyphase.skills.skill import Skill, drawn, until
 from keyphase.web.document_message import short_labels
 from keyphase.web.polyline import Polyline
@@ -39,7 +45,6 @@ def replay_message(
 ) -> dict[str, Any]:
     """The `replay` message: everything but what was measured."""
     results = run.replay.results
-    state = run.replay.states[-1] if run.replay.states else None
     return {
         "type": "replay",
         "run": number,
@@ -53,7 +58,7 @@ def replay_message(
         "speed": settings.speed,
         "held": run.held,
         "time_s": run.elapsed_s,
-        "current": state.skill if state and run.phase != "over" else None,
+        "current": None if run.phase == "over" else running_skill(run.replay),
         "zero_m": plan.demonstration.position_m[0].tolist(),
         "skills": [
             _skill_message(one, results[k] if k < len(results) else None, run.met_s.get(k))
@@ -63,6 +68,14 @@ def replay_message(
         "succeeded": None if result is None else result.succeeded,
         "stopped": None if result is None else result.stopped,
     }
+
+
+def running_skill(replay_: Replay) -> int | None:
+    """The skill the next tick belongs to; None where none follows what has ended."""
+    results = replay_.results
+    if len(results) == len(replay_.skills) or (results and not went_on(results[-1])):
+        return None
+    return len(results)
 
 
 def _skill_message(
