@@ -1,11 +1,21 @@
 /**
- * Keeps the 3D scene from standing in the way of the hand. Where 3D is drawn in software each frame
- * takes a fifth of a second of the one thread both pages share. So nothing is drawn while a hand
- * holds something on the timeline (drags, pans, zooms), unless segments or the playhead change.
+ * Keeps the 3D scene from standing in the way of the hand. Where 3D is drawn in software a frame
+ * can take a second of the one thread both pages share. So nothing is drawn while a hand holds
+ * something on the timeline (drags, pans, zooms), unless segments or the playhead change.
+ *
+ * viser also draws a frame every second though nothing has changed. After a frame that took long
+ * such frames wait, until most of the time is free. Where there is a graphics card nothing waits.
  */
 
 /** After a change viser goes on drawing for so long, for what arrives late. */
 const FOLLOWS_MS = 250;
+/** The same after messages and inputs, which may set things going. */
+const SETTLES_MS = 1000;
+/** An idle scene rests so many times as long as its last frame took. */
+const REST = 9;
+/** How often we look whether there is something to draw. */
+const LOOK_MS = 100;
+const INPUTS = ["pointerdown", "pointermove", "pointerup", "wheel", "keydown", "resize"];
 
 /**
  * @typedef {FrameRequestCallback & {draws?: FrameRequestCallback}} Callback
@@ -19,15 +29,25 @@ export function createCalmScene(sceneFrames) {
   /** @type {Map<Callback, (callback: Callback) => number>} */
   const waiting = new Map();
   let drawsUntil = 0;
+  let settlesUntil = 0;
+  let restsUntil = 0;
   let isHeld = false;
 
-  const mayDraw = () => !isHeld || performance.now() < drawsUntil;
+  function mayDraw() {
+    const now = performance.now();
+    return now < drawsUntil || (!isHeld && (now < settlesUntil || now >= restsUntil));
+  }
 
   function release() {
     if (!mayDraw()) return;
     const callbacks = [...waiting];
     waiting.clear();
     for (const [callback, draw] of callbacks) draw(callback);
+  }
+
+  function wake() {
+    settlesUntil = performance.now() + SETTLES_MS;
+    release();
   }
 
   return {
@@ -40,15 +60,21 @@ export function createCalmScene(sceneFrames) {
           // Asked for before the hand took hold.
           if (isKept(callback)) return void waiting.set(callback, draw);
           const before = sceneFrames();
+          const begun = performance.now();
           callback(now);
           if (sceneFrames() === before) return;
           drawing.add(callback.draws ?? callback);
+          afterFrame(() => (restsUntil = performance.now() + REST * (performance.now() - begun)));
         });
       inside.requestAnimationFrame = (/** @type {Callback} */ callback) => {
         if (!isKept(callback)) return draw(callback);
         waiting.set(callback, draw);
         return 0;
       };
+      for (const type of INPUTS) inside.addEventListener(type, wake, true);
+      // viser hears its messages as it draws; those that wait are something to draw.
+      const queue = () => /** @type {any} */ (inside).__viserMutable?.messageQueue ?? [];
+      setInterval(() => (queue().length ? wake() : release()), LOOK_MS);
     },
     /** The hand takes hold of something, or lets go. @param {boolean} held */
     hold(held) {
@@ -58,7 +84,17 @@ export function createCalmScene(sceneFrames) {
     /** Something in the scene is about to change: let it draw. */
     changed() {
       drawsUntil = performance.now() + FOLLOWS_MS;
-      release();
+      wake();
     },
   };
+}
+
+/** Calls back once the frame at hand is painted. @param {() => void} done */
+export function afterFrame(done) {
+  const { port1, port2 } = new MessageChannel();
+  port1.onmessage = () => {
+    port1.close();
+    done();
+  };
+  port2.postMessage(null);
 }

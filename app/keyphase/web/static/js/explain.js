@@ -35,8 +35,24 @@ export function createExplain(store, timeline, actions) {
     later({ explained: null }, CLOSES_AFTER_MS);
   });
 
-  store.on(["hovered"], ({ hovered, explained, drag }) => {
-    if (drag) return;
+  // A wheel turned over it is meant for the timeline, which it must not stop.
+  node.addEventListener(
+    "wheel",
+    (event) => {
+      event.preventDefault();
+      timeline.surface.dispatchEvent(new WheelEvent("wheel", event));
+    },
+    { passive: false },
+  );
+
+  store.on(["holding"], ({ holding, explained, current }) => {
+    if (!holding || explained === current) return;
+    clearTimeout(timer);
+    inside = false;
+    store.set({ explained: null });
+  });
+  store.on(["hovered"], ({ hovered, explained, drag, holding }) => {
+    if (drag || holding) return;
     if (hovered !== null) later({ explained: hovered }, explained === null ? OPENS_AFTER_MS : 60);
     else if (!inside && explained !== null) later({ explained: null }, CLOSES_AFTER_MS);
     else clearTimeout(timer);

@@ -5,6 +5,8 @@
  * Where there is a graphics card frames are cheap, and nothing waits.
  */
 
+import { afterFrame } from "./calm_scene.js";
+
 /** A frame that took no longer than this is cheap. */
 const CHEAP_MS = 12;
 /** After another one the scene rests so many times as long as it took. */
@@ -53,14 +55,4 @@ export function createScenePace(sceneFrames, isMoving) {
       inside.requestAnimationFrame = draw;
     },
   };
-}
-
-/** Calls back once the frame at hand is painted. @param {() => void} done */
-function afterFrame(done) {
-  const { port1, port2 } = new MessageChannel();
-  port1.onmessage = () => {
-    port1.close();
-    done();
-  };
-  port2.postMessage(null);
 }

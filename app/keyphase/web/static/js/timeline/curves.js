@@ -4,6 +4,7 @@
  */
 
 import { upperBound, valueAt } from "../signals.js";
+import { eachColumn, isDense } from "./dense_curve.js";
 
 /** uPlot comes as a classic script, before the modules. */
 const { uPlot } = /** @type {any} */ (window);
@@ -34,8 +35,11 @@ export function createCurves(parent, pens, drawBelow) {
   let view = { from: 0, to: 1 };
   let size = { width: 0, height: 0, folded: false };
   let chart = null;
-  let data = null;
+  let data = [[], ...pens.map(() => [])];
   let shown = null;
+  /** What uPlot was given; dense curves it is not. */
+  let given = null;
+  let dense = false;
   let penColors = pens.map((pen) => cssColor(pen.color));
   let gridColor = cssColor("--grid");
 
@@ -65,7 +69,20 @@ export function createCurves(parent, pens, drawBelow) {
     ctx.restore();
   }
 
+  /** Dense curves, which uPlot was told to leave out. */
+  function paintBars({ ctx, bbox }) {
+    if (!dense) return;
+    const ratio = devicePixelRatio;
+    shown.forEach((series, k) => {
+      ctx.fillStyle = penColors[k];
+      eachColumn(series, view, bbox.width, (value) => ratio * y(value), (column, top, bottom) =>
+        ctx.fillRect(column, Math.floor(top), 1, Math.max(1, Math.round(bottom - top))),
+      );
+    });
+  }
+
   function build() {
+    const line = uPlot.paths.linear();
     const { top, bottom } = padding();
     chart = new uPlot(
       {
@@ -89,9 +106,10 @@ export function createCurves(parent, pens, drawBelow) {
             dash: pen.dash,
             spanGaps: true,
             points: { show: false },
+            paths: (...asked) => (dense ? null : line(...asked)),
           })),
         ],
-        hooks: { drawClear: [paintGround] },
+        hooks: { drawClear: [paintGround], draw: [paintBars] },
       },
       data,
       parent,
@@ -121,9 +139,11 @@ export function createCurves(parent, pens, drawBelow) {
         range.low === nextRange.low && range.high === nextRange.high && range.map === nextRange.map;
       range = nextRange;
       view = nextView;
-      if (shown !== series || !sameRange) {
+      dense = isDense(series, view, size.width);
+      shown = series;
+      if (!dense && (given !== series || !sameRange)) {
         data = alignedData(series, range.map);
-        shown = series;
+        given = series;
         chart?.setData(data, false);
       }
       if (!chart) build();

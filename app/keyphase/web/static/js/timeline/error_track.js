@@ -7,6 +7,7 @@ import { el, svg } from "../dom.js";
 import { height as heightText } from "../format.js";
 import { curvesOf, valueAt } from "../signals.js";
 import { createCurves, cssColor, eachSample, extent } from "./curves.js";
+import { eachColumn, isDense } from "./dense_curve.js";
 import { glyph } from "./glyphs.js";
 import { textWidth } from "./text_width.js";
 import { tickLabels } from "./tracks.js";
@@ -143,11 +144,18 @@ function fillAbove({ ctx }, { width, y }, { threshold, series, view, color }) {
   const level = y(threshold);
   const perSecond = width / (view.to - view.from);
   ctx.save();
+  ctx.globalAlpha = 0.26;
+  ctx.fillStyle = color;
+  if (isDense([series], view, width)) {
+    eachColumn(series, view, width, y, (column, top) => {
+      if (top < level) ctx.fillRect(column, Math.floor(top), 1, level - Math.floor(top));
+    });
+    ctx.restore();
+    return;
+  }
   ctx.beginPath();
   ctx.rect(0, 0, width, Math.max(0, level));
   ctx.clip();
-  ctx.globalAlpha = 0.26;
-  ctx.fillStyle = color;
   ctx.beginPath();
   ctx.moveTo(0, level);
   eachSample(series, view.from, view.to, (time, value) =>
