@@ -7,7 +7,7 @@
 import { upperBound } from "../signals.js";
 
 /** With more samples in view than so many for each pixel a curve is dense. */
-const DENSE_PER_PX = 1.2;
+const DENSE_PER_PX = 1.8;
 
 /** How many samples of a series are in view. */
 export function samplesIn({ times }, { from, to }) {
