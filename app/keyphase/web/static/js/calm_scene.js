@@ -1,7 +1,8 @@
 /**
  * Keeps the 3D scene from standing in the way of the hand. Where 3D is drawn in software a frame
  * can take a second of the one thread both pages share. So nothing is drawn while a hand holds
- * something on the timeline (drags, pans, zooms), unless segments or the playhead change.
+ * something on the timeline (drags, pans, zooms), unless segments or the playhead change; and then
+ * one frame at a time, so that the hand is kept waiting for few of its moves.
  *
  * viser also draws a frame every second though nothing has changed. After a frame that took long
  * such frames wait, until most of the time is free. Where there is a graphics card nothing waits.
@@ -11,8 +12,8 @@
 const FOLLOWS_MS = 250;
 /** The same after messages and inputs, which may set things going. */
 const SETTLES_MS = 1000;
-/** An idle scene rests so many times as long as its last frame took. */
-const REST = 9;
+/** An idle scene, and one that follows a hand, rest so many times as long as a frame took. */
+const REST = 12;
 /** How often we look whether there is something to draw. */
 const LOOK_MS = 100;
 const INPUTS = ["pointerdown", "pointermove", "pointerup", "wheel", "keydown", "resize"];
@@ -35,7 +36,8 @@ export function createCalmScene(sceneFrames) {
 
   function mayDraw() {
     const now = performance.now();
-    return now < drawsUntil || (!isHeld && (now < settlesUntil || now >= restsUntil));
+    if (isHeld) return now >= restsUntil && now < drawsUntil;
+    return now < drawsUntil || now < settlesUntil || now >= restsUntil;
   }
 
   function release() {
@@ -83,7 +85,8 @@ export function createCalmScene(sceneFrames) {
     },
     /** Something in the scene is about to change: let it draw. */
     changed() {
-      drawsUntil = performance.now() + FOLLOWS_MS;
+      const now = performance.now();
+      drawsUntil = (isHeld ? Math.max(now, restsUntil) : now) + FOLLOWS_MS;
       wake();
     },
   };
