@@ -1,12 +1,14 @@
 """The scene as viser is told it: colours of segments, what is shown, what a click selects."""
 
 import asyncio
+from concurrent.futures import ThreadPoolExecutor
 
 import msgspec
 import numpy as np
 from talking import CAMERA, Message, PageClient, control, visers_socket
 
 from keyphase.web.palette import SEGMENT_COLORS, painted
+from keyphase.web.playback import Playhead
 from keyphase.web.server import PageServer
 
 
@@ -130,3 +132,27 @@ def test_the_panel_shows_what_the_page_sets(page: PageClient) -> None:
 
     assert handles[threshold].value == (2.0,)
     assert handles[gaussians].value == "4"
+
+
+def test_the_scene_is_built_anew_while_other_threads_draw_in_it(page: PageClient) -> None:
+    """The robot comes and goes: the ground and the tube are put up again each time."""
+    server, scene, opened = page.server, page.server.scene, page.server.session.opened
+    assert opened is not None
+    _drawn(server)
+
+    def come_and_go(times: int) -> None:
+        for _ in range(times):
+            server.robot.show_parts(frozenset({"robot"}))
+            server.robot.show_parts(frozenset())
+
+    def move(times: int) -> None:
+        for time_s in np.linspace(0.0, 1.0, times).tolist():
+            scene.show_playhead(Playhead(time_s=time_s))
+            scene.show_selection(int(10 * time_s) % 2)
+
+    with ThreadPoolExecutor() as threads:
+        works = [threads.submit(come_and_go, 4) for _ in range(2)]
+        works += [threads.submit(move, 100) for _ in range(2)]
+    for work in works:
+        work.result()
+    assert _node(server, "/path/pieces")

@@ -4,6 +4,7 @@ It holds no logic: it draws what it is told and reports clicks. A document of th
 changes colours and a few small things; only another recording builds the scene anew.
 """
 
+import threading
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
@@ -57,7 +58,8 @@ class Scene(View):
     """viser's scene. `on_click` is told the time at which a person clicked the path.
 
     `robot_base` says where a robot stands beside the path, if one does, and `shadow` what it
-    throws on the ground.
+    throws on the ground. It may be told things from several threads: the views' own, and those of
+    whoever moves the robot or borrows the scene.
     """
 
     def __init__(
@@ -68,6 +70,7 @@ class Scene(View):
         shadow: GroundShadow | None = None,
     ) -> None:
         self._server = server
+        self._lock = threading.RLock()
         self._shadow = shadow
         self._on_click = on_click
         self._robot_base = robot_base
@@ -86,80 +89,88 @@ class Scene(View):
         Most moves of a slider change no segment, and then nothing is drawn: a frame of the scene
         would only delay the timeline's.
         """
-        stage, drawn = self._stage, _seen_of(opened)
-        another = stage is None or stage.opened.demonstration is not opened.demonstration
-        if not another and drawn == self._drawn:
-            return
-        self._drawn = drawn
-        self._draw(opened, None if another else stage)
+        with self._lock:
+            stage, drawn = self._stage, _seen_of(opened)
+            another = stage is None or stage.opened.demonstration is not opened.demonstration
+            if not another and drawn == self._drawn:
+                return
+            self._drawn = drawn
+            self._draw(opened, None if another else stage)
 
     def show_selection(self, segment: int | None) -> None:
         """Draw the selected segment thicker."""
-        if segment == self._selected:
-            return
-        self._selected = segment
-        if self._stage is not None:
-            self._stage.tube.select(segment)
-            self._server.flush()
+        with self._lock:
+            if segment == self._selected:
+                return
+            self._selected = segment
+            if self._stage is not None:
+                self._stage.tube.select(segment)
+                self._server.flush()
 
     def show_playhead(self, playhead: Playhead) -> None:
         """Put the frame where the tool was."""
-        if self._stage is None:
-            return
-        demonstration = self._stage.opened.demonstration
-        index = demonstration.index_at(playhead.time_s)
-        with self._server.atomic():
-            self._stage.tool.position = demonstration.position_m[index]
-            if demonstration.orientation_wxyz is not None:
-                self._stage.tool.wxyz = demonstration.orientation_wxyz[index]
+        with self._lock:
+            if self._stage is None:
+                return
+            demonstration = self._stage.opened.demonstration
+            index = demonstration.index_at(playhead.time_s)
+            with self._server.atomic():
+                self._stage.tool.position = demonstration.position_m[index]
+                if demonstration.orientation_wxyz is not None:
+                    self._stage.tool.wxyz = demonstration.orientation_wxyz[index]
 
     def show_parts(self, hidden: frozenset[str]) -> None:
         """Hide these parts and show the others."""
-        if ("shadows" in hidden) != ("shadows" in self._hidden):
-            self._sun.cast_shadow = "shadows" not in hidden
-        self._hidden = hidden
-        covered = self._cover is not None
-        for part in _OWN:
-            visible = part not in hidden and (part == "grid" or not covered)
-            self._server.scene.add_frame(f"/{part}", show_axes=False, visible=visible)
+        with self._lock:
+            if ("shadows" in hidden) != ("shadows" in self._hidden):
+                self._sun.cast_shadow = "shadows" not in hidden
+            self._hidden = hidden
+            covered = self._cover is not None
+            for part in _OWN:
+                visible = part not in hidden and (part == "grid" or not covered)
+                self._server.scene.add_frame(f"/{part}", show_axes=False, visible=visible)
 
     def cover(self, middle_m: Array, size_m: float) -> None:
         """Hide the recording: something else is to be seen there, before a robot at the origin."""
-        self._cover = viewpoint_with_robot(middle_m, size_m, Placement())
-        self.show_parts(self._hidden)
-        self._draw_ground(size_m, middle_m * [1.0, 1.0, 0.0])
-        self._look(self._cover)
+        with self._lock:
+            self._cover = viewpoint_with_robot(middle_m, size_m, Placement())
+            self.show_parts(self._hidden)
+            self._draw_ground(size_m, middle_m * [1.0, 1.0, 0.0])
+            self._look(self._cover)
 
     def uncover(self) -> None:
         """Show the recording again."""
-        self._cover = None
-        self.show_parts(self._hidden)
-        if self._stage is not None:
-            self._draw_ground(self._stage.path.size_m, _ground_of(self._stage))
-            self._look(self._stage.view)
+        with self._lock:
+            self._cover = None
+            self.show_parts(self._hidden)
+            if self._stage is not None:
+                self._draw_ground(self._stage.path.size_m, _ground_of(self._stage))
+                self._look(self._stage.view)
 
     def stand_anew(self) -> None:
         """The robot stands elsewhere, has appeared or gone: ground at its feet, another view."""
-        stage, base = self._stage, self._robot_base()
-        if stage is None or stage.base == base:
-            return
-        if stage.base is None or base is None:
-            self._draw(stage.opened, None)
-            return
-        self._stage = stage = replace(stage, base=base, view=viewpoint_of(stage.path, base))
-        with self._server.atomic():
-            self._draw_ground(stage.path.size_m, _ground_of(stage))
-            self._draw_explained(stage)
+        with self._lock:
+            stage, base = self._stage, self._robot_base()
+            if stage is None or stage.base == base:
+                return
+            if stage.base is None or base is None:
+                self._draw(stage.opened, None)
+                return
+            self._stage = stage = replace(stage, base=base, view=viewpoint_of(stage.path, base))
+            with self._server.atomic():
+                self._draw_ground(stage.path.size_m, _ground_of(stage))
+                self._draw_explained(stage)
 
     def show_theme(self, dark: bool) -> None:
         """Draw light or dark."""
-        theme = DARK if dark else LIGHT
-        if theme is not self._theme:
-            self._theme = theme
-            self._dress()
-            if self._stage is not None:
-                self._draw_ground(self._stage.path.size_m, _ground_of(self._stage))
-                self._draw_explained(self._stage)
+        with self._lock:
+            theme = DARK if dark else LIGHT
+            if theme is not self._theme:
+                self._theme = theme
+                self._dress()
+                if self._stage is not None:
+                    self._draw_ground(self._stage.path.size_m, _ground_of(self._stage))
+                    self._draw_explained(self._stage)
 
     def _draw(self, opened: Opened, stage: _Stage | None) -> None:
         """Put what was found into what stands there, built first if nothing does."""
