@@ -139,18 +139,19 @@ def best_cut(moments: Moments, grid: Indices, least: int, effective: float) -> I
     alive = np.zeros(1, dtype=np.intp)
     for top in range(1, len(grid), _COLUMNS):
         block = np.arange(top, min(top + _COLUMNS, len(grid)))
-        costs = weight * moments.costs(grid[alive], grid[block], least) + penalty
-        total = best[alive][:, None] + costs
+        outer = weight * moments.costs(grid[alive], grid[block], least) + penalty
+        inner = weight * moments.costs(grid[block], grid[block], least) + penalty
+        total = best[alive][:, None] + outer
         came_from[block] = alive[total.argmin(axis=0)]
         best[block] = total.min(axis=0)
-        _within(
-            block,
-            weight * moments.costs(grid[block], grid[block], least) + penalty,
-            best,
-            came_from,
-        )
-        starts = np.concatenate([alive, block])
-        alive = starts[_still_useful(moments, grid, starts, best, (weight, least, block[-1] + 1))]
+        _within(block, inner, best, came_from)
+        if block[-1] + 1 < len(grid):
+            last = grid[block[-1] + 1] - least
+            cut = int(np.searchsorted(grid[block], last, side="right")) - 1
+            starts = np.concatenate([alive, block])
+            costs = np.concatenate([outer[:, cut], inner[:, cut]]) - penalty
+            useful = _still_useful(grid, starts, block[cut], best, costs, weight)
+            alive = starts[useful] if cut >= 0 else starts
     return _walk_back(grid, came_from)
 
 
@@ -164,29 +165,21 @@ def _within(block: Indices, costs: Array, best: Array, came_from: Indices) -> No
 
 
 def _still_useful(
-    moments: Moments,
-    grid: Indices,
-    starts: Indices,
-    best: Array,
-    limits: tuple[float, int, int],
+    grid: Indices, starts: Indices, cut: int, best: Array, costs: Array, weight: float
 ) -> NDArray[np.bool_]:
-    """Which starts can begin an optimal stretch that ends at or after grid point `following`.
+    """Which starts can begin an optimal stretch that ends far enough behind the cut.
 
     Without its mixing weights a stretch costs at least as much as its two parts. So where, at
     some point `cut` on the way, beginning anew is cheaper by more than what the weights
     -m ln m can gain by joining the longest possible second part, it stays cheaper for good.
+    `costs` are weighted and those of the first parts; where one is infinite the start is kept.
     """
-    weight, least, following = limits
-    if following >= len(grid):
-        return np.ones(len(starts), dtype=bool)
-    cut = int(np.searchsorted(grid, grid[following] - least, side="right")) - 1
-    earlier = starts < cut
-    part = (grid[cut] - grid[starts[earlier]]).astype(float)
-    rest = float(len(moments) - grid[cut])
+    long = np.isfinite(costs)
+    part = (grid[cut] - grid[starts[long]]).astype(float)
+    rest = float(grid[-1] - grid[cut])
     gain = (part + rest) * np.log(part + rest) - part * np.log(part) - rest * np.log(rest)
-    cost = moments.costs(grid[starts[earlier]], grid[cut : cut + 1])[:, 0]
     useful = np.ones(len(starts), dtype=bool)
-    useful[earlier] = best[starts[earlier]] + weight * (cost - gain) <= best[cut]
+    useful[long] = best[starts[long]] + costs[long] - weight * gain <= best[cut]
     return useful
 
 

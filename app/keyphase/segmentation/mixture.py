@@ -9,6 +9,8 @@ from keyphase.segmentation.bins import Indices
 
 _ITERATIONS = 100
 _GAIN_PER_SAMPLE = 1e-6
+_NOTHING = -45.0
+"""A density e to this below the highest is lost in the last digit of their sum."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +54,10 @@ def _expect(monomials: Array, weight: Array, mean: Array, covariance: Array) -> 
     """Responsibilities (n, K) and the log-likelihood of all samples."""
     log_density = monomials @ _coefficients(weight, mean, covariance)
     highest = log_density.max(axis=1, keepdims=True)
-    density = np.exp(log_density - highest)
+    log_density -= highest
+    # Most Gaussians are far from most samples, and what adds nothing to one takes time.
+    near = log_density > _NOTHING
+    density = np.exp(log_density, out=np.zeros_like(log_density), where=near)
     total = density.sum(axis=1, keepdims=True)
     return density / total, float((highest + np.log(total)).sum())
 

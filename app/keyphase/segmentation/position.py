@@ -24,7 +24,7 @@ from keyphase.segmentation.refinement import refine_cuts
 from keyphase.segmentation.strokes import merge_strokes
 
 WINDOW_S = 60.0
-OVERLAP_S = 10.0
+OVERLAP_S = 6.0
 
 _GRID_S = 0.04
 _SHORTEST_S = 0.12
@@ -37,6 +37,7 @@ _FINE_FLOOR_M = 2e-4
 _FURTHEST_FROM_CUT_S = 0.4
 _FLOOR_PER_RANGE = 1e-6
 _CONTEXT = 2
+_FITTED_TOGETHER_S = 30.0
 _GRID_POINTS = 1500
 
 
@@ -190,7 +191,7 @@ def _cuts_into(samples: Array, step_s: float, count: int) -> Indices:
 def _fit(motion: Motion, samples: Array, cuts: Indices) -> PositionFit:
     """Gaussians by expectation maximisation from the stretches between the cuts."""
     edges = np.concatenate([[0], cuts, [len(samples)]])
-    groups = _groups(edges, count_in(WINDOW_S, motion.step_s, 500, len(samples)))
+    groups = _groups(edges, count_in(_FITTED_TOGETHER_S, motion.step_s, 500, len(samples)))
     parts = [_fit_group(motion, samples, edges, first, last) for first, last in groups]
     weight, mean, sigma, position, covariance = (
         np.concatenate(part) for part in zip(*parts, strict=True)
