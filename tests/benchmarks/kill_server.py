@@ -1,6 +1,6 @@
 """Kill a server that is being edited, again and again, and count what was lost.
 
-python tests/benchmarks/kill_server.py --times 20
+python tests/benchmarks/kill_server.py --times 200
 """
 
 import argparse
@@ -12,6 +12,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1] / "web"))
 
 from killing_server import Aftermath, kill_once
+from serving import Serving, many_servings
 
 from keyphase.shipped import shipped
 
@@ -19,10 +20,11 @@ from keyphase.shipped import shipped
 def main() -> int:
     """Kill as often as asked; the exit status says whether anything confirmed was lost."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--times", type=int, default=20)
+    parser.add_argument("--times", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1000)
     options = parser.parse_args()
-    rounds = [_kill_in_a_new_folder(options.seed + i) for i in range(options.times)]
+    with many_servings() as serve:
+        rounds = [_kill_in_a_new_folder(options.seed + i, serve) for i in range(options.times)]
     lost = [i for i, each in enumerate(rounds) if not each.is_safe]
     confirmed = sum(each.confirmed for each in rounds)
     beyond = sum(len(each.found) - each.confirmed for each in rounds)
@@ -32,10 +34,10 @@ def main() -> int:
     return 1 if lost else 0
 
 
-def _kill_in_a_new_folder(seed: int) -> Aftermath:
+def _kill_in_a_new_folder(seed: int, serve: Serving) -> Aftermath:
     with tempfile.TemporaryDirectory() as folder:
         recording = shutil.copy(shipped("data") / "synthetic_setup1.npz", folder)
-        return kill_once(Path(recording), seed)
+        return kill_once(Path(recording), seed, serve)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from serving import Served, serving
+from serving import Served, Serving
 from talking import PageClient
 from websockets.exceptions import ConnectionClosed
 
@@ -35,10 +35,10 @@ class Aftermath:
         return self.found == whole and self.confirmed <= len(self.found) <= self.sent
 
 
-def kill_once(recording: Path, seed: int) -> Aftermath:
+def kill_once(recording: Path, seed: int, serve: Serving) -> Aftermath:
     """Serve a recording, let a page edit it, kill the server, and read the journal again."""
     chance = random.Random(seed)
-    with serving(recording) as served:
+    with serve(recording) as served:
         sent, confirmed = _edit(served, chance)
     demonstration = read(recording)
     with Journal(demonstration) as journal:

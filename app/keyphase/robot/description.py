@@ -1,6 +1,6 @@
 """A robot description: any URDF, with a named tool frame and the chain of joints that moves it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -97,10 +97,28 @@ def load_description(path: str | Path, tool_frame: str) -> RobotDescription:
     Raises RobotError where the file is missing, is no XML, no URDF, lacks the frame or a mesh, or
     where no joint moves the frame.
     """
+    return load_descriptions(path, (tool_frame,))[0]
+
+
+def load_descriptions(path: str | Path, tool_frames: Sequence[str]) -> tuple[RobotDescription, ...]:
+    """The same robot with one tool frame after the other to be moved, read once.
+
+    Raises RobotError as `load_description` does.
+    """
     path = Path(path)
     refuse_bad_urdf(path)
-    display = read_display(path)
-    model = _model(path)
+    display, model = read_display(path), _model(path)
+    shapes = shapes_of(display)
+    return tuple(_described(path, frame, display, shapes, model) for frame in tool_frames)
+
+
+def _described(
+    path: Path,
+    tool_frame: str,
+    display: URDF,
+    shapes: tuple[LinkShape, ...],
+    model: pinocchio.Model,
+) -> RobotDescription:
     chain = _chain(model, display, tool_frame, path)
     lower, upper, speed = _limits(display, chain)
     return RobotDescription(
@@ -114,7 +132,7 @@ def load_description(path: str | Path, tool_frame: str) -> RobotDescription:
         speed_rad_s=_frozen(speed),
         start_rad=_frozen([_middle(*limits) for limits in zip(lower, upper, strict=True)]),
         links=tuple(display.link_map),
-        shapes=shapes_of(display),
+        shapes=shapes,
         model=model,
         rest=MappingProxyType(_rest(display, chain)),
         mimics=MappingProxyType(_mimics(display)),

@@ -1,12 +1,13 @@
 """The YuMi that comes with keyphase."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import cache
 from typing import Literal
 
 import numpy as np
 
 from keyphase.demonstration import Array
-from keyphase.robot.description import RobotDescription, load_description
+from keyphase.robot.description import RobotDescription, load_descriptions
 from keyphase.shipped import shipped
 
 Side = Literal["r", "l"]
@@ -28,11 +29,20 @@ _MIRRORED = (-1, 1, -1, 1, -1, 1, -1)
 
 def yumi(side: Side = "r") -> RobotDescription:
     """The YuMi, its right or left tool point to be moved; the other arm rests."""
+    return _both_sides()[side]
+
+
+@cache
+def _both_sides() -> Mapping[Side, RobotDescription]:
+    """Read once: the files come with keyphase, and nobody changes a description."""
     path = shipped("static_robots") / "yumi" / "yumi.urdf"
-    other: Side = "l" if side == "r" else "r"
+    right, left = load_descriptions(path, ("tcp_r", "tcp_l"))
+    return {"r": _posed(right, "r", "l"), "l": _posed(left, "l", "r")}
+
+
+def _posed(robot: RobotDescription, side: Side, other: Side) -> RobotDescription:
     resting = dict(zip(joint_names(other), _rad(RIGHT_REST_DEG, other).tolist(), strict=True))
     open_grippers = {f"gripper_{each}_joint": GRIPPER_OPEN_M for each in "rl"}
-    robot = load_description(path, f"tcp_{side}")
     return robot.starting_at(_rad(RIGHT_START_DEG, side), {**resting, **open_grippers})
 
 
