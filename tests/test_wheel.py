@@ -29,7 +29,7 @@ def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The bin folder of an environment that holds nothing but the wheel and what it needs."""
     environment = tmp_path_factory.mktemp("environment")
     venv.create(environment, with_pip=True)
-    command = [environment / "bin" / "python", "-m", "pip", "install", "--quiet"]
+    command = [environment / "bin" / "python", "-m", "pip", "install", "--quiet", "--no-compile"]
     subprocess.run([*command, "--constraint", ROOT / "constraints.txt", wheel], check=True)
     return environment / "bin"
 

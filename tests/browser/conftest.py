@@ -45,6 +45,16 @@ def _answer_nothing(route: Route) -> None:
     route.fulfill(body="<html></html>", content_type="text/html")
 
 
+_WITHOUT_SMOOTH_EDGES = """
+const ofCanvas = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (kind, wanted) {
+  const asked = kind.startsWith("webgl") ? { ...wanted, antialias: false } : wanted;
+  return ofCanvas.call(this, kind, asked);
+};
+"""
+"""Without a graphics card, smooth edges of the 3D scene are half the work of drawing it."""
+
+
 @pytest.fixture
 def visit(chromium: Browser) -> Iterator[Visit]:
     """Opens a server's page; at the end no script may have failed.
@@ -65,6 +75,7 @@ def visit(chromium: Browser) -> Iterator[Visit]:
             color_scheme="dark" if dark else "light",
         )
         pages.append(KeyphasePage(page))
+        page.add_init_script(_WITHOUT_SMOOTH_EDGES)
         if not scene:
             page.route("**/viser/**", _answer_nothing)
         page.goto(server.link)
@@ -89,15 +100,15 @@ def folder(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def setup1(folder: Path, serve: Serve, visit: Visit) -> KeyphasePage:
-    """The page at 1920x1080 on the recorded Setup 1."""
-    page = visit(serve(folder / "setup1.npz"))
+    """The page at 1280x720 on the recorded Setup 1."""
+    page = visit(serve(folder / "setup1.npz"), size=(1280, 720))
     page.wait_for_document()
     return page
 
 
 @pytest.fixture
 def timeline(folder: Path, serve: Serve, visit: Visit) -> KeyphasePage:
-    """The same with an empty scene, for tests of the timeline alone."""
+    """The same at 1920x1080 with an empty scene, for tests of the timeline alone."""
     page = visit(serve(folder / "setup1.npz"), scene=False)
     page.wait_for_document()
     return page

@@ -19,6 +19,9 @@ PICTURES = Path(__file__).parents[1] / "pictures"
 SEGMENT_COLORS = ("#58A2F2", "#EFB63A", "#26C397", "#CA71B6", "#A7A425", "#8FDDE8", "#B98A63")
 ACCENT = {"light": "#1c7ed6", "dark": "#4dabf7"}
 
+_PATIENCE = 40
+"""Pictures that are taken, half a second apart, until one shows what is waited for."""
+
 _SCENE_IDLE = """() => {
   const frame = window.__viserTestpoints?.rendererInfo.render.frame;
   if (frame === undefined) return false;
@@ -196,6 +199,15 @@ class KeyphasePage:
         PICTURES.mkdir(exist_ok=True)
         raw = self.page.screenshot(path=PICTURES / f"{name}.png")
         return Picture(np.asarray(Image.open(io.BytesIO(raw)).convert("RGB"), dtype=np.int16))
+
+    def until_seen(self, name: str, shows: Callable[[Picture], bool]) -> Picture:
+        """The first of several pictures that shows it; the last one if none does."""
+        for _ in range(_PATIENCE):
+            picture = self.picture(name)
+            if shows(picture):
+                break
+            self.page.wait_for_timeout(500)
+        return picture
 
     def threshold_slider(self) -> tuple[float, float]:
         """Where the thumb of the panel's threshold slider is."""

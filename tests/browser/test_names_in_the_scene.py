@@ -2,6 +2,7 @@
 
 import random
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -37,24 +38,31 @@ def moved(page: KeyphasePage, before: Box) -> None:
     )
 
 
-def test_every_kept_segment_and_contact_change_is_named(setup1: KeyphasePage) -> None:
-    setup1.wait_for_scene()
-    document = setup1.document
+@pytest.fixture
+def large(folder: Path, serve: Serve, visit: Visit) -> KeyphasePage:
+    """A page with room for all names."""
+    page = visit(serve(folder / "setup1.npz"))
+    page.wait_for_document()
+    page.wait_for_scene()
+    return page
+
+
+def test_every_kept_segment_and_contact_change_is_named(large: KeyphasePage) -> None:
+    document = large.document
     kept = [f"{k + 1} {s['label']}" for k, s in enumerate(document["segments"]) if s["kept"]]
     times = [b["time_s"] for b in document["boundaries"] if b["contact_change"]]
 
-    assert names(setup1) == kept + [f"contact change {time:.3f} s" for time in times]
+    assert names(large) == kept + [f"contact change {time:.3f} s" for time in times]
 
 
-def test_a_name_points_at_its_segments_path(setup1: KeyphasePage) -> None:
-    setup1.wait_for_scene()
-    setup1.page.evaluate("() => keyphase.actions.seek(keyphase.state.document.end_s)")
-    setup1.wait_for_scene()
-    picture = setup1.picture("names")
+def test_a_name_points_at_its_segments_path(large: KeyphasePage) -> None:
+    large.page.evaluate("() => keyphase.actions.seek(keyphase.state.document.end_s)")
+    large.wait_for_scene()
+    picture = large.picture("names")
     for index in (0, 4):
-        text = f"{index + 1} {setup1.document['segments'][index]['label']}"
-        color = SEGMENT_COLORS[setup1.document["segments"][index]["color"]]
-        assert picture.count_hue(color, anchor_of(setup1, text)) > 40
+        text = f"{index + 1} {large.document['segments'][index]['label']}"
+        color = SEGMENT_COLORS[large.document["segments"][index]["color"]]
+        assert picture.count_hue(color, anchor_of(large, text)) > 40
 
 
 def test_names_follow_the_camera(setup1: KeyphasePage) -> None:

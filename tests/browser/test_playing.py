@@ -1,7 +1,29 @@
-"""Playback beside everything else one does."""
+"""The scene gives way: to what a hand holds, while something plays and at rest."""
 
 import pytest
 from driver import KeyphasePage
+
+_SCENE_FRAME = """() => document.getElementById('viser').contentWindow
+  .__viserTestpoints.rendererInfo.render.frame"""
+IN_FLIGHT = 1
+"""So many frames of the scene may be under way as a hand takes hold."""
+
+
+def test_the_scene_draws_nothing_while_a_hand_moves_the_view(setup1: KeyphasePage) -> None:
+    setup1.wait_for_scene()
+    for _ in range(3):
+        setup1.press("+")
+    setup1.wait_for_scene()
+    row, mouse = setup1.row("position"), setup1.page.mouse
+    y, start = row.y + 0.5 * row.height, setup1.state("view")["from"]
+    mouse.move(row.x + 0.7 * row.width, y)
+    mouse.down()
+    setup1.settle()
+    before = setup1.page.evaluate(_SCENE_FRAME)
+    mouse.move(row.x + 0.3 * row.width, y, steps=12)
+    assert setup1.page.evaluate(_SCENE_FRAME) - before <= IN_FLIGHT
+    mouse.up()
+    assert setup1.state("view")["from"] > start
 
 
 @pytest.mark.slow

@@ -28,7 +28,7 @@ def server(tmp_path: Path, serve: Serve) -> PageServer:
 @pytest.fixture
 def page(server: PageServer, visit: Visit) -> KeyphasePage:
     """Its page with the Record tab open."""
-    page = visit(server)
+    page = visit(server, size=(1280, 1000))
     page.wait_for_scene().get_by_role("tab", name="Record").click()
     return page
 

@@ -27,37 +27,16 @@ _HIDDEN = """names => names.every(name => {
   return !node || !node.visible;
 })"""
 
-PATIENCE = 40
-"""Pictures that are taken, half a second apart, until one shows what is waited for."""
-
-
-def _thickness_at_rest(page: KeyphasePage) -> int:
-    """How much of the picture the segment has, once hiding the robot has moved the camera."""
-    seen = [-1]
-    while len(seen) < PATIENCE and seen[-1] not in seen[:-1][-2:]:
-        page.page.wait_for_timeout(700)
-        seen.append(_thickness(page, page.picture("not_selected")))
-    return seen[-1]
-
-
-def _is_drawn_thicker(page: KeyphasePage, before: int) -> bool:
-    """Whether the segment gets more of the picture than before, once the scene is drawn."""
-    for _ in range(PATIENCE):
-        if _thickness(page, page.picture("selected")) > 1.2 * before:
-            return True
-        page.page.wait_for_timeout(500)
-    return False
-
 
 def _only_the_path(page: KeyphasePage) -> None:
+    """And the robot: without it the camera would look from elsewhere."""
     page.wait_for_scene()
-    hidden = ("gaussians", "labels", "forces", "robot", "parts")
+    hidden = ("gaussians", "labels", "forces", "parts")
     for what in hidden:
         page.page.evaluate(
             "what => keyphase.actions.send({ type: 'show', what, visible: false })", what
         )
-    shown = [name for name in hidden if name != "robot"]
-    page.scene.wait_for_function(_HIDDEN, arg=shown)
+    page.scene.wait_for_function(_HIDDEN, arg=hidden)
     page.wait_for_scene()
 
 
@@ -69,20 +48,25 @@ def test_clicking_the_path_selects_its_segment_in_the_timeline(setup1: KeyphaseP
     assert setup1.page.locator(".segment-ring").count() == 1
 
 
-def test_a_segment_clicked_in_the_timeline_is_drawn_thicker_in_the_scene(
+def test_a_segment_selected_in_the_timeline_is_drawn_thicker_in_the_scene(
     setup1: KeyphasePage,
 ) -> None:
+    """Clicked, and then by keys alone."""
     _only_the_path(setup1)
-    before = _thickness_at_rest(setup1)
+    before = _thickness(setup1, setup1.picture("not_selected"))
     setup1.click(setup1.middle_of(_SEGMENT))
-    setup1.until(f"keyphase.state.selected === {_SEGMENT}")
-    assert _is_drawn_thicker(setup1, before)
-
-
-def test_a_segment_selected_by_keys_is_drawn_thicker_in_the_scene(setup1: KeyphasePage) -> None:
-    _only_the_path(setup1)
-    before = _thickness_at_rest(setup1)
+    _is_drawn_thicker(setup1, before)
+    setup1.press("Escape")
+    setup1.until("keyphase.state.selected === null")
+    thin = setup1.until_seen("not_selected", lambda now: _thickness(setup1, now) <= 1.05 * before)
+    assert _thickness(setup1, thin) <= 1.05 * before
     for index in range(_SEGMENT + 1):
         setup1.press("]")
         setup1.until(f"keyphase.state.selected === {index}")
-    assert _is_drawn_thicker(setup1, before)
+    _is_drawn_thicker(setup1, before)
+
+
+def _is_drawn_thicker(page: KeyphasePage, before: int) -> None:
+    page.until(f"keyphase.state.selected === {_SEGMENT}")
+    seen = page.until_seen("selected", lambda now: _thickness(page, now) > 1.2 * before)
+    assert _thickness(page, seen) > 1.2 * before

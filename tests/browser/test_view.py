@@ -135,11 +135,13 @@ def assert_nothing_overflows(page: KeyphasePage) -> None:
 
 def test_the_button_changes_the_theme_of_page_and_scene(setup1: KeyphasePage) -> None:
     setup1.wait_for_scene()
-    light = setup1.picture("theme_light").brightness(setup1.box("#viser"))
+    scene = setup1.box("#viser")
+    light = setup1.picture("theme_light").brightness(scene)
     setup1.page.locator("#theme").click()
     setup1.until("document.documentElement.dataset.theme === 'dark'")
-    setup1.wait_for_scene()
-    assert setup1.picture("theme_dark").brightness(setup1.box("#viser")) < light - 80
+    dark = setup1.until_seen("theme_dark", lambda now: now.brightness(scene) < light - 80)
+    assert dark.brightness(scene) < light - 80
+    assert dark.brightness(setup1.box("#plan")) < 100
 
 
 def test_the_splitter_gives_the_timeline_more_room(timeline: KeyphasePage) -> None:

@@ -4,23 +4,16 @@ import hashlib
 
 import numpy as np
 import pytest
+from right_segments import PHASES, segmented_right
 
 from keyphase.errors import SimulationError
 from keyphase.readers import read, save_npz
-from keyphase.segmentation import segment
 from keyphase.shipped import shipped
 from keyphase.simulation import Disturbance, record
 from keyphase.simulation import recording as recording_module
 
 NAMES = ["setup1", "setup2"]
-PHASES = {
-    "setup1": ["forward", "idle", "down until contact", "idle", "sideways until contact"],
-    "setup2": ["rotate", "down until contact", "sideways until contact", "on with contact kept"],
-}
 BUNDLED_SEED = 7
-TOLERANCE_S = 0.060
-FOUND_CHANGES = {"setup1": ["snap"], "setup2": ["contact", "others"]}
-"""Contact changes between two segments; setup1 ends as the wall is reached."""
 
 
 def digest(demonstration, folder) -> str:
@@ -120,19 +113,6 @@ def test_a_disturbed_world_is_recorded_as_such(name) -> None:
     assert lowest - record(name, seed=1).position_m[:, 2].min() == pytest.approx(0.01, abs=2e-3)
 
 
-def segmented_right(name: str, seed: int) -> bool:
-    demonstration = record(name, seed=seed)
-    result = segment(demonstration)
-    onsets = demonstration.metadata["ground_truth"]["contact_onsets_s"]
-    expected = [onsets[change] for change in FOUND_CHANGES[name]]
-    found = [boundary.time_s for boundary in result.boundaries if boundary.contact_change]
-    return (
-        len(result.segments) == len(PHASES[name])
-        and len(found) == len(expected)
-        and np.allclose(found, expected, atol=TOLERANCE_S)
-    )
-
-
 @pytest.mark.parametrize("name", NAMES)
 def test_the_bundled_recordings_give_the_phases_of_the_paper(name) -> None:
     assert segmented_right(name, BUNDLED_SEED)
@@ -140,8 +120,6 @@ def test_the_bundled_recordings_give_the_phases_of_the_paper(name) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("first", [0, 25, 50, 75])
-def test_default_parameters_are_right_for_nearly_every_seed(name, first) -> None:
-    """Over all four parts this asks for at least 96 of a hundred."""
-    right = sum(segmented_right(name, seed) for seed in range(first, first + 25))
-    assert right >= 24
+def test_default_parameters_are_right_for_nearly_every_seed(name) -> None:
+    """The first quarter of the hundred that `accuracy_recording.py` counts."""
+    assert sum(segmented_right(name, seed) for seed in range(25)) >= 24
