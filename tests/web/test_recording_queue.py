@@ -1,13 +1,16 @@
 """Several recordings in one page: the list, and what is known of each without opening it."""
 
 import shutil
+import threading
 from pathlib import Path
 
 import numpy as np
 import pytest
 from talking import PageClient, StartServer
 
-from keyphase.web.recordings import printable, queue, recordings_message
+from keyphase.web.library import Library
+from keyphase.web.opened import Opened
+from keyphase.web.recordings import Recording, printable, queue, recordings_message
 
 
 @pytest.fixture
@@ -32,6 +35,41 @@ def test_the_first_is_open_and_the_others_are_looked_at_meanwhile(
     assert lines[0]["strip"] == lines[2]["strip"]
     assert 0 < lines[2]["confidence"] <= 1
     assert sum(part["share"] for part in lines[2]["strip"]) == pytest.approx(1.0)
+
+
+def test_what_is_open_is_not_looked_at_again(
+    three: list[Path], start_server: StartServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looked: list[str] = []
+    look = Library.look
+
+    def noted(library: Library, recording: Recording) -> Opened:
+        looked.append(recording.name)
+        return look(library, recording)
+
+    monkeypatch.setattr(Library, "look", noted)
+    with PageClient(start_server(*three)) as page:
+        page.wait_for("recordings", lambda m: m["items"][2]["strip"])
+
+    assert looked == ["broken", "again"]
+
+
+def test_others_are_looked_at_when_there_is_time(
+    three: list[Path], start_server: StartServer
+) -> None:
+    server = start_server()
+    queue = server.session.queue
+    there_is_time = threading.Event()
+    queue.may_look = there_is_time.is_set
+    with PageClient(server) as page:
+        for path in three:
+            queue.add(path)
+        page.wait_for("document", lambda m: m["name"] == "again")
+        queue.follow_folder(server.session.current())
+        page.wait_for("notice", lambda m: "now have these parameters" in m["text"])
+        assert queue.is_free
+        there_is_time.set()
+        page.wait_for("recordings", lambda m: m["items"][0]["strip"])
 
 
 def test_a_file_that_cannot_be_read_says_so_in_its_line_and_opens_nothing(

@@ -1,6 +1,7 @@
 """The robot in the scene: it follows the playhead, or says where it cannot."""
 
 import shutil
+import threading
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -163,6 +164,46 @@ def test_the_other_arm_can_follow(recorded: Path, opened: Opened) -> None:
     server.robot.use_arm(1)
     settle(server)
     assert np.linalg.norm(link(server, "gripper_r_base") - right) > 0.1
+
+
+def test_working_out_the_joints_gives_way_to_what_is_asked_for(
+    tmp_path: Path, start_server: StartServer
+) -> None:
+    server = start_server()
+    busy, asked = threading.Event(), threading.Event()
+    busy.set()
+
+    def gives_way() -> bool:
+        asked.set()
+        return busy.is_set()
+
+    server.robot.gives_way = gives_way
+    with PageClient(server):
+        server.session.queue.add(
+            Path(shutil.copy(shipped("data") / "synthetic_setup1.npz", tmp_path))
+        )
+        assert asked.wait(WAIT_S)
+        assert not server.robot.wait_until_idle(0.0)
+        assert server.robot._path is None
+        busy.clear()
+        settle(server)
+        assert server.robot._path is not None
+
+
+def test_what_is_being_worked_out_is_given_up_as_the_server_stops(
+    tmp_path: Path, start_server: StartServer
+) -> None:
+    server = start_server(Path(shutil.copy(shipped("data") / "synthetic_setup1.npz", tmp_path)))
+    begun = threading.Event()
+
+    def gives_way() -> bool:
+        begun.set()
+        return True
+
+    server.robot.gives_way = gives_way
+    assert begun.wait(WAIT_S)
+    server.stop()
+    assert server.robot._path is None
 
 
 def test_a_robot_needs_both_its_file_and_its_tool() -> None:

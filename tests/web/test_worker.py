@@ -67,6 +67,22 @@ def test_who_submits_can_wait_for_the_job_also_for_one_that_never_runs() -> None
     go.set()
 
 
+def test_it_is_free_but_for_jobs_of_a_kind_that_nobody_asked_for() -> None:
+    worker = Worker(pytest.fail)
+    assert worker.is_free()
+    go = _busy(worker)
+    assert not worker.is_free()
+    go.set()
+    assert worker.wait_until_idle(10)
+    looked_at = threading.Event()
+    worker.submit(looked_at.wait, "look")
+    assert worker.is_free(but_for="look")
+    assert not worker.is_free()
+    looked_at.set()
+    assert worker.wait_until_idle(10)
+    assert worker.is_free()
+
+
 def test_an_error_is_reported_and_the_next_job_runs() -> None:
     errors: list[Exception] = []
     done: list[str] = []

@@ -1,6 +1,6 @@
 """Where links are as seen from the links that carry them: most of them only turn there."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import pinocchio  # pyright: ignore[reportMissingImports]
@@ -23,7 +23,7 @@ class CarriedLinks:
 
     def __init__(self, robot: RobotDescription, carriers: Mapping[str, str]) -> None:
         self._model, self._data = robot.model, robot.model.createData()
-        self._frames = [
+        frames = [
             (robot.frames[link], robot.frames[carrier] if carrier else None)
             for link, carrier in carriers.items()
         ]
@@ -32,20 +32,37 @@ class CarriedLinks:
             values[name] = mimic.factor * values[mimic.joint] + mimic.offset
         self._rest = configuration(robot.model, values)
         self._driven = _Driven(robot)
+        self._resting = self._carried(self._rest, frames)
+        self._moving = [row for row, pair in enumerate(frames) if self._moves(*pair)]
+        self._frames = [frames[row] for row in self._moving]
 
     def poses(self, joints_rad: Array) -> Array:
         """(L, 7) position and wxyz of each link in its carrier's frame, in the order given.
 
         `joints_rad` (J,) moves the chain to the tool frame; every other joint is at its rest.
         """
-        placed = self._data.oMf
+        poses = self._resting.copy()
         q = self._driven.put(self._rest.copy(), joints_rad)
+        poses[self._moving] = self._carried(q, self._frames)
+        return poses
+
+    def _carried(self, q: Array, frames: Sequence[tuple[int, int | None]]) -> Array:
+        """Poses of frames in the frames that carry them, in a configuration."""
         pinocchio.framesForwardKinematics(self._model, self._data, q)
+        placed = self._data.oMf
         seen = [
             placed[link] if carrier is None else placed[carrier].actInv(placed[link])
-            for link, carrier in self._frames
+            for link, carrier in frames
         ]
         return np.array([pinocchio.SE3ToXYZQUAT(pose) for pose in seen])[:, _W_FIRST]
+
+    def _moves(self, link: int, carrier: int | None) -> bool:
+        """Whether a driven joint lies between a link and the one that carries it."""
+        before = set() if carrier is None else set(self._joints_to(carrier))
+        return not self._driven.joints.isdisjoint(set(self._joints_to(link)) - before)
+
+    def _joints_to(self, frame: int) -> Sequence[int]:
+        return self._model.supports[self._model.frames[frame].parentJoint].tolist()
 
 
 class _Driven:
@@ -59,7 +76,9 @@ class _Driven:
             for name, mimic in robot.mimics.items()
             if mimic.joint in chain
         ]
-        joints = [robot.model.joints[robot.model.getJointId(name)] for name, *_ in follow]
+        numbers = [robot.model.getJointId(name) for name, *_ in follow]
+        self.joints = frozenset(numbers)
+        joints = [robot.model.joints[number] for number in numbers]
         self._source = np.array([k for _, k, _, _ in follow])
         self._factor = np.array([factor for *_, factor, _ in follow])
         self._offset = np.array([offset for *_, offset in follow])

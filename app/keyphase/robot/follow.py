@@ -42,6 +42,8 @@ MOST_PREVIEWED = 2000
 MOST_FOLLOWED = 20_000
 """So many poses are followed of any demonstration; `posture_at` finds what lies between."""
 
+_POSES_PER_PROGRESS = 20
+
 Progress = Callable[[float], None]
 
 
@@ -106,8 +108,9 @@ def follow(
     Of several postures to start from (`start_rad`, by default that of recorded joints if they are
     as many as the arm's; the arm's own; random ones of `seed`) the first is taken from which all
     of the path is reached, or else the one that reaches most. A demonstration without orientation
-    is followed with the tool pointing down. `progress` hears the share that is done. Of a
-    demonstration of more than MOST_FOLLOWED samples so many at most are followed.
+    is followed with the tool pointing down. `progress` hears the share that is done, none while
+    starts are compared; what it raises ends it all. Of a demonstration of more than MOST_FOLLOWED
+    samples so many at most are followed.
     """
     if start_rad is None:
         start_rad = _recorded_start(arm, demonstration)
@@ -118,7 +121,7 @@ def follow(
     time = demonstration.time_s[rows]
     stride = max(1, round(demonstration.rate_hz / PREVIEW_HZ / every))
     stride = max(stride, -(-len(goals) // MOST_PREVIEWED))
-    start = _best_start(arm, goals[::stride], time[::stride], start_rad, seed)
+    start = _best_start(arm, goals[::stride], time[::stride], start_rad, seed, progress)
     return _followed(arm, goals, time, start, progress)
 
 
@@ -168,10 +171,15 @@ def _best_start(
     time: Array,
     start_rad: ArrayLike | None,
     seed: int,
+    progress: Progress | None,
 ) -> Array:
+    def none_of_it(_: float) -> None:
+        if progress is not None:
+            progress(0.0)
+
     best, fewest = arm.robot.start_rad, np.inf
     for start in _first_postures(arm, goals[0], start_rad, seed):
-        path = _followed(arm, goals, time, start)
+        path = _followed(arm, goals, time, start, none_of_it)
         missed = float(np.sum(~path.reached)) + float(path.distance_m.sum())
         if path.reached.all():
             return start
@@ -217,7 +225,7 @@ def _followed(
         drawn = joints + _towards_start_posture(arm, joints, before, goal, data)
         solution = nearest(arm, goal, drawn, lower, upper, data)
         solutions.append(solution)
-        if progress is not None and number % 100 == 0:
+        if progress is not None and number % _POSES_PER_PROGRESS == 0:
             progress(number / len(goals))
     if progress is not None:
         progress(1.0)

@@ -33,12 +33,16 @@ class Library:
 
         Raises DemonstrationError, RecipeError or JournalError for what cannot be opened.
         """
-        if recording.id not in self._open:
+        if not self.has_open(recording):
             self._open[recording.id] = self._opened(recording, progress, self._read_only)
         self._open.move_to_end(recording.id)
         while len(self._open) > KEPT_OPEN:
             self._open.popitem(last=False)[1].close()
         return self._open[recording.id]
+
+    def has_open(self, recording: Recording) -> bool:
+        """Whether the recording is open, so that there is no need to look at it."""
+        return recording.id in self._open
 
     def look(self, recording: Recording) -> Opened:
         """The recording as it stands on disk, which is not kept open; close it after use."""

@@ -30,6 +30,11 @@ class PartsView(View):
         self._worker.stop()
         self._worker.join()
 
+    @property
+    def is_free(self) -> bool:
+        """Whether nothing is being worked out."""
+        return self._worker.is_free()
+
     def wait_until_idle(self, timeout_s: float) -> bool:
         """Whether the parts are worked out within `timeout_s`."""
         return self._worker.wait_until_idle(timeout_s)

@@ -2,6 +2,7 @@
 
 import itertools
 import threading
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
@@ -19,11 +20,17 @@ from keyphase.web.telling import Progress, Telling
 from keyphase.web.uploads import Upload
 from keyphase.web.worker import Worker
 
+_LOOKING = "look"
+"""The kind of job that nobody asked for."""
+
+_LOOK_AGAIN_S = 0.05
+
 
 class RecordingQueue:
     """The recordings of one server; everything slow happens in one thread of its own.
 
     `on_open` is told of each recording that was opened, `on_empty` when the last one has gone.
+    `may_look` says whether there is time to look at recordings that nobody asked for.
     """
 
     def __init__(
@@ -36,6 +43,7 @@ class RecordingQueue:
     ) -> None:
         self.recordings = tuple(map(_as_journaled, queue(paths)))
         self.current: str | None = None
+        self.may_look: Callable[[], bool] = lambda: True
         self._numbers = itertools.count(len(self.recordings) + 1)
         self._library = library
         self._telling = telling
@@ -45,6 +53,11 @@ class RecordingQueue:
         self._worker = Worker(telling.report)
         self._looking = iter(self.recordings)
         self._preview: _Preview | None = None
+
+    @property
+    def is_free(self) -> bool:
+        """Whether nothing that was asked for is to be done; looking at the others is not."""
+        return self._worker.is_free(but_for=_LOOKING)
 
     def find(self, recording_id: str) -> Recording:
         """The line with that id. Raises RequestError where there is none."""
@@ -67,7 +80,7 @@ class RecordingQueue:
 
     def look_at_all(self) -> None:
         """Find out about every recording, one by one, whenever nothing else is to be done."""
-        self._worker.submit(self._look_at_next, "look")
+        self._worker.submit(self._look_at_next, _LOOKING)
 
     def export_all(self) -> None:
         """Write a segment file for every recording; what cannot be opened says so in its line."""
@@ -206,10 +219,14 @@ class RecordingQueue:
             self._on_empty()
 
     def _look_at_next(self) -> None:
+        if not self.may_look():
+            time.sleep(_LOOK_AGAIN_S)
+            self.look_at_all()
+            return
         recording = next(self._looking, None)
         if recording is None:
             return
-        if recording.id != self.current:
+        if not self._library.has_open(recording):
             self.update(self._looked_at(recording))
         self.look_at_all()
 

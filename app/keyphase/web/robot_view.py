@@ -5,6 +5,7 @@ recording lies elsewhere in space the robot is put to where it reaches it, and a
 """
 
 import threading
+import time
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -34,6 +35,8 @@ KEPT = 8
 ROOT = "/robot"
 
 _NAMED = 3
+_PROGRESS = 0.02
+_GIVEN_WAY_S = 0.01
 _GIZMO_M = 0.35
 
 
@@ -57,7 +60,9 @@ class _Task:
 class RobotView(View):
     """The robot of one server; `arms` are descriptions of the same robot with different tools.
 
-    `on_stand` is called when the robot stands elsewhere than before, or has appeared or gone.
+    `on_stand` is called when the robot stands elsewhere than before, or has appeared or gone;
+    `gives_way` says whether something more urgent is being worked out. Two threads that compute at
+    once hinder each other: numpy lets go of the interpreter at every array and has to wait for it.
     """
 
     def __init__(
@@ -67,6 +72,7 @@ class RobotView(View):
         self.figure = RobotFigure(server, arms[0], ROOT)
         self.figure.visible = False
         self.on_stand: Callable[[], None] = lambda: None
+        self.gives_way: Callable[[], bool] = lambda: False
         self._server = server
         self._telling = telling
         self._lock = threading.RLock()
@@ -95,6 +101,11 @@ class RobotView(View):
             if task is None or task.placement is None or not self._wanted:
                 return None
             return task.placement.inverse()
+
+    @property
+    def is_free(self) -> bool:
+        """Whether nothing is being worked out."""
+        return self._worker.is_free()
 
     def wait_until_idle(self, timeout_s: float) -> bool:
         """Whether everything there was to work out is worked out within `timeout_s`."""
@@ -248,10 +259,17 @@ class RobotView(View):
                 return recorded
         what = f"{task.opened.recording.name}: the robot's joints"
 
+        told = -1.0
+
         def progress(share: float) -> None:
+            nonlocal told
+            while self._task is task and self.gives_way():
+                time.sleep(_GIVEN_WAY_S)
             if self._task is not task:
                 raise _OvertakenError
-            self._telling.progress(what, share)
+            if share - told >= _PROGRESS:
+                told = share
+                self._telling.progress(what, share)
 
         try:
             return follow(task.arm, task.demonstration, task.placement, progress=progress)

@@ -71,6 +71,9 @@ class PageServer:
         )
         self.parts = PartsView(self.viser, self.session.telling)
         self.robot.on_stand = self.scene.stand_anew
+        # What is asked for comes first, then what is seen beside it, then the other recordings.
+        self.robot.gives_way = lambda: not (self.session.is_free and self.parts.is_free)
+        self.session.queue.may_look = lambda: self.robot.is_free
         self.panel = Panel(self.viser, self.session, read_only=read_only)
         # The robot first: where it stands decides how the scene is seen.
         self.session.views.add(self.robot)

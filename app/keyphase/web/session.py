@@ -92,6 +92,11 @@ class Session:
         self.views.stop()
         self.sockets.close()
 
+    @property
+    def is_free(self) -> bool:
+        """Whether nothing that a person asked for is being worked out."""
+        return self._worker.is_free() and self.queue.is_free
+
     # -- the document
 
     def change(

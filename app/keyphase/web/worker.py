@@ -19,7 +19,7 @@ class Worker:
         self._waiting: dict[object, tuple[Callable[[], None], threading.Event]] = {}
         self._changed = threading.Condition()
         self._stopped = False
-        self._busy = False
+        self._running: object = None
         self._thread = threading.Thread(target=self._run, name="worker", daemon=True)
         self._thread.start()
 
@@ -42,8 +42,13 @@ class Worker:
         """Whether everything submitted so far has run within `timeout_s`."""
         with self._changed:
             return self._changed.wait_for(
-                lambda: not self._waiting and not self._busy, timeout=timeout_s
+                lambda: not self._waiting and self._running is None, timeout=timeout_s
             )
+
+    def is_free(self, but_for: str | None = None) -> bool:
+        """Whether nothing runs or waits, jobs of one kind aside."""
+        with self._changed:
+            return self._running in (None, but_for) and set(self._waiting) <= {but_for}
 
     def stop(self) -> None:
         """Finish what runs, forget what waits."""
@@ -67,7 +72,7 @@ class Worker:
                 self._on_error(error)
             over.set()
             with self._changed:
-                self._busy = False
+                self._running = None
                 self._changed.notify_all()
 
     def _forget(self, key: object) -> None:
@@ -79,5 +84,5 @@ class Worker:
             self._changed.wait_for(lambda: self._waiting or self._stopped)
             if self._stopped:
                 return None
-            self._busy = True
-            return self._waiting.pop(next(iter(self._waiting)))
+            self._running = next(iter(self._waiting))
+            return self._waiting.pop(self._running)
