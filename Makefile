@@ -33,13 +33,20 @@ wheel: $(VENV)/ready-to-test
 clean:
 	rm -rf $(VENV) $(PICTURES) dist build
 
+define environment
+@test -n "$(PYTHON)" || { echo "keyphase needs Python 3.11 or newer; on Debian: apt-get install python3 python3-venv"; exit 1; }
+@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "keyphase needs Python 3.11 or newer, but $(PYTHON) is older; run make PYTHON=/path/to/python3.11"; exit 1; }
+test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+endef
+
+INSTALL := $(BIN)/python -m pip install --quiet --no-compile --disable-pip-version-check --constraint constraints.txt --editable
+
 $(VENV)/ready-to-run: pyproject.toml constraints.txt
-	@test -n "$(PYTHON)" || { echo "keyphase needs Python 3.11 or newer; on Debian: apt-get install python3 python3-venv"; exit 1; }
-	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "keyphase needs Python 3.11 or newer, but $(PYTHON) is older; run make PYTHON=/path/to/python3.11"; exit 1; }
-	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable .
+	$(environment)
+	$(INSTALL) .
 	@touch $@
 
-$(VENV)/ready-to-test: $(VENV)/ready-to-run
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[dev]'
-	@touch $@
+$(VENV)/ready-to-test: pyproject.toml constraints.txt
+	$(environment)
+	$(INSTALL) '.[dev]'
+	@touch $(VENV)/ready-to-run $@

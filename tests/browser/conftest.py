@@ -2,6 +2,7 @@
 
 import shutil
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
@@ -24,6 +25,47 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 def chromium() -> Iterator[Browser]:
     with chromium_browser() as browser:
         yield browser
+
+
+@dataclass
+class _Editor:
+    """A server without a folder of its own, and a page of it that stays open."""
+
+    server: PageServer
+    page: KeyphasePage
+
+    def open(self, recording: Path) -> None:
+        self.server.session.queue.add(recording)
+        self.page.until("keyphase.state.recordings.items.length === 1")
+        self.page.wait_for_document()
+
+    def put_away(self, recording: Path) -> None:
+        self.page.press("Escape")
+        self.page.page.mouse.move(0, 0)
+        self.server.session.queue.remove(recording)
+        self.page.until("keyphase.state.recordings.items.length === 0")
+        assert not self.page.errors
+
+
+@pytest.fixture(scope="session")
+def _editor(chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[_Editor]:
+    server = PageServer([], folder=tmp_path_factory.mktemp("editor"))
+    page = _opened(chromium, server, (1920, 1080), dark=False, scene=False)
+    yield _Editor(server, page)
+    page.close()
+    server.stop()
+
+
+@pytest.fixture
+def editor(_editor: _Editor, folder: Path) -> Iterator[KeyphasePage]:
+    """Like `timeline`, for tests that change nothing but the document and what is seen of it.
+
+    The page stays open from one of them to the next, the recording is a new one.
+    """
+    recording = folder / "setup1.npz"
+    _editor.open(recording)
+    yield _editor.page
+    _editor.put_away(recording)
 
 
 @pytest.fixture
@@ -55,6 +97,21 @@ HTMLCanvasElement.prototype.getContext = function (kind, wanted) {
 """Without a graphics card, smooth edges of the 3D scene are half the work of drawing it."""
 
 
+def _opened(
+    chromium: Browser, server: PageServer, size: tuple[int, int], dark: bool, scene: bool
+) -> KeyphasePage:
+    page = chromium.new_page(
+        viewport={"width": size[0], "height": size[1]},
+        color_scheme="dark" if dark else "light",
+    )
+    opened = KeyphasePage(page)
+    page.add_init_script(_WITHOUT_SMOOTH_EDGES)
+    if not scene:
+        page.route("**/viser/**", _answer_nothing)
+    page.goto(server.link)
+    return opened
+
+
 @pytest.fixture
 def visit(chromium: Browser) -> Iterator[Visit]:
     """Opens a server's page; at the end no script may have failed.
@@ -70,15 +127,7 @@ def visit(chromium: Browser) -> Iterator[Visit]:
         dark: bool = False,
         scene: bool = True,
     ) -> KeyphasePage:
-        page = chromium.new_page(
-            viewport={"width": size[0], "height": size[1]},
-            color_scheme="dark" if dark else "light",
-        )
-        pages.append(KeyphasePage(page))
-        page.add_init_script(_WITHOUT_SMOOTH_EDGES)
-        if not scene:
-            page.route("**/viser/**", _answer_nothing)
-        page.goto(server.link)
+        pages.append(_opened(chromium, server, size, dark, scene))
         return pages[-1]
 
     yield open_page

@@ -5,11 +5,11 @@ from driver import ACCENT, SEGMENT_COLORS, Box, KeyphasePage
 PANEL_WIDTH = 330
 
 
-def test_as_many_bands_as_segments_in_their_colors(timeline: KeyphasePage) -> None:
-    document = timeline.document
-    assert timeline.segments.count() == len(document["segments"]) == 5
-    picture = timeline.picture("bands")
-    band = timeline.row("segments")
+def test_as_many_bands_as_segments_in_their_colors(editor: KeyphasePage) -> None:
+    document = editor.document
+    assert editor.segments.count() == len(document["segments"]) == 5
+    picture = editor.picture("bands")
+    band = editor.row("segments")
     kept = {segment["color"] for segment in document["segments"] if segment["kept"]}
     for color in kept:
         assert picture.count(SEGMENT_COLORS[color], band) > 500
@@ -26,19 +26,19 @@ def test_segments_have_their_colors_on_the_trajectory_too(setup1: KeyphasePage) 
         assert picture.count_hue(SEGMENT_COLORS[segment["color"]], scene) > 100
 
 
-def test_threshold_line_lies_where_the_threshold_is(timeline: KeyphasePage) -> None:
-    picture = timeline.picture("threshold")
-    row = timeline.row("error")
+def test_threshold_line_lies_where_the_threshold_is(editor: KeyphasePage) -> None:
+    picture = editor.picture("threshold")
+    row = editor.row("error")
     drawn = picture.rows_with(ACCENT["light"], row, least=int(row.width / 3), tolerance=24)
-    told = timeline.page.evaluate(
+    told = editor.page.evaluate(
         "() => keyphase.timeline.thresholdY(keyphase.state.document.threshold)"
     )
     assert drawn
-    assert abs(sum(drawn) / len(drawn) - (timeline.box(".surface").y + told)) < 2
+    assert abs(sum(drawn) / len(drawn) - (editor.box(".surface").y + told)) < 2
 
 
-def test_every_boundary_has_its_glyph_and_its_time(timeline: KeyphasePage) -> None:
-    boundaries = timeline.document["boundaries"]
-    assert timeline.boundaries.count() == len(boundaries)
-    times = timeline.page.locator(".boundary-time").all_text_contents()
+def test_every_boundary_has_its_glyph_and_its_time(editor: KeyphasePage) -> None:
+    boundaries = editor.document["boundaries"]
+    assert editor.boundaries.count() == len(boundaries)
+    times = editor.page.locator(".boundary-time").all_text_contents()
     assert sorted(times) == sorted(f"{b['time_s']:.3f}" for b in boundaries)

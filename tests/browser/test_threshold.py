@@ -22,44 +22,44 @@ def contacts(page: KeyphasePage) -> int:
     return sum(boundary["contact_change"] for boundary in page.document["boundaries"])
 
 
-def test_the_line_stays_where_it_was_dragged(timeline: KeyphasePage) -> None:
-    row = timeline.row("error")
+def test_the_line_stays_where_it_was_dragged(editor: KeyphasePage) -> None:
+    row = editor.row("error")
     x = row.x + 0.5 * row.width
-    target = line_height(timeline) - 20
-    timeline.change(lambda: timeline.drag((x, line_height(timeline)), (x, target)))
-    timeline.until("keyphase.state.heldThreshold === null")
-    timeline.page.mouse.move(10, 10)
-    timeline.settle()
-    assert abs(drawn_height(timeline, timeline.picture("threshold_dragged")) - target) < 2
+    target = line_height(editor) - 20
+    editor.change(lambda: editor.drag((x, line_height(editor)), (x, target)))
+    editor.until("keyphase.state.heldThreshold === null")
+    editor.page.mouse.move(10, 10)
+    editor.settle()
+    assert abs(drawn_height(editor, editor.picture("threshold_dragged")) - target) < 2
 
 
 def test_dragging_the_line_above_all_peaks_takes_the_contact_change_away(
-    timeline: KeyphasePage,
+    editor: KeyphasePage,
 ) -> None:
-    assert contacts(timeline) >= 1
-    row = timeline.row("error")
+    assert contacts(editor) >= 1
+    row = editor.row("error")
     x = row.x + 0.5 * row.width
-    timeline.drag((x, line_height(timeline)), (x, row.y + 2))
-    timeline.until("keyphase.state.document.boundaries.every(b => !b.contact_change)")
-    assert timeline.boundaries.count() == len(timeline.document["boundaries"])
-    assert timeline.segments.count() == len(timeline.document["segments"])
+    editor.drag((x, line_height(editor)), (x, row.y + 2))
+    editor.until("keyphase.state.document.boundaries.every(b => !b.contact_change)")
+    assert editor.boundaries.count() == len(editor.document["boundaries"])
+    assert editor.segments.count() == len(editor.document["segments"])
 
 
-def test_what_would_come_or_go_is_shown_until_the_line_is_let_go(timeline: KeyphasePage) -> None:
-    row = timeline.row("error")
+def test_what_would_come_or_go_is_shown_until_the_line_is_let_go(editor: KeyphasePage) -> None:
+    row = editor.row("error")
     x = row.x + 0.5 * row.width
-    mouse = timeline.page.mouse
-    mouse.move(x, line_height(timeline))
+    mouse = editor.page.mouse
+    mouse.move(x, line_height(editor))
     mouse.down()
     mouse.move(x, row.y + 2, steps=8)
-    timeline.until("keyphase.state.ghost.some(g => g.fate === 'goes')")
-    timeline.settle()
-    assert timeline.page.locator(".ghost.goes").count() >= 1
-    timeline.picture("ghosts")
+    editor.until("keyphase.state.ghost.some(g => g.fate === 'goes')")
+    editor.settle()
+    assert editor.page.locator(".ghost.goes").count() >= 1
+    editor.picture("ghosts")
     mouse.up()
-    timeline.until("keyphase.state.ghost.length === 0")
-    timeline.settle()
-    assert timeline.page.locator(".ghost").count() == 0
+    editor.until("keyphase.state.ghost.length === 0")
+    editor.settle()
+    assert editor.page.locator(".ghost").count() == 0
 
 
 def test_the_panels_slider_moves_the_line_and_recolors_the_trajectory(

@@ -11,37 +11,37 @@ def span(page: KeyphasePage) -> float:
     return view["to"] - view["from"]
 
 
-def test_the_wheel_zooms_around_the_pointer(timeline: KeyphasePage) -> None:
-    row = timeline.row("position")
-    at = (timeline.x(2.0), row.y + row.height / 2)
-    before = span(timeline)
-    timeline.page.mouse.move(*at)
-    timeline.page.mouse.wheel(0, -600)
-    timeline.until(f"keyphase.state.view.to - keyphase.state.view.from < {before / 2}")
-    timeline.settle()
-    assert timeline.x(2.0) == pytest.approx(at[0], abs=2)
+def test_the_wheel_zooms_around_the_pointer(editor: KeyphasePage) -> None:
+    row = editor.row("position")
+    at = (editor.x(2.0), row.y + row.height / 2)
+    before = span(editor)
+    editor.page.mouse.move(*at)
+    editor.page.mouse.wheel(0, -600)
+    editor.until(f"keyphase.state.view.to - keyphase.state.view.from < {before / 2}")
+    editor.settle()
+    assert editor.x(2.0) == pytest.approx(at[0], abs=2)
 
 
-def test_dragging_a_track_pans_and_fit_shows_all_again(timeline: KeyphasePage) -> None:
-    document = timeline.document
+def test_dragging_a_track_pans_and_fit_shows_all_again(editor: KeyphasePage) -> None:
+    document = editor.document
     for _ in range(3):
-        timeline.press("+")
-    row = timeline.row("position")
+        editor.press("+")
+    row = editor.row("position")
     y = row.y + row.height / 2
-    start = timeline.state("view")["from"]
-    timeline.drag((row.x + 0.5 * row.width, y), (row.x + 0.5 * row.width - 200, y))
-    assert timeline.state("view")["from"] > start
-    timeline.press("f")
-    assert span(timeline) == pytest.approx(document["end_s"] - document["start_s"])
+    start = editor.state("view")["from"]
+    editor.drag((row.x + 0.5 * row.width, y), (row.x + 0.5 * row.width - 200, y))
+    assert editor.state("view")["from"] > start
+    editor.press("f")
+    assert span(editor) == pytest.approx(document["end_s"] - document["start_s"])
 
 
-def test_the_handles_of_the_overview_set_the_view(timeline: KeyphasePage) -> None:
-    row = timeline.row("overview")
+def test_the_handles_of_the_overview_set_the_view(editor: KeyphasePage) -> None:
+    row = editor.row("overview")
     y = row.y + row.height / 2
-    timeline.drag((row.x, y), (row.x + row.width / 2, y))
-    document = timeline.document
+    editor.drag((row.x, y), (row.x + row.width / 2, y))
+    document = editor.document
     half = (document["start_s"] + document["end_s"]) / 2
-    assert timeline.state("view")["from"] == pytest.approx(half, abs=0.05)
+    assert editor.state("view")["from"] == pytest.approx(half, abs=0.05)
 
 
 def test_a_folded_track_becomes_a_low_row(timeline: KeyphasePage) -> None:
@@ -55,39 +55,39 @@ def test_a_folded_track_becomes_a_low_row(timeline: KeyphasePage) -> None:
     assert timeline.row("speed").height > 40
 
 
-def test_values_under_the_pointer_are_read_out(timeline: KeyphasePage) -> None:
-    row = timeline.row("position")
-    timeline.page.mouse.move(timeline.x(3.0), row.y + row.height / 2)
-    timeline.until("keyphase.state.pointer !== null")
-    timeline.settle()
-    assert timeline.text("#status").startswith("Pointer 3.0")
-    values = timeline.page.locator("[data-gutter=position] .value:visible").all_inner_texts()
+def test_values_under_the_pointer_are_read_out(editor: KeyphasePage) -> None:
+    row = editor.row("position")
+    editor.page.mouse.move(editor.x(3.0), row.y + row.height / 2)
+    editor.until("keyphase.state.pointer !== null")
+    editor.settle()
+    assert editor.text("#status").startswith("Pointer 3.0")
+    values = editor.page.locator("[data-gutter=position] .value:visible").all_inner_texts()
     assert len(values) == 3
     assert all(value[0] in "+−" for value in values)
 
 
-def test_resting_on_a_boundary_says_why_it_is_there(timeline: KeyphasePage) -> None:
-    contact = next(b for b in timeline.document["boundaries"] if b["contact_change"])
-    row = timeline.row("boundaries")
-    timeline.page.mouse.move(timeline.x(contact["time_s"]), row.y + row.height / 2)
-    timeline.page.locator("#why").wait_for()
-    said = timeline.text("#why")
+def test_resting_on_a_boundary_says_why_it_is_there(editor: KeyphasePage) -> None:
+    contact = next(b for b in editor.document["boundaries"] if b["contact_change"])
+    row = editor.row("boundaries")
+    editor.page.mouse.move(editor.x(contact["time_s"]), row.y + row.height / 2)
+    editor.page.locator("#why").wait_for()
+    said = editor.text("#why")
     for sentence in contact["why"]["sentences"]:
         assert sentence in said
     assert f"{contact['time_s']:.3f} s" in said
     assert "contact change" in said
-    timeline.picture("why")
-    timeline.page.mouse.move(400, 200)
-    timeline.page.locator("#why").wait_for(state="hidden")
+    editor.picture("why")
+    editor.page.mouse.move(400, 200)
+    editor.page.locator("#why").wait_for(state="hidden")
 
 
-def test_playing_moves_the_playhead_and_stops_at_the_end(timeline: KeyphasePage) -> None:
-    end = timeline.document["end_s"]
-    timeline.page.evaluate("time => keyphase.actions.seek(time)", end - 0.3)
-    timeline.press("Space")
-    timeline.until(f"!keyphase.state.playhead.playing && keyphase.state.clock >= {end - 1e-3}")
-    timeline.settle()
-    assert timeline.text("#clock").startswith(f"{end:.3f}")
+def test_playing_moves_the_playhead_and_stops_at_the_end(editor: KeyphasePage) -> None:
+    end = editor.document["end_s"]
+    editor.page.evaluate("time => keyphase.actions.seek(time)", end - 0.3)
+    editor.press("Space")
+    editor.until(f"!keyphase.state.playhead.playing && keyphase.state.clock >= {end - 1e-3}")
+    editor.settle()
+    assert editor.text("#clock").startswith(f"{end:.3f}")
 
 
 def test_linear_and_logarithmic(timeline: KeyphasePage) -> None:
