@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 
 from keyphase.demonstration import Array
 from keyphase.errors import SkillError
-from keyphase.skills import quaternions
+from keyphase.skills import quaternions, turns
 from keyphase.skills.changed import changed
 from keyphase.skills.components import (
     Components,
@@ -38,7 +38,7 @@ from keyphase.skills.components import (
 )
 from keyphase.skills.primitive import (
     Primitive,
-    forcing,
+    forces,
     remaining,
     scale_and_hold,
     tau_of,
@@ -212,14 +212,15 @@ def substeps(primitive: Primitive, tau: Array, h: float) -> int:
 
 def _advance(
     primitive: Primitive, state: State, measured: Measured, h: float
-) -> tuple[State, Array]:
+) -> tuple[State, Components]:
     """One integration step; also the reference acceleration y_r'' at its beginning."""
     c = primitive.constants
-    left = remaining(
-        state.goal_position_m, state.goal_orientation_wxyz, state.position_m, state.orientation_wxyz
-    )
-    force = forcing(primitive, state.phase, state.scale, state.hold)
-    away = components(_deviation(measured, state))
+    here, wxyz = components(state.position_m), components(state.orientation_wxyz)
+    ahead = turns.difference(components(state.goal_orientation_wxyz), wxyz)
+    left = [*_between(state.goal_position_m, here), *ahead]
+    force = forces(primitive, state.phase, state.scale, state.hold)
+    turn = turns.shortest_difference(components(measured.orientation_wxyz), wxyz)
+    away = [*_between(measured.position_m, here), *turn]
     error, z, tau = components(state.error_m), components(state.z), number(state.tau)
     error_rate = [
         c.alpha_e * (weight * d - e)
@@ -227,51 +228,47 @@ def _advance(
     ]
     tau_rate = 2.0 * c.k_c * tau * dot(error, error_rate)
     tau = tau * (1.0 + c.k_c * dot(error, error))
-    z_rate = [
-        transformation(c, u, v, f) / tau
-        for u, v, f in zip(components(left), z, components(force), strict=True)
-    ]
+    z_rate = [transformation(c, u, v, f) / tau for u, v, f in zip(left, z, force, strict=True)]
     acceleration = [
         (rate - tau_rate * v / tau) / tau + c.k_v * (v / tau - own) - c.k_p * d
         for rate, v, own, d in zip(z_rate, z, components(measured.velocity), away, strict=True)
     ]
     z = [v + h * rate for v, rate in zip(z, z_rate, strict=True)]
-    moved = joined([h / tau * v for v in z])
+    moved = [h / tau * v for v in z]
     decay = functions(tau).exp(-c.alpha_x * h / tau)
     advanced = changed(
         state,
         phase=np.asarray(number(state.phase) * decay),
-        position_m=state.position_m + moved[..., :3],
-        orientation_wxyz=quaternions.turned(state.orientation_wxyz, moved[..., 3:]),
+        position_m=joined([y + d for y, d in zip(here, moved[:3], strict=True)]),
+        orientation_wxyz=joined(turns.turned(wxyz, moved[3:])),
         z=joined(z),
         error_m=joined([e + h * rate for e, rate in zip(error, error_rate, strict=True)]),
     )
-    return advanced, joined(acceleration)
+    return advanced, acceleration
 
 
-def _deviation(measured: Measured, state: State) -> Array:
-    """y_a - y_c (..., 6), the rotation by its shorter way."""
-    turn = quaternions.shortest_difference(measured.orientation_wxyz, state.orientation_wxyz)
-    return joined([*components(measured.position_m - state.position_m), *components(turn)])
+def _between(to_m: Array, here: Components) -> Components:
+    return [there - y for there, y in zip(components(to_m), here, strict=True)]
 
 
-def _reference(state: State, measured: Measured, acceleration: Array, h: float) -> Reference:
+def _reference(state: State, measured: Measured, acceleration: Components, h: float) -> Reference:
     """Integrate y_r'' and keep the reference within reach of the measured pose."""
-    rate = zip(components(state.reference_velocity), components(acceleration), strict=True)
+    rate = zip(components(state.reference_velocity), acceleration, strict=True)
     velocity = [v + h * a for v, a in rate]
     here, own = components(measured.position_m), components(measured.velocity)
+    measured_wxyz = components(measured.orientation_wxyz)
     at = zip(components(state.reference_position_m), velocity[:3], here, strict=True)
     away, far = _within([y + h * v - m for y, v, m in at], REFERENCE_REACH[0])
-    moved = joined([h * v for v in velocity[3:]])
-    wxyz = quaternions.turned(state.reference_orientation_wxyz, moved)
-    turn = quaternions.shortest_difference(wxyz, measured.orientation_wxyz)
-    turn, far_turned = _within(components(turn), REFERENCE_REACH[1])
+    moved = [h * v for v in velocity[3:]]
+    wxyz = turns.turned(components(state.reference_orientation_wxyz), moved)
+    turn = turns.shortest_difference(wxyz, measured_wxyz)
+    turn, far_turned = _within(turn, REFERENCE_REACH[1])
     clamped = zip((far,) * 3 + (far_turned,) * 3, own, velocity, strict=True)
     return Reference(
         position_m=joined([m + a for m, a in zip(here, away, strict=True)]),
-        orientation_wxyz=quaternions.turned(measured.orientation_wxyz, joined(turn)),
+        orientation_wxyz=joined(turns.turned(measured_wxyz, turn)),
         velocity=joined([chosen(*each) for each in clamped]),
-        acceleration=acceleration,
+        acceleration=joined(acceleration),
     )
 
 

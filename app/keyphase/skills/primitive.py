@@ -22,8 +22,8 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.errors import ParameterError
-from keyphase.skills import quaternions
-from keyphase.skills.components import components, joined, number
+from keyphase.skills import turns
+from keyphase.skills.components import Components, components, joined, number
 
 PHASE_SPAN = 3.0
 """The duration in units of tau: the phase falls from 1 to exp(-3 alpha_x)."""
@@ -125,8 +125,8 @@ def activations(phase: Array, centres: Array, widths: Array) -> Array:
 
 def remaining(goal_m: Array, goal_wxyz: Array, position_m: Array, wxyz: Array) -> Array:
     """Displacement u (..., 6) that is left to the goal: metres, then rotation vector in rad."""
-    turn = quaternions.difference(goal_wxyz, wxyz)
-    return joined([*components(goal_m - position_m), *components(turn)])
+    ahead = turns.difference(components(goal_wxyz), components(wxyz))
+    return joined([*components(goal_m - position_m), *ahead])
 
 
 def scale_and_hold(primitive: Primitive, displacement: Array) -> tuple[Array, Array]:
@@ -139,10 +139,15 @@ def scale_and_hold(primitive: Primitive, displacement: Array) -> tuple[Array, Ar
 
 def forcing(primitive: Primitive, phase: Array, scale: Array, hold: Array) -> Array:
     """Forcing term f (..., 6) at phases (...)."""
+    return joined(forces(primitive, phase, scale, hold))
+
+
+def forces(primitive: Primitive, phase: Array, scale: Array, hold: Array) -> Components:
+    """The same by component."""
     shape = activations(phase, primitive.centres, primitive.widths).dot(primitive.weights)
     parts = zip(components(shape), components(scale), components(hold), strict=True)
     x = number(phase)
-    return joined([x * (w * s - b) for w, s, b in parts])
+    return [x * (w * s - b) for w, s, b in parts]
 
 
 def transformation(constants: Constants, left: Array, z: Array, force: Array) -> Array:
