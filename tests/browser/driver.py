@@ -234,6 +234,15 @@ class KeyphasePage:
     def press(self, key: str) -> None:
         self.page.keyboard.press(key)
 
+    def tab_to(self, condition: str) -> None:
+        """With the Tab key, until the focused element `at` meets the condition."""
+        met = f"() => {{ const at = document.activeElement; return Boolean({condition}); }}"
+        for _ in range(200):
+            if self.page.evaluate(met):
+                return
+            self.press("Tab")
+        raise AssertionError(f"Tab reaches nothing where {condition}")
+
     def close(self) -> None:
         self.page.close()
 

@@ -12,13 +12,21 @@ def _command(page: KeyphasePage, name: str) -> None:
     page.press("Enter")
 
 
+def _play_until(page: KeyphasePage, time_s: float) -> None:
+    """From where the playhead is; it goes on playing."""
+    page.press("Space")
+    page.until(f"keyphase.state.clock >= {time_s}")
+
+
 def test_split_and_undo_and_redo(editor: KeyphasePage) -> None:
     before = editor.segments.count()
     editor.press("Home")
     editor.press(".")
     editor.press(",")
-    editor.page.evaluate("() => keyphase.actions.seek(0.6)")
+    editor.press("Home")
+    _play_until(editor, 0.3)
     editor.change(lambda: editor.press("t"))
+    editor.press("Space")
     assert editor.segments.count() == before + 1
     editor.change(lambda: editor.press("Control+z"))
     assert editor.segments.count() == before
@@ -126,11 +134,10 @@ def test_the_sheet_of_keys_names_every_key_and_none_of_the_cameras(editor: Keyph
 
 
 def test_keys_pressed_in_the_scene_reach_the_page(setup1: KeyphasePage) -> None:
-    setup1.scene.locator("canvas").first.focus()
-    setup1.scene.evaluate("() => window.focus()")
-    setup1.scene.evaluate(
-        "() => window.dispatchEvent(new KeyboardEvent('keydown', {key: ']', bubbles: true}))"
-    )
+    setup1.wait_for_scene()
+    view = setup1.box("#viser")
+    setup1.click((view.x + 20, view.y + view.height - 20))
+    setup1.press("]")
     setup1.until("keyphase.state.selected === 0")
 
 
@@ -161,12 +168,21 @@ def test_split_while_playing_snaps_to_the_nearest_evidence_unless_switched_off(
     editor: KeyphasePage,
 ) -> None:
     peak = next(p for p in editor.document["peaks"] if p["rejection"])
+    for _ in range(3):
+        _command(editor, "play slower")
+    editor.until("keyphase.state.playhead.speed === 0.1")
 
     def marked() -> list[float]:
-        editor.page.evaluate("t => keyphase.actions.seek(t)", peak["time_s"] - 0.03)
-        editor.page.evaluate("() => keyphase.actions.play({ playing: true, speed: 0.01 })")
-        editor.until("keyphase.state.playhead.playing")
+        editor.press("Home")
+        while editor.page.evaluate("() => keyphase.state.clock") < peak["time_s"] - 1.0:
+            before = editor.page.evaluate("() => keyphase.state.clock")
+            editor.press(".")
+            editor.until(f"keyphase.state.clock > {before}")
+        if editor.page.evaluate("() => keyphase.state.clock") > peak["time_s"] - 0.03:
+            editor.press(",")
+        _play_until(editor, peak["time_s"] - 0.03)
         editor.change(lambda: editor.press("t"))
+        editor.press("Space")
         added = [b["time_s"] for b in editor.document["boundaries"] if b["origin"] == "user"]
         editor.change(lambda: editor.press("Control+z"))
         return [abs(added[0] - peak[key]) for key in ("time_s", "bin_time_s")]
@@ -245,7 +261,7 @@ def test_keys_on_a_chip_mean_this_entry_and_the_focus_stays_with_it(
     def focused() -> str:
         return editor.page.evaluate("() => document.activeElement.dataset.entry")
 
-    editor.page.locator(".chip").nth(0).focus()
+    editor.tab_to("at.dataset.entry === '0'")
     editor.change(lambda: editor.press("r"))
     assert (plan(), focused()) == ([0, 0, 2, 4], "1")
     editor.change(lambda: editor.press("}"))
@@ -257,22 +273,19 @@ def test_keys_on_a_chip_mean_this_entry_and_the_focus_stays_with_it(
 
 
 def test_a_lost_edit_is_brought_back_and_forgotten_by_keys(editor: KeyphasePage) -> None:
-    first = editor.document["boundaries"][0]["time_s"]
-    editor.change(
-        lambda: editor.page.evaluate("t => keyphase.actions.moveBoundary(t, t + 0.05)", first)
-    )
+    """The slider that leaves it without its place is moved by keys in `test_threshold.py`."""
+    editor.press("Home")
+    editor.press(".")
+    editor.until("keyphase.state.current === 0")
+    editor.change(lambda: editor.press(">"))
     one_gaussian = "() => keyphase.actions.send({type: 'set', parameter: 'gaussians', value: 1})"
     editor.change(lambda: editor.page.evaluate(one_gaussian))
     editor.until("keyphase.state.document.inapplicable.length > 0")
     lost = len(editor.document["inapplicable"])
-    editor.page.locator("#theme").focus()
-    while editor.page.evaluate("() => document.activeElement.textContent") != "Bring back":
-        editor.press("Tab")
+    editor.tab_to("at.textContent === 'Bring back'")
     editor.change(lambda: editor.press("Enter"))
     assert len(editor.document["inapplicable"]) == lost - 1
     editor.change(lambda: editor.press("Control+z"))
-    editor.page.locator("#theme").focus()
-    while editor.page.evaluate("() => document.activeElement.textContent") != "Forget":
-        editor.press("Tab")
+    editor.tab_to("at.textContent === 'Forget'")
     editor.change(lambda: editor.press("Enter"))
     assert len(editor.document["inapplicable"]) == lost - 1

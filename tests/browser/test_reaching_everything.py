@@ -94,7 +94,7 @@ def test_a_recording_chosen_in_the_list_by_keys_keeps_the_focus(
 ) -> None:
     page = visit(serve(folder), scene=False)
     page.wait_for_document()
-    page.page.locator(".queue-row").nth(1).focus()
+    page.tab_to("at.dataset.recording === '2'")
     page.press("Enter")
     page.until("keyphase.state.document.name === 'synthetic_setup1'")
     page.settle()
@@ -102,11 +102,11 @@ def test_a_recording_chosen_in_the_list_by_keys_keeps_the_focus(
 
 
 def test_a_track_is_folded_and_hidden_by_keys(timeline: KeyphasePage) -> None:
-    timeline.page.locator("[data-gutter=force] button").first.focus()
+    timeline.tab_to("at.closest('[data-gutter=force]')")
     timeline.press("Enter")
     timeline.settle()
     assert timeline.row("force").height == 20
-    timeline.page.get_by_role("button", name="Tracks").focus()
+    timeline.tab_to("at.textContent === 'Tracks'")
     timeline.press("Enter")
     timeline.page.locator("#menu").wait_for()
     while not re.match("Speed", timeline.text("#menu button:focus")):
