@@ -16,8 +16,7 @@ test: $(VENV)/ready-to-test
 	sh tests/ensure_chromium.sh
 	$(BIN)/ruff format --check --quiet app tests
 	$(BIN)/ruff check --quiet app tests
-	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --reruns 1 -m "not browser"
-	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --reruns 2 -m browser
+	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --reruns 2
 
 check: $(VENV)/ready-to-test
 	$(BIN)/ruff format --check app tests

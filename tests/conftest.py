@@ -11,6 +11,11 @@ settings.register_profile("keyphase", deadline=None, derandomize=True)
 settings.load_profile("keyphase")
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The longest first: at the end all but one would wait for it."""
+    items.sort(key=lambda item: item.path.name != "test_wheel.py")
+
+
 @pytest.fixture(scope="session")
 def real_data() -> Path:
     """Folder of real recordings; absent on most machines, so tests that need it say so and skip."""

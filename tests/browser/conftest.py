@@ -27,21 +27,33 @@ def chromium() -> Iterator[Browser]:
         yield browser
 
 
+_AS_OPENED = """() => {
+  const { snap, playhead, logarithmic, folded, hidden } = keyphase.state;
+  const tracks = [logarithmic, [...folded], [...hidden]];
+  return JSON.stringify([snap, playhead.speed, playhead.loop, tracks]);
+}"""
+"""What of a page stays as it is from one recording to the next."""
+
+
 @dataclass
 class _Editor:
     """A server without a folder of its own, and a page of it that stays open."""
 
     server: PageServer
     page: KeyphasePage
+    _before: str = ""
 
     def open(self, recording: Path) -> None:
         self.server.session.queue.add(recording)
         self.page.until("keyphase.state.recordings.items.length === 1")
         self.page.wait_for_document()
+        self._before = self.page.page.evaluate(_AS_OPENED)
 
     def put_away(self, recording: Path) -> None:
         self.page.press("Escape")
         self.page.page.mouse.move(0, 0)
+        after = self.page.page.evaluate(_AS_OPENED)
+        assert after == self._before, "the next test needs a page of its own: take `timeline`"
         self.server.session.queue.remove(recording)
         self.page.until("keyphase.state.recordings.items.length === 0")
         assert not self.page.errors

@@ -165,31 +165,31 @@ def test_the_playhead_goes_to_the_ends_and_from_boundary_to_boundary(
 
 
 def test_split_while_playing_snaps_to_the_nearest_evidence_unless_switched_off(
-    editor: KeyphasePage,
+    timeline: KeyphasePage,
 ) -> None:
-    peak = next(p for p in editor.document["peaks"] if p["rejection"])
+    peak = next(p for p in timeline.document["peaks"] if p["rejection"])
     for _ in range(3):
-        _command(editor, "play slower")
-    editor.until("keyphase.state.playhead.speed === 0.1")
+        _command(timeline, "play slower")
+    timeline.until("keyphase.state.playhead.speed === 0.1")
 
     def marked() -> list[float]:
-        editor.press("Home")
-        while editor.page.evaluate("() => keyphase.state.clock") < peak["time_s"] - 1.0:
-            before = editor.page.evaluate("() => keyphase.state.clock")
-            editor.press(".")
-            editor.until(f"keyphase.state.clock > {before}")
-        if editor.page.evaluate("() => keyphase.state.clock") > peak["time_s"] - 0.03:
-            editor.press(",")
-        _play_until(editor, peak["time_s"] - 0.03)
-        editor.change(lambda: editor.press("t"))
-        editor.press("Space")
-        added = [b["time_s"] for b in editor.document["boundaries"] if b["origin"] == "user"]
-        editor.change(lambda: editor.press("Control+z"))
+        timeline.press("Home")
+        while timeline.page.evaluate("() => keyphase.state.clock") < peak["time_s"] - 1.0:
+            before = timeline.page.evaluate("() => keyphase.state.clock")
+            timeline.press(".")
+            timeline.until(f"keyphase.state.clock > {before}")
+        if timeline.page.evaluate("() => keyphase.state.clock") > peak["time_s"] - 0.03:
+            timeline.press(",")
+        _play_until(timeline, peak["time_s"] - 0.03)
+        timeline.change(lambda: timeline.press("t"))
+        timeline.press("Space")
+        added = [b["time_s"] for b in timeline.document["boundaries"] if b["origin"] == "user"]
+        timeline.change(lambda: timeline.press("Control+z"))
         return [abs(added[0] - peak[key]) for key in ("time_s", "bin_time_s")]
 
     assert min(marked()) < 1e-6
-    editor.press("v")
-    editor.until("!keyphase.state.snap")
+    timeline.press("v")
+    timeline.until("!keyphase.state.snap")
     assert min(marked()) > 1e-3
 
 

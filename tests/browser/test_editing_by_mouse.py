@@ -178,13 +178,13 @@ def test_a_dropped_segment_is_hatched(editor: KeyphasePage) -> None:
     assert hatched.count() == 1
 
 
-def test_split_while_playing_snaps_to_the_nearest_evidence(editor: KeyphasePage) -> None:
-    peak = next(p for p in editor.document["peaks"] if p["rejection"])
-    editor.page.evaluate("t => keyphase.actions.seek(t)", peak["time_s"] - 0.03)
-    editor.page.evaluate("() => keyphase.actions.play({ playing: true, speed: 0.01 })")
-    editor.until("keyphase.state.playhead.playing")
-    editor.change(lambda: editor.page.get_by_role("button", name="Split T", exact=True).click())
-    added = [b for b in editor.document["boundaries"] if b["origin"] == "user"]
+def test_split_while_playing_snaps_to_the_nearest_evidence(timeline: KeyphasePage) -> None:
+    peak = next(p for p in timeline.document["peaks"] if p["rejection"])
+    timeline.page.evaluate("t => keyphase.actions.seek(t)", peak["time_s"] - 0.03)
+    timeline.page.evaluate("() => keyphase.actions.play({ playing: true, speed: 0.01 })")
+    timeline.until("keyphase.state.playhead.playing")
+    timeline.change(lambda: timeline.page.get_by_role("button", name="Split T", exact=True).click())
+    added = [b for b in timeline.document["boundaries"] if b["origin"] == "user"]
     assert min(abs(added[0]["time_s"] - peak[key]) for key in ("time_s", "bin_time_s")) < 1e-6
 
 

@@ -3,7 +3,6 @@
 import random
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
 
 import pytest
 from driver import SEGMENT_COLORS, Box, KeyphasePage, Serve, Visit
@@ -47,15 +46,13 @@ def large(folder: Path, serve: Serve, visit: Visit) -> KeyphasePage:
     return page
 
 
-def test_every_kept_segment_and_contact_change_is_named(large: KeyphasePage) -> None:
+def test_every_kept_segment_and_contact_change_is_named_at_its_path(large: KeyphasePage) -> None:
     document = large.document
     kept = [f"{k + 1} {s['label']}" for k, s in enumerate(document["segments"]) if s["kept"]]
     times = [b["time_s"] for b in document["boundaries"] if b["contact_change"]]
 
     assert names(large) == kept + [f"contact change {time:.3f} s" for time in times]
 
-
-def test_a_name_points_at_its_segments_path(large: KeyphasePage) -> None:
     large.page.evaluate("() => keyphase.actions.seek(keyphase.state.document.end_s)")
     large.wait_for_scene()
     picture = large.picture("names")
@@ -79,31 +76,18 @@ def test_names_follow_the_camera(setup1: KeyphasePage) -> None:
     assert picture.count_hue(color, anchor_of(setup1, first)) > 20
 
 
-def test_a_click_on_a_name_selects_its_segment(setup1: KeyphasePage) -> None:
+def test_a_click_on_a_name_selects_its_segment_and_names_are_hidden_and_shown_again(
+    setup1: KeyphasePage,
+) -> None:
     setup1.wait_for_scene()
     setup1.page.locator("#names .name", has_text="5 Slide").click()
     setup1.until("keyphase.state.selected === 4")
     setup1.page.locator("#names .name.selected", has_text="5 Slide").wait_for()
-
-
-def test_names_are_hidden_and_shown_again(setup1: KeyphasePage) -> None:
-    setup1.wait_for_scene()
     for visible, state in ((False, "hidden"), (True, "visible")):
         setup1.page.evaluate(
             "visible => keyphase.socket.send({ type: 'show', what: 'labels', visible })", visible
         )
         setup1.page.locator("#names").wait_for(state=state)
-
-
-@pytest.mark.parametrize("dark", [False, True])
-def test_names_have_the_themes_colours(folder: Any, serve: Serve, visit: Visit, dark: bool) -> None:
-    page = visit(serve(folder / "setup1.npz"), size=(1280, 720), dark=dark)
-    page.wait_for_document()
-    page.wait_for_scene()
-    assert not any(name.startswith("contact change") for name in names(page))
-    plate = page.box("#names .name")
-    brightness = page.picture(f"names_{'dark' if dark else 'light'}").brightness(plate)
-    assert brightness < 90 if dark else brightness > 180
 
 
 def test_names_never_cover_each_other_nor_leave_the_scene(timeline: KeyphasePage) -> None:

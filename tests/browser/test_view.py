@@ -120,6 +120,8 @@ def test_both_themes_in_both_sizes(
     assert (picture.brightness(page.box("#plan")) < 100) == dark
     assert (picture.brightness(page.box("#viser")) < 110) == dark
     assert picture.count(SEGMENT_COLORS[0], page.row("segments")) > 500
+    plate = picture.brightness(page.box("#names .name"))
+    assert plate < 90 if dark else plate > 180
     assert_nothing_overflows(page)
 
 

@@ -95,8 +95,13 @@ class CartesianImpedance:
         turned = rotation_towards(rotation, reference.orientation_wxyz)
         force = _bounded(gains.stiffness_N_m * away, gains.greatest_force_N)
         torque = _bounded(gains.rotational_stiffness_Nm_rad * turned, gains.greatest_torque_Nm)
-        wanted = np.concatenate((reference.velocity_m_s, reference.angular_velocity_rad_s))
-        return np.concatenate((force, torque)) + self._damping * (wanted - twist)
+        wrench = -twist
+        wrench[:3] += reference.velocity_m_s
+        wrench[3:] += reference.angular_velocity_rad_s
+        wrench *= self._damping
+        wrench[:3] += force
+        wrench[3:] += torque
+        return wrench
 
     def _keep_within_limits(self, torques: Array, q: Array, qd: Array) -> None:
         back = np.minimum(np.maximum(q, self._low), self._high) - q

@@ -25,13 +25,14 @@ class Hand:
         self._simulation = simulation
         self._tool = simulation.model.site(TOOL_SITE).id
         self._body = int(simulation.model.site_bodyid[self._tool])
-        self.push_N = np.zeros(3)
         self.held: Reference | None = None
+        self._push_N: Array | None = None
+        self._acted = False
 
     @property
     def is_on(self) -> bool:
         """Whether the hand holds or pushes."""
-        return self.held is not None or bool(np.count_nonzero(self.push_N))
+        return self.held is not None or self._push_N is not None
 
     def push(self, force_N: ArrayLike) -> None:
         """Push the tool point with a force (3,), base frame, until told otherwise.
@@ -43,11 +44,13 @@ class Hand:
             raise SimulationError(
                 f"A push must be a force of three finite numbers, but is {force_N}; send newtons."
             )
-        self.push_N = _bounded(force, STRONGEST_N)
+        self._push_N = _bounded(force, STRONGEST_N) if force.any() else None
 
     def act(self) -> None:
         """Put the hand's force on the arm for the coming tick."""
-        data = self._simulation.data
+        if not (self.is_on or self._acted):
+            return
+        data, self._acted = self._simulation.data, self.is_on
         data.qfrc_applied[:] = 0.0
         if not self.is_on:
             return
@@ -58,14 +61,15 @@ class Hand:
         )
 
     def _wrench(self) -> tuple[Array, Array]:
+        pushed = np.zeros(3) if self._push_N is None else self._push_N.copy()
         if self.held is None:
-            return self.push_N.copy(), np.zeros(3)
+            return pushed, np.zeros(3)
         data, twist = self._simulation.data, self._simulation.tool_velocity()
         away = self.held.position_m - data.site_xpos[self._tool]
         turned = rotation_towards(data.site_xmat[self._tool], self.held.orientation_wxyz)
         force = STIFFNESS_N_M * away - DAMPING_NS_M * twist[:3]
         torque = ROTATIONAL_STIFFNESS_NM_RAD * turned - ROTATIONAL_DAMPING_NMS_RAD * twist[3:]
-        return _bounded(force, STRONGEST_N) + self.push_N, _bounded(torque, STRONGEST_NM)
+        return _bounded(force, STRONGEST_N) + pushed, _bounded(torque, STRONGEST_NM)
 
 
 def _bounded(vector: Array, greatest: float) -> Array:

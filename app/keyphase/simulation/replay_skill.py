@@ -93,6 +93,8 @@ class SkillRun:
             reference.velocity[:3],
             reference.velocity[3:],
         )
+        if not self.kept:
+            return wanted
         return pressing(
             wanted, measured.position_m, self.kept, self.demonstrated_fraction, stiffness_N_m
         )
