@@ -16,7 +16,8 @@ test: $(VENV)/ready-to-test
 	sh tests/ensure_chromium.sh
 	$(BIN)/ruff format --check --quiet app tests
 	$(BIN)/ruff check --quiet app tests
-	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --reruns 2
+	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --reruns 1 -m "not browser"
+	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --reruns 2 -m browser
 
 check: $(VENV)/ready-to-test
 	$(BIN)/ruff format --check app tests

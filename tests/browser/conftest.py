@@ -59,7 +59,7 @@ class _Editor:
         assert not self.page.errors
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def _editor(chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[_Editor]:
     server = PageServer([], folder=tmp_path_factory.mktemp("editor"))
     page = _opened(chromium, server, (1920, 1080), dark=False, scene=False)
