@@ -20,7 +20,7 @@ def main() -> int:
     """Count; the exit status says whether at least 95 of a hundred are right."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seeds", type=int, default=100)
-    seeds = range(parser.parse_args().seeds)
+    seeds = range(max(parser.parse_args().seeds, 1))
     shares = []
     for name in PHASES:
         right = Parallel(n_jobs=-1)(delayed(segmented_right)(name, seed) for seed in seeds)

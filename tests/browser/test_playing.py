@@ -8,6 +8,9 @@ _SCENE_FRAME = """() => document.getElementById('viser').contentWindow
 IN_FLIGHT = 1
 """So many frames of the scene may be under way as a hand takes hold."""
 
+HELD_MS = 6000
+"""viser draws a frame a second, here with rests between them."""
+
 
 def test_the_scene_draws_nothing_while_a_hand_moves_the_view(setup1: KeyphasePage) -> None:
     setup1.wait_for_scene()
@@ -21,6 +24,7 @@ def test_the_scene_draws_nothing_while_a_hand_moves_the_view(setup1: KeyphasePag
     setup1.settle()
     before = setup1.page.evaluate(_SCENE_FRAME)
     mouse.move(row.x + 0.3 * row.width, y, steps=12)
+    setup1.page.wait_for_timeout(HELD_MS)
     assert setup1.page.evaluate(_SCENE_FRAME) - before <= IN_FLIGHT
     mouse.up()
     assert setup1.state("view")["from"] > start

@@ -37,3 +37,11 @@ def test_a_link_that_only_turns_on_its_carrier_keeps_its_place_there(robot):
     before, after = carried.poses(robot.start_rad), carried.poses(robot.start_rad + 0.3)
     assert after[1, :3] == pytest.approx(before[1, :3], abs=1e-12)
     assert np.abs(after[1, 3:] - before[1, 3:]).max() > 0.05
+
+
+def test_links_that_no_driven_joint_moves_stay(robot):
+    for carriers in ({}, {"yumi_base_link": "", "tcp_l": ""}):
+        carried = CarriedLinks(robot, carriers)
+        before, after = carried.poses(robot.start_rad), carried.poses(robot.start_rad + 0.3)
+        assert before.shape == (len(carriers), 7)
+        assert np.array_equal(before, after)

@@ -37,17 +37,23 @@ def test_the_first_is_open_and_the_others_are_looked_at_meanwhile(
     assert sum(part["share"] for part in lines[2]["strip"]) == pytest.approx(1.0)
 
 
-def test_what_is_open_is_not_looked_at_again(
-    three: list[Path], start_server: StartServer, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    looked: list[str] = []
+@pytest.fixture
+def looked(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Names of the recordings that were looked at without being opened, as they are."""
+    names: list[str] = []
     look = Library.look
 
     def noted(library: Library, recording: Recording) -> Opened:
-        looked.append(recording.name)
+        names.append(recording.name)
         return look(library, recording)
 
     monkeypatch.setattr(Library, "look", noted)
+    return names
+
+
+def test_what_is_open_is_not_looked_at_again(
+    three: list[Path], start_server: StartServer, looked: list[str]
+) -> None:
     with PageClient(start_server(*three)) as page:
         page.wait_for("recordings", lambda m: m["items"][2]["strip"])
 
@@ -55,7 +61,7 @@ def test_what_is_open_is_not_looked_at_again(
 
 
 def test_others_are_looked_at_when_there_is_time(
-    three: list[Path], start_server: StartServer
+    three: list[Path], start_server: StartServer, looked: list[str]
 ) -> None:
     server = start_server()
     queue = server.session.queue
@@ -67,9 +73,10 @@ def test_others_are_looked_at_when_there_is_time(
         page.wait_for("document", lambda m: m["name"] == "again")
         queue.follow_folder(server.session.current())
         page.wait_for("notice", lambda m: "now have these parameters" in m["text"])
-        assert queue.is_free
+        page.send("open", id="3")
+        assert looked == []
         there_is_time.set()
-        page.wait_for("recordings", lambda m: m["items"][0]["strip"])
+        page.wait_for("recordings", lambda _: looked == ["synthetic_setup1", "broken"])
 
 
 def test_a_file_that_cannot_be_read_says_so_in_its_line_and_opens_nothing(

@@ -177,7 +177,7 @@ def test_working_out_the_joints_gives_way_to_what_is_asked_for(
         asked.set()
         return busy.is_set()
 
-    server.robot.gives_way = gives_way
+    server.robot.paths.gives_way = gives_way
     with PageClient(server):
         server.session.queue.add(
             Path(shutil.copy(shipped("data") / "synthetic_setup1.npz", tmp_path))
@@ -200,7 +200,7 @@ def test_what_is_being_worked_out_is_given_up_as_the_server_stops(
         begun.set()
         return True
 
-    server.robot.gives_way = gives_way
+    server.robot.paths.gives_way = gives_way
     assert begun.wait(WAIT_S)
     server.stop()
     assert server.robot._path is None

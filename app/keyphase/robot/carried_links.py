@@ -54,7 +54,7 @@ class CarriedLinks:
             placed[link] if carrier is None else placed[carrier].actInv(placed[link])
             for link, carrier in frames
         ]
-        return np.array([pinocchio.SE3ToXYZQUAT(pose) for pose in seen])[:, _W_FIRST]
+        return np.reshape([pinocchio.SE3ToXYZQUAT(pose) for pose in seen], (-1, 7))[:, _W_FIRST]
 
     def _moves(self, link: int, carrier: int | None) -> bool:
         """Whether a driven joint lies between a link and the one that carries it."""

@@ -145,13 +145,12 @@ def best_cut(moments: Moments, grid: Indices, least: int, effective: float) -> I
         came_from[block] = alive[total.argmin(axis=0)]
         best[block] = total.min(axis=0)
         _within(block, inner, best, came_from)
-        if block[-1] + 1 < len(grid):
-            last = grid[block[-1] + 1] - least
-            cut = int(np.searchsorted(grid[block], last, side="right")) - 1
-            starts = np.concatenate([alive, block])
+        alive = np.concatenate([alive, block])
+        following = grid[min(block[-1] + 1, len(grid) - 1)]
+        cut = int(np.searchsorted(grid[block], following - least, side="right")) - 1
+        if cut >= 0:
             costs = np.concatenate([outer[:, cut], inner[:, cut]]) - penalty
-            useful = _still_useful(grid, starts, block[cut], best, costs, weight)
-            alive = starts[useful] if cut >= 0 else starts
+            alive = alive[_still_useful(grid, alive, block[cut], best, costs, weight)]
     return _walk_back(grid, came_from)
 
 

@@ -5,22 +5,20 @@ recording lies elsewhere in space the robot is put to where it reaches it, and a
 """
 
 import threading
-import time
-from collections import OrderedDict
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import viser
 
-from keyphase.demonstration import Array, Demonstration
+from keyphase.demonstration import Array
 from keyphase.errors import KeyphaseError
 from keyphase.robot.arm import Arm
 from keyphase.robot.description import RobotDescription
-from keyphase.robot.follow import JointPath, Unreached, follow, posture_at
+from keyphase.robot.follow import JointPath, posture_at
 from keyphase.robot.placing import suggested_placement, within_reach
 from keyphase.robot.pose import Placement
-from keyphase.robot.recorded import recorded_path
+from keyphase.web.joint_paths import JointPaths, OvertakenError, Task
 from keyphase.web.opened import Opened
 from keyphase.web.placements import forget_placement, save_placement, saved_placement
 from keyphase.web.playback import Playhead
@@ -29,40 +27,15 @@ from keyphase.web.telling import Telling
 from keyphase.web.views import View
 from keyphase.web.worker import Worker
 
-KEPT = 8
-"""So many joint paths are remembered."""
-
 ROOT = "/robot"
 
-_NAMED = 3
-_PROGRESS = 0.02
-_GIVEN_WAY_S = 0.01
 _GIZMO_M = 0.35
-
-
-class _OvertakenError(Exception):
-    """Another recording, arm or placement is wanted by now."""
-
-
-@dataclass(frozen=True, eq=False)
-class _Task:
-    """What the arm is to follow; `placement` None: wherever it reaches it."""
-
-    opened: Opened
-    arm: Arm
-    placement: Placement | None
-
-    @property
-    def demonstration(self) -> Demonstration:
-        return self.opened.demonstration
 
 
 class RobotView(View):
     """The robot of one server; `arms` are descriptions of the same robot with different tools.
 
-    `on_stand` is called when the robot stands elsewhere than before, or has appeared or gone;
-    `gives_way` says whether something more urgent is being worked out. Two threads that compute at
-    once hinder each other: numpy lets go of the interpreter at every array and has to wait for it.
+    `on_stand` is called when the robot stands elsewhere than before, or has appeared or gone.
     """
 
     def __init__(
@@ -72,14 +45,13 @@ class RobotView(View):
         self.figure = RobotFigure(server, arms[0], ROOT)
         self.figure.visible = False
         self.on_stand: Callable[[], None] = lambda: None
-        self.gives_way: Callable[[], bool] = lambda: False
+        self.paths = JointPaths(telling)
         self._server = server
         self._telling = telling
         self._lock = threading.RLock()
         self._worker = Worker(telling.report)
-        self._task: _Task | None = None
+        self._task: Task | None = None
         self._path: JointPath | None = None
-        self._known: OrderedDict[tuple[object, ...], JointPath] = OrderedDict()
         self._arm = self.arms[0]
         self._playhead = Playhead()
         self._wanted = True
@@ -118,7 +90,7 @@ class RobotView(View):
         with self._lock:
             if self._task and self._task.demonstration is opened.demonstration:
                 return
-        self._begin(_Task(opened, self._arm, self._known_placement(opened)))
+        self._begin(Task(opened, self._arm, self._known_placement(opened)))
 
     def show_playhead(self, playhead: Playhead) -> None:
         """Take the posture of that time."""
@@ -204,14 +176,14 @@ class RobotView(View):
             return Placement()
         return saved
 
-    def _begin(self, task: _Task) -> None:
+    def _begin(self, task: Task) -> None:
         with self._lock:
-            self._task, self._path = task, self._known.get(_key(task))
+            self._task, self._path = task, self.paths.known(task)
             self._stand(task)
         self._worker.submit(lambda: self._work_out(task), "follow")
         self.on_stand()
 
-    def _stand(self, task: _Task) -> None:
+    def _stand(self, task: Task) -> None:
         if task.placement is not None and not self._lent:
             base = task.placement.inverse()
             self.figure.stand(base)
@@ -220,7 +192,7 @@ class RobotView(View):
                 self._gizmo.wxyz = base.orientation_wxyz
         self._draw()
 
-    def _work_out(self, task: _Task) -> None:
+    def _work_out(self, task: Task) -> None:
         if task.placement is None:
             found = suggested_placement(task.arm, task.demonstration)
             placed = replace(task, placement=found)
@@ -229,52 +201,22 @@ class RobotView(View):
             self._telling.notice("info", _placed_sentence(task.opened.recording.name))
             self.on_stand()
             task = placed
-        known = self._known.get(_key(task))
         try:
-            path = known or self._path_of(task)
-        except _OvertakenError:
+            path = self.paths.path(task, lambda: self._task is task)
+        except OvertakenError:
             return
-        if known is None and path.unreached:
-            self._telling.notice("warning", _unreached_sentence(task.arm, path.unreached))
         with self._lock:
-            self._known[_key(task)] = path
-            while len(self._known) > KEPT:
-                self._known.popitem(last=False)
             if self._task is task:
                 self._path = path
                 self._draw()
 
-    def _replaced(self, task: _Task, by: _Task) -> bool:
+    def _replaced(self, task: Task, by: Task) -> bool:
         with self._lock:
             if self._task is not task:
                 return False
             self._task = by
             self._stand(by)
             return True
-
-    def _path_of(self, task: _Task) -> JointPath:
-        if task.placement == Placement():
-            recorded = recorded_path(task.arm, task.demonstration)
-            if recorded is not None:
-                return recorded
-        what = f"{task.opened.recording.name}: the robot's joints"
-
-        told = -1.0
-
-        def progress(share: float) -> None:
-            nonlocal told
-            while self._task is task and self.gives_way():
-                time.sleep(_GIVEN_WAY_S)
-            if self._task is not task:
-                raise _OvertakenError
-            if share - told >= _PROGRESS:
-                told = share
-                self._telling.progress(what, share)
-
-        try:
-            return follow(task.arm, task.demonstration, task.placement, progress=progress)
-        finally:
-            self._telling.progress_done()
 
     # -- drawing
 
@@ -316,11 +258,6 @@ class RobotView(View):
         return gizmo
 
 
-def _key(task: _Task) -> tuple[object, ...]:
-    source = task.demonstration.source
-    return (source or id(task.demonstration), task.arm.robot.tool_frame, task.placement)
-
-
 def _as_placement(position: Array, wxyz: Array) -> Placement:
     x, y, z = np.asarray(position, dtype=np.float64).tolist()
     a, b, c, d = np.asarray(wxyz, dtype=np.float64).tolist()
@@ -332,24 +269,3 @@ def _placed_sentence(name: str) -> str:
         f"{name} lies out of the robot's reach, so the robot stands where it reaches more of it; "
         "move it under Robot in the panel."
     )
-
-
-def _unreached_sentence(arm: Arm, stretches: Sequence[Unreached]) -> str:
-    """What was not reached, the longest stretches by name."""
-    longest = sorted(stretches, key=lambda one: one.start_s - one.end_s)[:_NAMED]
-    named = ", ".join(_stretch(one) for one in sorted(longest, key=lambda one: one.start_s))
-    more = len(stretches) - len(longest)
-    rest = f", and {more} more" if more else ""
-    return (
-        f"The robot's {arm.robot.tool_frame} cannot follow {named}{rest}; there it is grey and as "
-        "near as it gets."
-    )
-
-
-def _stretch(one: Unreached) -> str:
-    off = f"{1e3 * one.distance_m:.3g} mm"
-    if one.distance_m < 1e-4:
-        off = f"{np.degrees(one.angle_rad):.3g}°"
-    if one.start_s == one.end_s:
-        return f"{one.start_s:.3f} s ({off} away)"
-    return f"{one.start_s:.3f} to {one.end_s:.3f} s (up to {off} away)"

@@ -71,9 +71,7 @@ class PageServer:
         )
         self.parts = PartsView(self.viser, self.session.telling)
         self.robot.on_stand = self.scene.stand_anew
-        # What is asked for comes first, then what is seen beside it, then the other recordings.
-        self.robot.gives_way = lambda: not (self.session.is_free and self.parts.is_free)
-        self.session.queue.may_look = lambda: self.robot.is_free
+        self._put_in_order_of_need()
         self.panel = Panel(self.viser, self.session, read_only=read_only)
         # The robot first: where it stands decides how the scene is seen.
         self.session.views.add(self.robot)
@@ -97,6 +95,11 @@ class PageServer:
     def accepts(self, uuid: str, value: object) -> bool:
         """Whether a browser may set the control it calls `uuid` to `value`."""
         return takes(control_of(self.viser, uuid), value)
+
+    def _put_in_order_of_need(self) -> None:
+        """What is asked for comes first, then what is seen beside it, then other recordings."""
+        self.robot.paths.gives_way = lambda: not (self.session.is_free and self.parts.is_free)
+        self.session.queue.may_look = lambda: self.robot.is_free
 
     def _offer_recording(self) -> None:
         if self.panel.record_tab is None:
