@@ -9,6 +9,7 @@ def test_without_a_recording_the_page_says_how_to_open_one(serve: Serve, visit: 
     page = visit(serve(), scene=False)
     page.page.locator("#empty").wait_for()
     assert "keyphase my_folder" in page.text("#empty")
+    assert page.page.locator(".gutter:visible").count() == 0
     page.picture("empty")
 
 
@@ -18,6 +19,7 @@ def test_an_unreadable_recording_says_why(tmp_path: Path, serve: Serve, visit: V
     page.page.get_by_text("broken cannot be read").wait_for()
     page.picture("unreadable")
     assert "position_y_m" in page.text("#empty")
+    assert page.page.locator(".gutter:visible").count() == 0
 
 
 def test_a_lost_connection_is_shown(folder: Path, serve: Serve, visit: Visit) -> None:
@@ -28,6 +30,7 @@ def test_a_lost_connection_is_shown(folder: Path, serve: Serve, visit: Visit) ->
     page.until("keyphase.state.connected === false")
     page.settle()
     assert page.text("#saved") == "Not connected"
+    assert page.page.locator(".gutter:visible").count() > 5
     page.until("keyphase.state.connected === true")
     page.settle()
     assert page.text("#saved") != "Not connected"

@@ -1,4 +1,5 @@
-/** What stands in the middle when there is nothing to draw: no recording, an unreadable one. */
+/** What stands in the middle when there is nothing to draw: no recording, an unreadable one. The rows
+ * of the timeline, which have no place yet, are not shown then. */
 
 import { byId, el } from "./dom.js";
 
@@ -11,6 +12,7 @@ export function createEmpty(store, actions) {
   store.later(["document", "recordings", "connected", "progress", "greeted", "workcell"], ({ document: doc, recordings, connected, progress, greeted, workcell }) => {
     const content = doc || (workcell && connected) ? null : contentFor(recordings, connected, progress, greeted, actions);
     node.hidden = !content;
+    byId("timeline").classList.toggle("vacant", !doc);
     node.classList.toggle("bad", Boolean(content?.bad));
     if (content) node.replaceChildren(...content.nodes);
   });
