@@ -32,7 +32,7 @@ def test_forces_follow_what_touches_as_parts_meet_and_part() -> None:
     for tick in range(1500):
         lower = DOWN_M_S * min(tick, 1500 - tick) / 250.0
         simulation.step(Reference(above - [0.0, 0.0, lower], wxyz))
-        forces = simulation.contacts.normal_forces(simulation.data)
+        forces = simulation.contacts.normal_forces(simulation.data.sensordata)
         assert np.allclose(forces, summed_one_by_one(simulation), atol=1e-9)
         touched.append(bool(forces.any()))
     assert any(touched)

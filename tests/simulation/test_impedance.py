@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 
+from keyphase.errors import SimulationError
 from keyphase.simulation import Gains, Reference, Simulation
 from keyphase.simulation.follow import FURTHEST_AHEAD_M, Follower
+from keyphase.simulation.impedance import CartesianImpedance
 from keyphase.simulation.setup1 import SETUP1
 
 
@@ -91,3 +93,9 @@ def test_a_following_reference_waits_for_a_tool_that_is_held() -> None:
     for _ in range(500):
         ahead = follower.towards(goal, start)
     assert np.linalg.norm(ahead.position_m) <= FURTHEST_AHEAD_M + 1e-9
+
+
+def test_joints_that_are_no_chain_are_refused() -> None:
+    simulation = SETUP1.build()
+    with pytest.raises(SimulationError, match="side by side"):
+        CartesianImpedance(simulation.model, 0, np.array([0, 2, 3]), Gains())

@@ -158,6 +158,18 @@ def test_the_buttons_in_the_way_are_free_and_need_to_be_moved() -> None:
     assert SETUP2.checks(simulation)["buttons moved"]
 
 
+def test_parts_at_rest_sleep_until_something_moves_them() -> None:
+    simulation = SETUP2.build()
+    trees = simulation.model.body_treeid[[simulation.model.body(name).id for name in BUTTONS]]
+    rest(simulation, 0.2)
+    assert not simulation.data.tree_awake[trees].any()
+    before = place(simulation, BUTTONS[0])
+    simulation.push(BUTTONS[0], [0.0, 4.0, 0.0])
+    rest(simulation, 0.2)
+    assert simulation.data.tree_awake[trees].all()
+    assert place(simulation, BUTTONS[0])[1] > before[1] + 0.01
+
+
 @both
 def test_every_part_can_be_drawn(cell) -> None:
     shapes = shapes_of(cell.build())

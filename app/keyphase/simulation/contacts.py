@@ -1,12 +1,11 @@
 # MuJoCo tells no types.
 # pyright: reportAttributeAccessIssue=false
-"""Which parts touch, and how hard: the simulator's own view, which no sensor has."""
+"""Which parts touch, and how hard: the simulator's own view, which no sensor of the robot has."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.errors import SimulationError
@@ -14,51 +13,59 @@ from keyphase.errors import SimulationError
 Pair = tuple[tuple[str, ...], tuple[str, ...]]
 """Two groups of geom names that may touch."""
 
+_MOST_POINTS = 8
+"""Two boxes touch in at most so many points."""
+
+_FORCE = 1 << int(mujoco.mjtConDataField.mjCONDATA_FORCE)
+"""Of each point the force (3,) in the contact's frame, its normal component first."""
+
+
+def watch_contacts(spec: mujoco.MjSpec, pairs: Mapping[str, Pair]) -> None:
+    """Add MuJoCo's contact sensors for named pairs of parts; `Contacts` reads them.
+
+    Raises SimulationError for a geom that the scene does not have.
+    """
+    for name, first, second in _geoms_of(pairs):
+        for geom in (first, second):
+            if spec.geom(geom) is None:
+                raise SimulationError(
+                    f"The workcell must have a part '{geom}', but it does not; "
+                    "name a part of the workcell in its pairs."
+                )
+        spec.add_sensor(
+            name=_sensor(name, first, second),
+            type=mujoco.mjtSensor.mjSENS_CONTACT,
+            objtype=mujoco.mjtObj.mjOBJ_GEOM,
+            objname=first,
+            reftype=mujoco.mjtObj.mjOBJ_GEOM,
+            refname=second,
+            intprm=[_FORCE, 0, _MOST_POINTS],
+        )
+
 
 class Contacts:
-    """Normal forces between named pairs of parts.
-
-    Raises SimulationError for a geom the model does not have.
-    """
+    """Normal forces between named pairs of parts, of a scene that watches them."""
 
     def __init__(self, model: mujoco.MjModel, pairs: Mapping[str, Pair]) -> None:
         self.names = tuple(pairs)
-        self._listed = b""
-        self._watched: tuple[tuple[int, int], ...] = ()
-        self._index = np.full((model.ngeom, model.ngeom), -1)
-        for index, (first, second) in enumerate(pairs.values()):
-            ids = np.ix_(_ids(model, first), _ids(model, second))
-            self._index[ids] = index
-            self._index.T[ids] = index
+        self._sums = np.zeros((len(self.names), model.nsensordata))
+        for name, first, second in _geoms_of(pairs):
+            address = int(model.sensor(_sensor(name, first, second)).adr[0])
+            normals = slice(address, address + 3 * _MOST_POINTS, 3)
+            self._sums[self.names.index(name), normals] = 1.0
 
-    def normal_forces(self, data: mujoco.MjData) -> Array:
-        """Sum of the normal forces of each pair, in the order of `names`."""
-        total = np.zeros(len(self.names))
-        contact = data.contact
-        geoms = contact.geom
-        listed = geoms.tobytes()
-        if listed != self._listed:
-            self._listed, self._watched = listed, self._pairs_among(geoms)
-        if self._watched:
-            addresses, forces = contact.efc_address, data.efc_force
-            for number, pair in self._watched:
-                if addresses[number] >= 0:
-                    total[pair] += forces[addresses[number]]
-        return total
-
-    def _pairs_among(self, geoms: NDArray[np.int32]) -> tuple[tuple[int, int], ...]:
-        """Number and pair of those contacts between `geoms` (C, 2) that belong to a pair.
-
-        The list of what touches what seldom changes from one step of the physics to the next, and
-        mostly the parts only rest on the table: so it is kept.
-        """
-        pairs = self._index[geoms[:, 0], geoms[:, 1]].tolist()
-        return tuple((number, pair) for number, pair in enumerate(pairs) if pair >= 0)
+    def normal_forces(self, sensordata: Array) -> Array:
+        """Sum of the normal forces of each pair, in the order of `names`, from all readings."""
+        return self._sums.dot(sensordata)
 
 
-def _ids(model: mujoco.MjModel, names: Sequence[str]) -> list[int]:
-    ids = [mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_GEOM, name) for name in names]
-    if -1 in ids:
-        missing = names[ids.index(-1)]
-        raise SimulationError(f"The workcell must have a part '{missing}', but it does not.")
-    return ids
+def _geoms_of(pairs: Mapping[str, Pair]) -> Iterator[tuple[str, str, str]]:
+    """Name of the pair, and one geom of each of its groups."""
+    for name, (these, those) in pairs.items():
+        for first in these:
+            for second in those:
+                yield name, first, second
+
+
+def _sensor(pair: str, first: str, second: str) -> str:
+    return f"{pair}: {first} on {second}"

@@ -10,9 +10,11 @@ from math import sqrt
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 from scipy.linalg.lapack import dgesv
 
 from keyphase.demonstration import Array
+from keyphase.errors import SimulationError
 
 RATE_HZ = 250.0
 """Control and recording rate."""
@@ -60,47 +62,56 @@ class CartesianImpedance:
     """
 
     def __init__(self, model: mujoco.MjModel, tool: int, joints: Array, gains: Gains) -> None:
-        """`tool` is the site that is controlled, `joints` the ids of the driven joints."""
+        """`tool` is the site that is controlled, `joints` the ids of the driven joints.
+
+        Raises SimulationError for joints that are not those of one chain.
+        """
         self.gains = gains
         self._model, self._tool = model, tool
-        self._positions = model.jnt_qposadr[joints]
-        self._dofs = model.jnt_dofadr[joints]
+        self._positions, self._dofs = (
+            _run(model.jnt_qposadr[joints]),
+            _run(model.jnt_dofadr[joints]),
+        )
         low, high = model.jnt_range[joints].T
         self._low, self._high = low + gains.limit_margin_rad, high - gains.limit_margin_rad
+        self._stiffness = np.repeat((gains.stiffness_N_m, gains.rotational_stiffness_Nm_rad), 3)
         self._damping = np.repeat((gains.damping_Ns_m, gains.rotational_damping_Nms_rad), 3)
+        self._spring = np.zeros(6)
         self._jacobian = np.zeros((6, model.nv))
         self._moving, self._turning = self._jacobian[:3], self._jacobian[3:]
         self._inverse = np.zeros((6, model.nv))
+        self._of_the_arm = self._jacobian[:, self._dofs], self._inverse[:, self._dofs]
 
     def torques(self, data: mujoco.MjData, reference: Reference, posture: Array) -> Array:
         """Torques of the driven joints [N m], (7,), towards `reference`, near `posture`."""
         gains, dofs = self.gains, self._dofs
-        q, qd = data.qpos.take(self._positions), data.qvel.take(dofs)
+        q, qd = data.qpos[self._positions], data.qvel[dofs]
         mujoco.mj_jacSite(self._model, data, self._moving, self._turning, self._tool)
         mujoco.mj_solveM(self._model, data, self._inverse, self._jacobian)
-        jacobian, inverse = self._jacobian[:, dofs], self._inverse[:, dofs]
+        jacobian, inverse = self._of_the_arm
         wrench = self._wrench(data, reference, jacobian.dot(qd))
         free = gains.posture_stiffness_Nm_rad * (posture - q) - gains.posture_damping_Nms_rad * qd
         # What `np.linalg.solve` calls, without the four times longer way to it.
         _, _, seen, _ = dgesv(inverse.dot(jacobian.T), inverse.dot(free))
-        free -= jacobian.T.dot(seen)
-        torques = jacobian.T.dot(wrench) + free
-        self._keep_within_limits(torques, q, qd)
-        return torques + data.qfrc_bias.take(dofs)
+        wrench -= seen
+        free += jacobian.T.dot(wrench)
+        free += data.qfrc_bias[dofs]
+        self._keep_within_limits(free, q, qd)
+        return free
 
     def _wrench(self, data: mujoco.MjData, reference: Reference, twist: Array) -> Array:
-        gains = self.gains
-        rotation = data.site_xmat[self._tool]
-        away = reference.position_m - data.site_xpos[self._tool]
-        turned = rotation_towards(rotation, reference.orientation_wxyz)
-        force = _bounded(gains.stiffness_N_m * away, gains.greatest_force_N)
-        torque = _bounded(gains.rotational_stiffness_Nm_rad * turned, gains.greatest_torque_Nm)
-        wrench = -twist
+        """Spring and damper (6,) towards `reference` for a tool that moves with `twist` (6,)."""
+        spring, rotation = self._spring, data.site_xmat[self._tool]
+        np.subtract(reference.position_m, data.site_xpos[self._tool], spring[:3])
+        spring[3:] = rotation_towards(rotation, reference.orientation_wxyz)
+        spring *= self._stiffness
+        _bound(spring[:3], self.gains.greatest_force_N)
+        _bound(spring[3:], self.gains.greatest_torque_Nm)
+        wrench = np.negative(twist, twist)
         wrench[:3] += reference.velocity_m_s
         wrench[3:] += reference.angular_velocity_rad_s
         wrench *= self._damping
-        wrench[:3] += force
-        wrench[3:] += torque
+        wrench += spring
         return wrench
 
     def _keep_within_limits(self, torques: Array, q: Array, qd: Array) -> None:
@@ -118,6 +129,18 @@ def rotation_towards(rotation: Array, wxyz: Array) -> Array:
     return turned
 
 
-def _bounded(vector: Array, greatest: float) -> Array:
+def _run(addresses: NDArray[np.int32]) -> slice:
+    """The addresses as a slice, which gives views where the array would give copies."""
+    first, last = int(addresses[0]), int(addresses[-1])
+    if not np.array_equal(addresses, np.arange(first, last + 1)):
+        raise SimulationError(
+            "The driven joints must lie side by side in the model, as those of one chain do, but "
+            f"have the addresses {addresses.tolist()}; drive all joints of one arm."
+        )
+    return slice(first, last + 1)
+
+
+def _bound(vector: Array, greatest: float) -> None:
     norm = sqrt(vector.dot(vector))
-    return vector * (greatest / norm) if norm > greatest else vector
+    if norm > greatest:
+        vector *= greatest / norm

@@ -1,7 +1,6 @@
 """One skill being replayed: its primitive, its end monitor, and the contacts it keeps."""
 
 from dataclasses import dataclass, replace
-from math import log
 
 import numpy as np
 
@@ -12,9 +11,10 @@ from keyphase.simulation.replay_contact import KeptContact, given_way
 from keyphase.simulation.replay_guard import guard_of
 from keyphase.simulation.simulation import Sample
 from keyphase.skills import coupling
+from keyphase.skills.changed import changed
 from keyphase.skills.coupling import Measured
 from keyphase.skills.end_monitor import Outcome, start_monitor
-from keyphase.skills.primitive import PHASE_SPAN
+from keyphase.skills.primitive import progress
 from keyphase.skills.skill import Skill
 
 STEP_S = 1.0 / RATE_HZ
@@ -58,12 +58,8 @@ class SkillRun:
         self._guard = guard_of(skill, begin.shift_m)
         self._monitor = start_monitor(skill, begin.force_N, begin.shift_m)
         self.acceleration = np.zeros(6)
-
-    @property
-    def fraction(self) -> float:
+        self.fraction = 0.0
         """How much of the motion is done, in the primitive's own time: 0 to 1 and beyond."""
-        c = self._primitive.constants
-        return -log(max(float(self._state.phase), 1e-300)) / (PHASE_SPAN * c.alpha_x)
 
     @property
     def demonstrated_s(self) -> float | None:
@@ -87,6 +83,7 @@ class SkillRun:
         followed = given_way(measured, state, self.kept)
         self._state, reference = coupling.step(self._primitive, state, followed, STEP_S)
         self.acceleration = reference.acceleration
+        self.fraction = progress(self._primitive, float(self._state.phase))
         wanted = impedance.Reference(
             reference.position_m,
             reference.orientation_wxyz,
@@ -134,7 +131,7 @@ def pressing(
         wanted = contact.pressed_m(position_m, reference.position_m, fraction, stiffness_N_m)
         at = at + (wanted - float(at.dot(d))) * d
         velocity = velocity - float(velocity.dot(d)) * d
-    return replace(reference, position_m=at, velocity_m_s=velocity)
+    return changed(reference, position_m=at, velocity_m_s=velocity)
 
 
 def _uncoupled(skill: Skill):

@@ -80,6 +80,8 @@ def _set_physics(spec: mujoco.MjSpec) -> None:
     option.tolerance = 1e-10
     # What diverges is to be told, not started again in silence.
     option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_AUTORESET)
+    # Parts at rest are computed again when something touches them.
+    option.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
     # The sparse factorisation of MuJoCo 4.0.0 is defective.
     option.jacobian = mujoco.mjtJacobian.mjJAC_DENSE
 

@@ -67,8 +67,9 @@ class Simulation:
         self._positions = model.jnt_qposadr[joints]
         self._tool, wrist = model.site(TOOL_SITE).id, model.site(SENSOR_SITE).id
         first = int(model.sensor("wrist_force").adr[0])
+        self._exerted = slice(first, first + 6)
         # Views, into which every step of the physics writes.
-        self._exerted = self.data.sensordata[first : first + 6]
+        self._readings = self.data.sensordata
         places, turns = self.data.site_xpos, self.data.site_xmat
         self._tool_m, self._tool_turn = places[self._tool], turns[self._tool]
         self._wrist_m, self._wrist_turn = places[wrist], turns[wrist].reshape(3, 3)
@@ -163,21 +164,20 @@ class Simulation:
 
     def contact_forces(self) -> Mapping[str, float]:
         """The simulator's normal force of each pair of parts, by name."""
-        forces = self.contacts.normal_forces(self.data).tolist()
+        forces = self.contacts.normal_forces(self.data.sensordata).tolist()
         return dict(zip(self.contacts.names, forces, strict=True))
 
     def _advance(self, reference: Reference) -> tuple[Array, Array]:
         """Physics of one tick: mean wrench on the tool, sensor frame, and mean contact forces."""
         data = self.data
         data.ctrl[:] = self.controller.torques(data, reference, self.posture_rad)
-        wrench = np.zeros(6)
-        contact = np.zeros(len(self.contacts.names))
+        mean = np.zeros(self.model.nsensordata)
         for _ in range(self._substeps):
             mujoco.mj_step(self.model, data)
-            # The sensor says what the arm exerts on the tool; the load is the opposite.
-            wrench -= self._exerted
-            contact += self.contacts.normal_forces(data)
-        return wrench / self._substeps, contact / self._substeps
+            mean += self._readings
+        mean /= self._substeps
+        # The sensor says what the arm exerts on the tool; the load is the opposite.
+        return -mean[self._exerted], self.contacts.normal_forces(mean)
 
     def _measured(self, reading: Array) -> Array:
         wrench = self.load.compensated(reading, self._wrist_turn)

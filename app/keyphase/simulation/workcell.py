@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import mujoco
 
 from keyphase.errors import SimulationError
-from keyphase.simulation.contacts import Pair
+from keyphase.simulation.contacts import Pair, watch_contacts
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.robot_scene import robot_spec
 from keyphase.simulation.simulation import Simulation
@@ -49,6 +49,7 @@ class Workcell:
         """The scene before it is compiled."""
         spec = robot_spec()
         self.furnish(spec, disturbance)
+        watch_contacts(spec, self.pairs)
         return spec
 
     def succeeded(self, simulation: Simulation) -> bool:

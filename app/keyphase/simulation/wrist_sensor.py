@@ -7,6 +7,7 @@ A wrench is six numbers, force [N] before torque [N m].
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import mujoco
 import numpy as np
@@ -59,17 +60,16 @@ class WristSensor:
 
     def read(self, wrench: Array) -> Array:
         """One reading of the true `wrench` (6,)."""
-        bias, noise = next(self._errors)
         before = wrench if self._passed is None else self._passed
         passed = self._passed = before + self._gain * (wrench - before)
-        return quantised(passed + bias + noise, self._resolution)
+        return quantised(passed + next(self._errors), self._resolution)
 
     def settle(self) -> None:
         """Forget the low-pass filter's past, as after a jump of the simulation."""
         self._passed = None
 
-    def _drawn_errors(self) -> Iterator[tuple[Array, Array]]:
-        """Bias and noise (6,) of one reading after the other.
+    def _drawn_errors(self) -> Iterator[Array]:
+        """Bias and noise together (6,) of one reading after the other.
 
         They are drawn many at once, which costs hardly more than drawing one.
         """
@@ -79,7 +79,7 @@ class WristSensor:
             steps = self._walk * drawn[:, 0]
             steps[0] += bias
             biases = np.add.accumulate(steps)
-            yield from zip(biases, self._noise * drawn[:, 1], strict=True)
+            yield from biases + self._noise * drawn[:, 1]
             bias = biases[-1]
 
 
@@ -101,9 +101,14 @@ class Load:
         reading   (6,) what the sensor says is exerted on the tool, load and bias included
         rotation  (3, 3) sensor to base frame
         """
-        down = -rotation[2]
-        weight = np.concatenate((self.weight_N * down, _cross(self.moment_Nm, down)))
-        return reading - self.bias - weight
+        wrench = reading - self.bias
+        wrench += self._hanging.dot(rotation[2])
+        return wrench
+
+    @cached_property
+    def _hanging(self) -> Array:
+        """(6, 3) from the direction that is up, in the sensor's frame, to weight and moment."""
+        return np.concatenate((self.weight_N * np.eye(3), _skew(self.moment_Nm)))
 
 
 def estimated_load(readings: Array, rotations: Array) -> Load:
@@ -141,8 +146,10 @@ def quantised(values: Array, resolution: Array) -> Array:
 
 def about_tool(wrench: Array, rotation: Array, sensor_m: Array, tool_m: Array) -> Array:
     """A wrench in the sensor's frame and about it, turned into base frame and about the tool."""
-    force, torque = rotation.dot(wrench[:3]), rotation.dot(wrench[3:])
-    return np.concatenate([force, torque + _cross(sensor_m - tool_m, force)])
+    turned, moment = wrench.reshape(2, 3).dot(rotation.T), np.empty(3)
+    mujoco.mju_cross(moment, sensor_m - tool_m, turned[0])
+    turned[1] += moment
+    return turned.ravel()
 
 
 _DOWN = np.array([0.0, 0.0, -1.0])
@@ -156,9 +163,3 @@ def _six(pair: tuple[float, float]) -> Array:
 def _skew(v: Array) -> Array:
     x, y, z = v
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-
-
-def _cross(a: Array, b: Array) -> Array:
-    result = np.empty(3)
-    mujoco.mju_cross(result, a, b)
-    return result

@@ -5,6 +5,7 @@ Control steps one at a time, and numpy takes ten times as long as Python for a s
 
 import math
 from collections.abc import Sequence
+from operator import mul
 from typing import Any
 
 import numpy as np
@@ -40,10 +41,7 @@ def functions(part: Any) -> Any:
 
 def dot(left: Components, right: Components) -> Any:
     """Sum of the products of the components."""
-    total = 0.0
-    for a, b in zip(left, right, strict=True):
-        total = total + a * b
-    return total
+    return sum(map(mul, left, right))
 
 
 def larger(part: Any, least: float) -> Any:

@@ -229,12 +229,14 @@ def _advance(
     tau_rate = 2.0 * c.k_c * tau * dot(error, error_rate)
     tau = tau * (1.0 + c.k_c * dot(error, error))
     z_rate = [transformation(c, u, v, f) / tau for u, v, f in zip(left, z, force, strict=True)]
+    slowing = tau_rate / tau
     acceleration = [
-        (rate - tau_rate * v / tau) / tau + c.k_v * (v / tau - own) - c.k_p * d
+        (rate - slowing * v) / tau + c.k_v * (v / tau - own) - c.k_p * d
         for rate, v, own, d in zip(z_rate, z, components(measured.velocity), away, strict=True)
     ]
     z = [v + h * rate for v, rate in zip(z, z_rate, strict=True)]
-    moved = [h / tau * v for v in z]
+    share = h / tau
+    moved = [share * v for v in z]
     decay = functions(tau).exp(-c.alpha_x * h / tau)
     advanced = changed(
         state,

@@ -1,7 +1,6 @@
 """Watch a skill while it runs and say when, and how, it is over."""
 
 from dataclasses import dataclass
-from math import log
 from typing import Literal
 
 import numpy as np
@@ -11,7 +10,7 @@ from keyphase.demonstration import Array
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
 from keyphase.skills import quaternions
 from keyphase.skills.changed import changed
-from keyphase.skills.primitive import PHASE_SPAN
+from keyphase.skills.primitive import progress
 from keyphase.skills.skill import Skill
 
 Outcome = Literal["reached", "contact", "timeout", "too far", "unexpected contact"]
@@ -62,23 +61,24 @@ class EndMonitor:
         change = force_N - self.start_force_N
         beyond = float(change.dot(change)) > self.skill.force_limit_N**2
         following = changed(
-            self._after_force(at_m, force_N, h),
+            self,
             time_s=self.time_s + h,
             beyond_s=self.beyond_s + h if beyond else 0.0,
+            **self._taken_in(at_m, force_N, h),
         )
         return following, following._outcome(at_m, orientation_wxyz, phase)
 
-    def _after_force(self, at_m: Array, force_N: Array, h: float) -> "EndMonitor":
+    def _taken_in(self, at_m: Array, force_N: Array, h: float) -> dict[str, float]:
+        """The fields that a force changes in a skill that ends at a contact."""
         end = self.skill.end_condition
         if not isinstance(end, ContactEnd):
-            return self
+            return {}
         along = _along(force_N, end.direction)
         if not (self.armed or _is_near(self.skill, at_m)):
-            return changed(
-                self, level_N=self.level_N + min(h / LEVEL_S, 1.0) * (along - self.level_N)
-            )
+            following = min(h / LEVEL_S, 1.0)
+            return {"level_N": self.level_N + following * (along - self.level_N)}
         over = along - self.level_N > end.threshold_N
-        return changed(self, armed=True, over_s=self.over_s + h if over else 0.0)
+        return {"armed": True, "over_s": self.over_s + h if over else 0.0}
 
     def _outcome(self, at_m: Array, wxyz: Array, phase: float) -> Outcome | None:
         if _lasts(self.over_s):
@@ -130,7 +130,7 @@ def _is_near(skill: Skill, at_m: Array) -> bool:
 
 def _is_reached(skill: Skill, at_m: Array, wxyz: Array, phase: float) -> bool:
     end = skill.end_condition
-    if not isinstance(end, ConfigurationEnd) or _progress(skill, phase) < REACHED_AFTER:
+    if not isinstance(end, ConfigurationEnd) or progress(skill.primitive, phase) < REACHED_AFTER:
         return False
     way = at_m - skill.end_position_m
     if float(way.dot(way)) > end.position_tolerance_m**2:
@@ -139,8 +139,3 @@ def _is_reached(skill: Skill, at_m: Array, wxyz: Array, phase: float) -> bool:
         return True
     left = quaternions.shortest_difference(skill.end_orientation_wxyz, wxyz)
     return float(left.dot(left)) <= end.rotation_tolerance_rad**2
-
-
-def _progress(skill: Skill, phase: float) -> float:
-    """Fraction of the demonstrated duration that the phase stands for."""
-    return -log(max(phase, 1e-300)) / (PHASE_SPAN * skill.primitive.constants.alpha_x)

@@ -16,7 +16,7 @@ et al. (2009), so that a moved goal is approached without a jump.
 
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from math import exp
+from math import exp, log
 
 import numpy as np
 
@@ -30,6 +30,9 @@ PHASE_SPAN = 3.0
 
 BASIS_WIDTH = 0.55
 """Standard deviation of a basis function in units of the distance to the next centre."""
+
+_TINY = 1e-10
+"""Added to the sum of the basis functions, as in `movement_primitives`."""
 
 
 @dataclass(frozen=True)
@@ -103,6 +106,16 @@ class Primitive:
             self.start_orientation_wxyz,
         )
 
+    @cached_property
+    def falloff(self) -> Array:
+        """(N,) what the squared distance to a centre is multiplied with inside the exponential."""
+        return -0.5 * self.widths
+
+    @cached_property
+    def summing_weights(self) -> Array:
+        """(N, 7) the weights, and ones: what basis functions that are not normalised yet sum to."""
+        return np.column_stack((self.weights, np.ones(len(self.weights))))
+
 
 def tau_of(duration_s: Array | float) -> Array | float:
     """Time constant of a motion of this duration [s]."""
@@ -120,7 +133,7 @@ def activations(phase: Array, centres: Array, widths: Array) -> Array:
     """Normalised basis functions (..., N) at phases (...)."""
     distance = phase[..., None] - centres
     psi = np.exp(-0.5 * widths * distance * distance)
-    return psi / (np.add.reduce(psi, axis=-1, keepdims=True) + 1e-10)
+    return psi / (np.add.reduce(psi, axis=-1, keepdims=True) + _TINY)
 
 
 def remaining(goal_m: Array, goal_wxyz: Array, position_m: Array, wxyz: Array) -> Array:
@@ -144,10 +157,14 @@ def forcing(primitive: Primitive, phase: Array, scale: Array, hold: Array) -> Ar
 
 def forces(primitive: Primitive, phase: Array, scale: Array, hold: Array) -> Components:
     """The same by component."""
-    shape = activations(phase, primitive.centres, primitive.widths).dot(primitive.weights)
-    parts = zip(components(shape), components(scale), components(hold), strict=True)
-    x = number(phase)
-    return [x * (w * s - b) for w, s, b in parts]
+    # Written for one phase at a time: normalising seven sums is cheaper than all basis functions.
+    psi = np.subtract.outer(phase, primitive.centres)
+    psi *= psi
+    psi *= primitive.falloff
+    *shape, total = components(np.exp(psi, psi).dot(primitive.summing_weights))
+    x, share = number(phase), 1.0 / (total + _TINY)
+    parts = zip(shape, components(scale), components(hold), strict=True)
+    return [x * (share * w * s - b) for w, s, b in parts]
 
 
 def transformation(constants: Constants, left: Array, z: Array, force: Array) -> Array:
@@ -158,3 +175,8 @@ def transformation(constants: Constants, left: Array, z: Array, force: Array) ->
 def last_phase(constants: Constants) -> float:
     """The phase at the end of the demonstrated duration."""
     return exp(-PHASE_SPAN * constants.alpha_x)
+
+
+def progress(primitive: Primitive, phase: float) -> float:
+    """Fraction of the demonstrated duration that a phase stands for: 0 to 1 and beyond."""
+    return -log(max(phase, 1e-300)) / (PHASE_SPAN * primitive.constants.alpha_x)
