@@ -20,6 +20,7 @@ from keyphase.skills.skill import Skill, drawn, until
 from keyphase.web.document_message import short_labels
 from keyphase.web.polyline import Polyline
 from keyphase.web.recordings import Recording
+from keyphase.web.replay_arrow import force_arrow_message
 from keyphase.web.replay_plan import PlannedSkill, ReplayPlan
 from keyphase.web.replay_run import ReplayRun
 from keyphase.web.replay_settings import ReplaySettings
@@ -60,8 +61,9 @@ def replay_message(
         "time_s": run.elapsed_s,
         "current": None if run.phase == "over" else running_skill(run.replay),
         "zero_m": plan.demonstration.position_m[0].tolist(),
+        "force_arrow": force_arrow_message(),
         "skills": [
-            _skill_message(one, results[k] if k < len(results) else None, run.met_s.get(k))
+            _skill_message(plan, one, results[k] if k < len(results) else None, run.met_s.get(k))
             for k, one in enumerate(plan.planned)
         ],
         "outcome": None if result is None else result.outcome(),
@@ -79,7 +81,7 @@ def running_skill(replay_: Replay) -> int | None:
 
 
 def _skill_message(
-    one: PlannedSkill, result: SkillResult | None, met_s: float | None
+    plan: ReplayPlan, one: PlannedSkill, result: SkillResult | None, met_s: float | None
 ) -> dict[str, Any]:
     skill = one.skill
     contact = skill.end_condition if isinstance(skill.end_condition, ContactEnd) else None
@@ -89,6 +91,7 @@ def _skill_message(
         "color": one.color,
         "label": skill.label,
         "short": short_labels(skill.label),
+        "middle_m": middle_of_skill(plan, skill).tolist(),
         "until": until(skill),
         "contact": None
         if contact is None
@@ -178,6 +181,12 @@ def path_of_skill(plan: ReplayPlan, skill: Skill) -> Array:
     if skill.demonstrated_s is None:
         return drawn(skill).position_m
     return plan.demonstration.position_m[_rows(plan.demonstration, *skill.demonstrated_s)]
+
+
+def middle_of_skill(plan: ReplayPlan, skill: Skill) -> Array:
+    """Where (3,) the path of a skill is named."""
+    path_m = path_of_skill(plan, skill)
+    return path_m[len(path_m) // 2]
 
 
 def demonstrated(plan: ReplayPlan, one: PlannedSkill) -> dict[str, list[float]] | None:

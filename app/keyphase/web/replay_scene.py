@@ -15,12 +15,11 @@ from keyphase.demonstration import Array
 from keyphase.simulation.replay_result import Frame, ReplayResult, ReplayState
 from keyphase.simulation.replay_skill import STEP_S
 from keyphase.web.lent_yumi import LentYumi
-from keyphase.web.palette import LIGHT, Rgb, painted
 from keyphase.web.part_figures import PartFigures
-from keyphase.web.path_geometry import METRES_PER_NEWTON
 from keyphase.web.recordings import printable
+from keyphase.web.replay_arrow import ForceArrow
 from keyphase.web.replay_exports import write_page
-from keyphase.web.replay_messages import path_of_skill
+from keyphase.web.replay_messages import middle_of_skill, path_of_skill
 from keyphase.web.replay_paths import ReplayPaths
 from keyphase.web.replay_push import PushGizmo
 from keyphase.web.replay_run import Tick
@@ -38,17 +37,10 @@ ROOT = "/replay"
 FRAME_S = 0.04
 """Between two frames of a result."""
 
-LEAST_FORCE_N = 0.4
-"""What the sensor reads in free space is not drawn."""
-
 DRAWN_EVERY_S = 0.048
 """The scene is told new poses no more often than this."""
 
 _SEEN_M = 0.36
-_BESIDE_M = np.array([0.055, 0.0, 0.0])
-"""The arrow stands in front of the gripper, which would hide it."""
-
-_ARROW: Rgb = painted(LIGHT.origins["force"])
 
 
 @dataclass
@@ -58,10 +50,16 @@ class _Shown:
     running: Running
     parts: PartFigures
     paths: ReplayPaths
-    arrow: viser.ArrowsHandle
-    force: viser.LabelHandle
+    arrow: ForceArrow
     name: viser.LabelHandle
     skill: int | None = None
+    named: bool = False
+
+    def label(self, wanted: bool) -> None:
+        """Whether skill and force are labels of the scene: the page lays its own over it."""
+        self.named = wanted
+        self.name.visible = wanted and self.skill is not None
+        self.arrow.label(wanted)
 
 
 class ReplayScene(ReplayView):
@@ -138,8 +136,7 @@ class ReplayScene(ReplayView):
                 running,
                 PartFigures(self._server, f"{ROOT}/parts", running.shapes),
                 ReplayPaths(self._server, ROOT, running.plan),
-                self._add_arrow(),
-                scene.add_label(f"{ROOT}/force_size", "", visible=False, anchor="center-left"),
+                ForceArrow(self._server, ROOT),
                 scene.add_label(f"{ROOT}/name", "", visible=False, anchor="center-right"),
             )
             path = np.concatenate(
@@ -168,37 +165,21 @@ class ReplayScene(ReplayView):
         sample = state.sample
         self._yumi.pose(sample.joints_rad)
         shown.parts.pose(parts)
-        self._draw_force(shown, sample.position_m, sample.force_N)
+        shown.arrow.show(sample.position_m, sample.force_N)
         self._draw_skill(shown, state.skill)
         shown.paths.follow(sample.position_m, state.skill)
 
-    def _draw_force(self, shown: _Shown, tool_m: Array, force_N: Array) -> None:
-        size = float(np.linalg.norm(force_N))
-        seen = size >= LEAST_FORCE_N
-        if seen != shown.arrow.visible:
-            shown.arrow.visible = shown.force.visible = seen
-        if not seen:
-            return
-        start = tool_m + _BESIDE_M
-        tip = start + METRES_PER_NEWTON * force_N
-        shown.arrow.points = np.array([[start, tip]], np.float32)
-        shown.force.position = tip
-        text = f"{size:.1f} N"
-        if shown.force.text != text:
-            shown.force.text = text
-
     def _draw_skill(self, shown: _Shown, skill: int | None) -> None:
-        """The skill that runs is drawn thicker, and named."""
+        """The skill that runs is drawn thicker, and named where it is to be."""
         before, shown.skill = shown.skill, skill
         if before == skill:
             return
         planned = shown.running.plan.planned
         shown.paths.highlight(before, skill)
-        shown.name.visible = skill is not None
+        shown.name.visible = shown.named and skill is not None
         if skill is not None:
-            path = path_of_skill(shown.running.plan, planned[skill].skill)
             shown.name.text = planned[skill].name
-            shown.name.position = path[len(path) // 2]
+            shown.name.position = middle_of_skill(shown.running.plan, planned[skill].skill)
 
     def _remove(self) -> None:
         if self._shown is None:
@@ -220,23 +201,15 @@ class ReplayScene(ReplayView):
             return
         with self._server.atomic():
             shown.paths.forget_run()
+            shown.label(True)
             film = self._server.get_scene_serializer()
             for frame in result.frames:
                 self._draw_state(shown, state_at(result, frame.time_s), parts_in(result, frame))
                 film.insert_sleep(FRAME_S)
-        path = write_page(film.as_html(dark_mode=False), running.opened.recording.path)
+        page = film.as_html(dark_mode=False)
+        shown.label(False)
+        path = write_page(page, running.opened.recording.path)
         self._telling.all({"type": "saved", "path": printable(str(path))})
-
-    def _add_arrow(self) -> viser.ArrowsHandle:
-        return self._server.scene.add_arrows(
-            f"{ROOT}/force",
-            np.array([[[0.0, 0.0, 0.0], [0.0, 0.0, 0.01]]], np.float32),
-            np.array(_ARROW, np.uint8),
-            shaft_radius=0.004,
-            head_radius=0.009,
-            head_length=0.02,
-            visible=False,
-        )
 
     def _show_gizmo(self) -> None:
         wanted = self._offered and self._shown is not None

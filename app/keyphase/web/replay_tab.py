@@ -7,8 +7,8 @@ from typing import Any, get_args
 
 import viser
 
-from keyphase.simulation.replay_result import SkillResult
 from keyphase.web.opened import Opened
+from keyphase.web.replay_outcomes import outcome_table
 from keyphase.web.replay_session import ReplaySession
 from keyphase.web.replay_settings import SPEEDS, WORKCELLS, EndBy, ReplaySettings
 from keyphase.web.replay_view import ReplayView, Running
@@ -74,7 +74,8 @@ class ReplayTab(ReplayView):
             self._steer.on_click(lambda _event: self._safely(self._steered))
             push = self._gui.add_checkbox("Push gizmo", False, hint=_PUSH_HINT)
             self._on_change(push, offer_push)
-        self._table = self._gui.add_markdown(_NOTHING)
+        self._hint = self._gui.add_markdown(_NOTHING)
+        self._table = self._gui.add_html("", visible=False)
         self._keep = self._button("Open its recording", session.keep, visible=False)
         self._leave = self._button("Close the replay", session.leave, visible=False)
         with self._gui.add_folder("Trials", expand_by_default=False):
@@ -105,12 +106,12 @@ class ReplayTab(ReplayView):
         self._offer({"running": "Pause", "paused": "Go on", "over": "Again"}[running.phase])
         _put(self._keep, "visible", is_over and running.result is not None)
         _put(self._leave, "visible", is_over)
-        _put(self._table, "content", outcome_table(running))
+        self._show_table(outcome_table(running))
 
     def show_closed(self) -> None:
         """Nothing runs."""
         self._offer("Run")
-        _put(self._table, "content", _NOTHING)
+        self._show_table("")
         for button in (self._keep, self._leave):
             _put(button, "visible", False)
 
@@ -147,6 +148,12 @@ class ReplayTab(ReplayView):
         dropdown = self._gui.add_dropdown(label, options, initial_value=options[0], hint=hint)
         self._on_change(dropdown, lambda value: self._configure(**{name: value}))
         return dropdown
+
+    def _show_table(self, table: str) -> None:
+        """Show the table; the hint what to do where there is none."""
+        _put(self._table, "content", table)
+        _put(self._table, "visible", bool(table))
+        _put(self._hint, "visible", not table)
 
     def _millimetres(self, label: str, most: float, name: str, hint: str) -> Any:
         slider = self._gui.add_slider(f"{label}, mm", -most, most, 0.5, 0.0, hint=hint)
@@ -187,38 +194,6 @@ class ReplayCloser(View):
         if running and running.opened.demonstration is not opened.demonstration:
             self._session.leave()
         self._session.propose(opened.demonstration)
-
-
-def outcome_table(running: Running) -> str:
-    """A line for each skill that began: its outcome, how long it took, its largest force.
-
-    Nothing but our own words and numbers: what people wrote must not reach Markdown unescaped.
-    """
-    lines = ["| Skill | Outcome | Time | Peak |", "|:--|:--|--:|--:|"]
-    results = running.run.replay.results
-    lines += [_line(running, result) for result in results]
-    if running.phase != "over" and len(results) < len(running.plan.planned):
-        lines.append(f"| {_name(running, len(results))} | *{running.phase}* | | |")
-    if running.result is not None:
-        verdict = "Success" if running.result.succeeded else "No success"
-        goals = ", ".join(
-            f"{name} {'✓' if holds else '✗'}" for name, holds in running.result.checks.items()
-        )
-        lines.append(f"\n**{verdict}**: {goals}")
-    return "\n".join(lines)
-
-
-def _line(running: Running, result: SkillResult) -> str:
-    time_s = result.end_s - result.start_s
-    return (
-        f"| {_name(running, result.skill)} | {result.outcome or 'stopped'} "
-        f"| {time_s:.2f} s | {result.peak_force_N:.1f} N |"
-    )
-
-
-def _name(running: Running, skill: int) -> str:
-    segment = running.plan.planned[skill].segment
-    return "connect" if segment is None else f"segment {segment + 1}"
 
 
 def _set(control: Any, value: Any) -> None:

@@ -10,16 +10,22 @@ import { segmentFill } from "../timeline/band.js";
 import { glyphIcon } from "../timeline/glyphs.js";
 import { projection, viserIn } from "./projection.js";
 import { placed } from "./placing.js";
+import { forceNow, skillNames } from "./replay_names.js";
 
 /** With more names than this only the selected segment is named. */
 const MOST = 10;
-/** The node the server shows and hides for all names. */
+/** The node the server shows and hides for all names, and the one that holds a replay. */
 const NODE = "/labels";
+const REPLAY_NODE = "/replay";
+/** The force of a replay is told again no more often than this. */
+const FORCE_EVERY_MS = 100;
 /** How often we look whether viser has started, and whether it still shows that node. */
 const LOOK_MS = 250;
 
 /**
- * @typedef {{at: number[], plate: HTMLElement, line: SVGElement, dot: SVGElement}} Name
+ * @typedef {{at: number[], color: string, title: string, isSelected: boolean, mark: Node, text: string,
+ *   chosen?: (actions: any) => void}} Named
+ * @typedef {{at: number[]|null, plate: HTMLElement, line: SVGElement, dot: SVGElement}} Name
  *
  * @param {import("../store.js").Store} store
  * @param {any} actions
@@ -30,29 +36,49 @@ export function createNames(store, actions, inside) {
   const lines = svg("svg", { "aria-hidden": "true" });
   /** @type {Name[]} */
   let names = [];
+  /** @type {Name|null} the last of the names in a replay */
+  let force = null;
+  let toldForce = -Infinity;
   let followed = null;
 
   function build() {
-    const { document: doc, selected, small } = store.state;
-    names = doc ? namesOf(doc, selected, small).map((name) => drawn(name, actions)) : [];
+    const { document: doc, selected, small, replay } = store.state;
+    const named = replay ? skillNames(replay) : doc ? namesOf(doc, selected, small) : [];
+    names = named.map((name) => drawn(name, actions));
+    force = replay ? drawn(forceName(), actions) : null;
+    if (force) names.push(force);
     lines.replaceChildren(...names.flatMap(({ line, dot }) => [line, dot]));
     layer.replaceChildren(lines, ...names.map(({ plate }) => plate));
+    if (force) tellForce();
     place();
   }
 
   function place() {
     const viser = viserIn(inside());
-    const isShown = Boolean(viser?.nodeRefFromName[NODE]?.visible) && !store.state.replayShown;
-    layer.hidden = !isShown || !names.length;
+    const node = store.state.replay ? REPLAY_NODE : NODE;
+    layer.hidden = !viser?.nodeRefFromName[node]?.visible || !names.length;
     if (layer.hidden) return;
-    const project = projection(viser, NODE);
-    const seen = names.map(({ at, plate }) => ({ anchor: project(at), width: plate.offsetWidth }));
+    const project = projection(viser, node);
+    const seen = names.map(({ at, plate }) => ({ anchor: at && project(at), width: plate.offsetWidth }));
     const inView = seen.map(({ anchor }) => anchor && isInside(anchor, viser.canvas));
     const places = placed(seen.filter((_, k) => inView[k]), {
       width: viser.canvas.clientWidth,
       height: viser.canvas.clientHeight,
     });
     names.forEach((name, k) => put(name, seen[k].anchor, inView[k] ? places.shift() : null));
+  }
+
+  function tellForce() {
+    toldForce = performance.now();
+    const now = forceNow(store.state.replay, store.state.samples);
+    force.at = now?.at ?? null;
+    if (now) force.plate.lastChild.textContent = now.text;
+  }
+
+  function forceChanged() {
+    if (!force || performance.now() - toldForce < FORCE_EVERY_MS) return;
+    tellForce();
+    place();
   }
 
   /** viser may make its camera controls anew; they tell of every move before it is drawn. */
@@ -66,12 +92,19 @@ export function createNames(store, actions, inside) {
     place();
   }
 
-  store.later(["document", "selected", "small"], build);
-  store.later(["replayShown", "dark"], place);
+  store.later(["document", "selected", "small", "replay"], build);
+  store.later(["samples"], forceChanged);
+  store.later(["dark"], place);
   setInterval(look, LOOK_MS);
 }
 
-/** What is to be named. @param {import("../types.js").Doc} doc */
+/** The measured force, before anything was measured. @returns {Named} */
+function forceName() {
+  const color = "var(--origin-force)";
+  return { at: [0, 0, 0], color, title: "Measured force", isSelected: false, mark: el("i", { style: { background: color } }), text: "" };
+}
+
+/** What is to be named. @param {import("../types.js").Doc} doc @returns {Named[]} */
 function namesOf(doc, selected, small) {
   const kept = doc.segments.flatMap((one, index) => (one.kept ? [index] : []));
   const contacts = doc.boundaries.flatMap((one, index) => (one.at_m ? [index] : []));
@@ -112,20 +145,12 @@ function contactName(doc, index) {
   };
 }
 
-/** @returns {Name} */
+/** @param {Named} named @returns {Name} */
 function drawn({ at, isSelected, title, color, mark, text, chosen }, actions) {
-  const plate = el(
-    "button",
-    {
-      type: "button",
-      class: isSelected ? "name selected" : "name",
-      title,
-      tabindex: -1,
-      on: { click: () => chosen(actions) },
-    },
-    mark,
-    text,
-  );
+  const look = { class: isSelected ? "name selected" : "name", title };
+  const plate = chosen
+    ? el("button", { ...look, type: "button", tabindex: -1, on: { click: () => chosen(actions) } }, mark, text)
+    : el("div", look, mark, el("span", { text }));
   return { at, plate, line: svg("path"), dot: svg("circle", { r: 2.5, style: { fill: color } }) };
 }
 
