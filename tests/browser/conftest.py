@@ -1,8 +1,7 @@
 """Fixtures of the browser tests: the real server on real files, and real Chromium looking at it."""
 
 import shutil
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import pytest
@@ -21,6 +20,17 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.browser)
 
 
+_FAILED = pytest.StashKey[bool]()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Item, call: pytest.CallInfo[None]
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    item.stash[_FAILED] = call.excinfo is not None
+    return (yield)
+
+
 @pytest.fixture(scope="session")
 def chromium() -> Iterator[Browser]:
     with chromium_browser() as browser:
@@ -35,49 +45,74 @@ _AS_OPENED = """() => {
 """What of a page stays as it is from one recording to the next."""
 
 
-@dataclass
 class _Editor:
     """A server without a folder of its own, and a page of it that stays open."""
 
-    server: PageServer
-    page: KeyphasePage
-    _before: str = ""
+    def __init__(self, chromium: Browser, folder: Path) -> None:
+        self.server = PageServer([], folder=folder)
+        self._chromium = chromium
+        self._page: KeyphasePage | None = None
+        self._before = ""
 
-    def open(self, recording: Path) -> None:
+    def open(self, recording: Path) -> KeyphasePage:
+        page = self._page or _opened(
+            self._chromium, self.server, (1920, 1080), dark=False, scene=False
+        )
+        self._page = page
         self.server.session.queue.add(recording)
-        self.page.until("keyphase.state.recordings.items.length === 1")
-        self.page.wait_for_document()
-        self._before = self.page.page.evaluate(_AS_OPENED)
+        page.until("keyphase.state.recordings?.items.length === 1")
+        page.wait_for_document()
+        self._before = page.page.evaluate(_AS_OPENED)
+        return page
 
-    def put_away(self, recording: Path) -> None:
-        self.page.press("Escape")
-        self.page.page.mouse.move(0, 0)
-        after = self.page.page.evaluate(_AS_OPENED)
-        assert after == self._before, "the next test needs a page of its own: take `timeline`"
-        self.server.session.queue.remove(recording)
-        self.page.until("keyphase.state.recordings.items.length === 0")
-        assert not self.page.errors
+    def put_away(self, page: KeyphasePage, recording: Path, again: bool) -> None:
+        """Close the recording, and the page unless it is as it was before and wanted `again`."""
+        self._page = None
+        try:
+            page.press("Escape")
+            page.page.mouse.move(0, 0)
+            after = page.page.evaluate(_AS_OPENED)
+            assert after == self._before, "the next test needs a page of its own: take `timeline`"
+            assert not page.errors
+            self._page = page if again else None
+        finally:
+            self.server.session.queue.remove(recording)
+            if self._page is None:
+                page.close()
+        if self._page:
+            page.until("keyphase.state.recordings.items.length === 0")
+
+    def close(self) -> None:
+        if self._page:
+            self._page.close()
+        self.server.stop()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def _editor(chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[_Editor]:
-    server = PageServer([], folder=tmp_path_factory.mktemp("editor"))
-    page = _opened(chromium, server, (1920, 1080), dark=False, scene=False)
-    yield _Editor(server, page)
-    page.close()
-    server.stop()
+    editor = _Editor(chromium, tmp_path_factory.mktemp("editor"))
+    yield editor
+    editor.close()
 
 
 @pytest.fixture
-def editor(_editor: _Editor, folder: Path) -> Iterator[KeyphasePage]:
+def editor(
+    request: pytest.FixtureRequest, _editor: _Editor, folder: Path
+) -> Iterator[KeyphasePage]:
     """Like `timeline`, for tests that change nothing but the document and what is seen of it.
 
-    The page stays open from one of them to the next, the recording is a new one.
+    The page stays open from one of them to the next, unless one fails; the recording is a new one.
     """
     recording = folder / "setup1.npz"
-    _editor.open(recording)
-    yield _editor.page
-    _editor.put_away(recording)
+    page = _editor.open(recording)
+    yield page
+    _editor.put_away(page, recording, again=not request.node.stash.get(_FAILED, False))
+
+
+@pytest.fixture
+def editor_server(_editor: _Editor) -> PageServer:
+    """The server of the page that `editor` is."""
+    return _editor.server
 
 
 @pytest.fixture

@@ -168,21 +168,20 @@ def test_split_while_playing_snaps_to_the_nearest_evidence_unless_switched_off(
     timeline: KeyphasePage,
 ) -> None:
     peak = next(p for p in timeline.document["peaks"] if p["rejection"])
+    boundaries = [b["time_s"] for b in timeline.document["boundaries"]]
+    timeline.press("Home")
+    for before_s in (time_s for time_s in boundaries if time_s < peak["time_s"]):
+        timeline.press(".")
+        timeline.until(f"Math.abs(keyphase.state.clock - {before_s}) < 1e-6")
+    _play_until(timeline, peak["time_s"] - 0.6)
+    timeline.press("Space")
     for _ in range(3):
         _command(timeline, "play slower")
     timeline.until("keyphase.state.playhead.speed === 0.1")
+    _play_until(timeline, peak["time_s"] - 0.03)
 
     def marked() -> list[float]:
-        timeline.press("Home")
-        while timeline.page.evaluate("() => keyphase.state.clock") < peak["time_s"] - 1.0:
-            before = timeline.page.evaluate("() => keyphase.state.clock")
-            timeline.press(".")
-            timeline.until(f"keyphase.state.clock > {before}")
-        if timeline.page.evaluate("() => keyphase.state.clock") > peak["time_s"] - 0.03:
-            timeline.press(",")
-        _play_until(timeline, peak["time_s"] - 0.03)
         timeline.change(lambda: timeline.press("t"))
-        timeline.press("Space")
         added = [b["time_s"] for b in timeline.document["boundaries"] if b["origin"] == "user"]
         timeline.change(lambda: timeline.press("Control+z"))
         return [abs(added[0] - peak[key]) for key in ("time_s", "bin_time_s")]

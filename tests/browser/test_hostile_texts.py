@@ -19,16 +19,16 @@ HOSTILE = [
 
 
 @pytest.mark.parametrize("label", HOSTILE, ids=range(len(HOSTILE)))
-def test_a_label_stays_text(timeline: KeyphasePage, label: str) -> None:
-    timeline.page.evaluate("label => keyphase.actions.label(label, 0)", label)
-    timeline.until("keyphase.state.document.edits > 0 || document.querySelector('.notice')")
-    timeline.page.evaluate("() => keyphase.actions.rename(0)")
-    timeline.press("Escape")
-    timeline.press("Control+k")
-    timeline.press("Escape")
-    timeline.settle()
-    assert timeline.page.evaluate("() => window.hacked") is None
-    assert timeline.page.locator("main img:not([src^='/app']), #timeline script").count() == 0
+def test_a_label_stays_text(editor: KeyphasePage, label: str) -> None:
+    editor.page.evaluate("label => keyphase.actions.label(label, 0)", label)
+    editor.until("keyphase.state.document.edits > 0 || document.querySelector('.notice')")
+    editor.page.evaluate("() => keyphase.actions.rename(0)")
+    editor.press("Escape")
+    editor.press("Control+k")
+    editor.press("Escape")
+    editor.settle()
+    assert editor.page.evaluate("() => window.hacked") is None
+    assert editor.page.locator("main img:not([src^='/app']), #editor script").count() == 0
 
 
 def test_a_hostile_name_and_metadata_run_nothing_in_page_and_scene(
@@ -67,34 +67,34 @@ MESSAGES: list[dict[str, object]] = [
 ]
 
 
-def test_hostile_messages_are_refused_in_words_and_change_nothing(timeline: KeyphasePage) -> None:
-    before = timeline.document
-    notice = timeline.page.locator(".notice.warning")
+def test_hostile_messages_are_refused_in_words_and_change_nothing(editor: KeyphasePage) -> None:
+    before = editor.document
+    notice = editor.page.locator(".notice.warning")
     for message in MESSAGES:
-        timeline.page.evaluate("message => keyphase.actions.send(message)", message)
+        editor.page.evaluate("message => keyphase.actions.send(message)", message)
         notice.wait_for()
-        assert timeline.page.locator(".notice :is(img, script, [onload], [onerror])").count() == 0
+        assert editor.page.locator(".notice :is(img, script, [onload], [onerror])").count() == 0
         notice.get_by_role("button").click()
         notice.wait_for(state="detached")
 
-    assert timeline.page.evaluate("() => window.hacked") is None
-    assert timeline.document["boundaries"] == before["boundaries"]
-    assert timeline.labels() == [segment["label"] for segment in before["segments"]]
+    assert editor.page.evaluate("() => window.hacked") is None
+    assert editor.document["boundaries"] == before["boundaries"]
+    assert editor.labels() == [segment["label"] for segment in before["segments"]]
 
 
-def test_no_script_can_be_put_into_the_page(timeline: KeyphasePage) -> None:
-    timeline.errors.clear()
-    timeline.page.evaluate(
+def test_no_script_can_be_put_into_the_page(editor: KeyphasePage) -> None:
+    editor.errors.clear()
+    editor.page.evaluate(
         """() => {
           const script = document.createElement('script');
           script.textContent = 'window.hacked = 1';
           document.body.append(script);
         }"""
     )
-    assert timeline.page.evaluate("() => window.hacked") is None
-    assert any("Content Security Policy" in error for error in timeline.errors)
-    timeline.errors.clear()
+    assert editor.page.evaluate("() => window.hacked") is None
+    assert any("Content Security Policy" in error for error in editor.errors)
+    editor.errors.clear()
 
 
-def test_the_token_leaves_the_address(timeline: KeyphasePage) -> None:
-    assert "token" not in timeline.page.url
+def test_the_token_leaves_the_address(editor: KeyphasePage) -> None:
+    assert "token" not in editor.page.url

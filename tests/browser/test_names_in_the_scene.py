@@ -90,7 +90,7 @@ def test_a_click_on_a_name_selects_its_segment_and_names_are_hidden_and_shown_ag
         setup1.page.locator("#names").wait_for(state=state)
 
 
-def test_names_never_cover_each_other_nor_leave_the_scene(timeline: KeyphasePage) -> None:
+def test_names_never_cover_each_other_nor_leave_the_scene(editor: KeyphasePage) -> None:
     draw = random.Random(7)
     canvas = {"width": 900, "height": 420}
     for count in range(1, 13):
@@ -98,7 +98,7 @@ def test_names_never_cover_each_other_nor_leave_the_scene(timeline: KeyphasePage
             (draw.uniform(0, 900), draw.uniform(0, 420), draw.uniform(60, 260))
             for _ in range(count)
         ]
-        places = timeline.page.evaluate(_PLACED, [asked, canvas])
+        places = editor.page.evaluate(_PLACED, [asked, canvas])
         for side in ("left", "right"):
             heights = sorted(p["y"] for p in places if p["side"] == side)
             assert all(b - a > 20 for a, b in pairwise(heights))

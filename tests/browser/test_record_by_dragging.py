@@ -17,6 +17,7 @@ DOWN, DOWN_M = np.array([0.0, 0.0, -1.0]), 0.115
 """From its start the tool is dragged forward over the housing, then down onto it and into it."""
 
 CONTACT_WITHIN_S = 0.06
+ARROW = "#e8590c"
 
 
 @pytest.fixture
@@ -46,50 +47,39 @@ def wait_until_at_rest(server: PageServer, page: KeyphasePage, least_s: float) -
         page.settle()
 
 
-def record_a_contact(server: PageServer, page: KeyphasePage) -> None:
+def force_shown(page: KeyphasePage) -> float:
+    shown = [field.input_value() for field in page.scene.locator("input").all()]
+    (force,) = [float(value.removesuffix(" N")) for value in shown if value.endswith(" N")]
+    return force
+
+
+@pytest.mark.slow
+def test_a_contact_made_by_dragging_is_seen_as_it_is_pressed_and_found_in_the_recording(
+    tmp_path: Path, server: PageServer, page: KeyphasePage
+) -> None:
     press(page, "Record")
     page.scene.get_by_role("button", name="Stop", exact=True).wait_for()
+    page.wait_for_scene()
+    scene = page.box("#viser")
+    before = page.picture("free").count(ARROW, scene, tolerance=40)
     gizmo = Gizmo(server, page, GIZMO_M)
     for axis, distance_m in ((FORWARD, FORWARD_M), (DOWN, DOWN_M)):
         gizmo.pull(axis, distance_m)
         wait_until_at_rest(server, page, 0.8)
+    page.settle()
+    assert page.picture("pressing").count(ARROW, scene, tolerance=40) > before + 300
+    assert force_shown(page) > 5.0
+
     press(page, "Stop")
     page.wait_for_document()
-
-
-@pytest.mark.slow
-def test_a_contact_made_by_dragging_is_found(
-    tmp_path: Path, server: PageServer, page: KeyphasePage
-) -> None:
-    record_a_contact(server, page)
     page.picture("recorded")
     assert page.document["name"] == "setup1_01"
-
     demonstration = read(tmp_path / "setup1_01.npz")
     touched_s = demonstration.metadata["ground_truth"]["contact_onsets_s"]["snap"]
     shown = [b["time_s"] for b in page.document["boundaries"] if b["contact_change"]]
     assert any(abs(time_s - touched_s) < CONTACT_WITHIN_S for time_s in shown)
     found = [b.time_s for b in segment(demonstration).boundaries if b.contact_change]
     assert shown == pytest.approx(found)
-
-
-@pytest.mark.slow
-def test_the_force_is_seen_while_pressing(server: PageServer, page: KeyphasePage) -> None:
-    press(page, "Open workcell")
-    page.scene.get_by_role("button", name="Close workcell", exact=True).wait_for()
-    page.wait_for_scene()
-    arrow = "#e8590c"
-    scene = page.box("#viser")
-    before = page.picture("free").count(arrow, scene, tolerance=40)
-    gizmo = Gizmo(server, page, GIZMO_M)
-    for axis, distance_m in ((FORWARD, FORWARD_M), (DOWN, DOWN_M)):
-        gizmo.pull(axis, distance_m)
-        wait_until_at_rest(server, page, 0.8)
-    page.settle()
-    assert page.picture("pressing").count(arrow, scene, tolerance=40) > before + 300
-    shown = [field.input_value() for field in page.scene.locator("input").all()]
-    (force,) = [float(value.removesuffix(" N")) for value in shown if value.endswith(" N")]
-    assert force > 5.0
 
 
 @pytest.mark.slow

@@ -1,27 +1,29 @@
 """A replay in Chromium: started, paused, stepped, held, stopped, and its outcome."""
 
+from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
-from driver import KeyphasePage, Serve, Visit
+from driver import KeyphasePage
 
+from keyphase.web.replay_settings import ReplaySettings
 from keyphase.web.server import PageServer
 
 
 @pytest.fixture
-def server(folder: Path, serve: Serve) -> PageServer:
-    return serve(folder / "setup1.npz")
+def server(editor_server: PageServer) -> PageServer:
+    """Replays run at four times real time."""
+    editor_server.session.replay.configure(lambda _: ReplaySettings(speed=4.0))
+    return editor_server
 
 
 @pytest.fixture
-def page(server: PageServer, visit: Visit) -> KeyphasePage:
-    """The timeline with the idle segments dropped; replays run at four times real time."""
-    page = visit(server, scene=False)
-    page.wait_for_document()
-    page.change(lambda: page.press("i"))
-    server.session.replay.configure(lambda settings: replace(settings, speed=4.0))
-    return page
+def page(server: PageServer, editor: KeyphasePage) -> Iterator[KeyphasePage]:
+    """The timeline with the idle segments dropped."""
+    editor.change(lambda: editor.press("i"))
+    yield editor
+    server.session.replay.leave()
+    editor.until("keyphase.state.replay === null")
 
 
 def begin(page: KeyphasePage) -> None:
@@ -109,12 +111,14 @@ def test_the_result_stays_until_it_is_closed(page: KeyphasePage) -> None:
     assert page.page.locator("#plan .chip").count() == 3
 
 
-def test_its_recording_is_opened_from_the_result(page: KeyphasePage) -> None:
-    begin(page)
-    phase(page, "over")
-    page.page.get_by_role("button", name="Open its recording").click()
-    page.until("keyphase.state.document.name.includes('_replay')")
-    assert len(page.state("recordings")["items"]) == 2
+def test_its_recording_is_opened_from_the_result(timeline: KeyphasePage) -> None:
+    timeline.change(lambda: timeline.press("i"))
+    timeline.page.evaluate("() => keyphase.actions.replay.setSpeed(4)")
+    begin(timeline)
+    phase(timeline, "over")
+    timeline.page.get_by_role("button", name="Open its recording").click()
+    timeline.until("keyphase.state.document.name.includes('_replay')")
+    assert len(timeline.state("recordings")["items"]) == 2
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,9 @@ import { nearestEvidence, REACH_PX } from "./timeline/snapping.js";
 import { segmentAt } from "./timeline/hit.js";
 import { clampView, zoomView } from "./timeline/scale.js";
 
+/** So long after it was asked, what the server tells may not know of it yet. */
+const TOLD_BACK_MS = 500;
+
 /**
  * @param {import("./store.js").Store} store
  * @param {(message: import("./types.js").Message) => boolean} send
@@ -49,6 +52,10 @@ export function createActions(store, send, latency) {
   /** What all windows see; one that may only look keeps it to itself. */
   const share = (message) => !state.lookingOnly && send(message);
 
+  /** What was asked of the playhead lately: the next change follows it, told back already or not. */
+  let asked = { until: -Infinity, playhead: state.playhead };
+  const wanted = () => (performance.now() < asked.until ? asked.playhead : state.playhead);
+
   const actions = {
     send,
     open: (id) => send({ type: "open", id }),
@@ -61,15 +68,17 @@ export function createActions(store, send, latency) {
       share({ type: "seek", time_s: at });
     },
     play(change = {}) {
-      const { playing, speed, loop } = { ...state.playhead, ...change };
-      if (doc()) share({ type: "play", playing, speed, loop });
+      const playhead = { ...wanted(), ...change };
+      const { playing, speed, loop } = playhead;
+      if (!doc() || !share({ type: "play", playing, speed, loop })) return;
+      asked = { until: performance.now() + TOLD_BACK_MS, playhead };
     },
-    togglePlay: () => actions.play({ playing: !state.playhead.playing }),
-    toggleLoop: () => actions.play({ loop: !state.playhead.loop }),
+    togglePlay: () => actions.play({ playing: !wanted().playing }),
+    toggleLoop: () => actions.play({ loop: !wanted().loop }),
     setSpeed: (speed) => actions.play({ speed }),
     /** The next higher speed, or the next lower one. */
     changeSpeed(direction) {
-      const at = SPEEDS.indexOf(state.playhead.speed) + direction;
+      const at = SPEEDS.indexOf(wanted().speed) + direction;
       if (SPEEDS[at]) actions.setSpeed(SPEEDS[at]);
     },
     toStart: () => doc() && actions.goTo(doc().start_s),
