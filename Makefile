@@ -5,19 +5,24 @@ VENV := .venv
 BIN := $(VENV)/bin
 PICTURES := tests/pictures
 
-.PHONY: demo test check bench wheel clean
+.PHONY: demo test check bench wheel clean browser
+
+# The environment and the browser are installed at the same time.
+MAKEFLAGS += --jobs=2
 
 demo: $(VENV)/ready-to-run
 	$(BIN)/keyphase open data/setup1.npz
 
 # Processes are killed and a browser drawing in software is driven here: what a busy machine
 # upsets is tried again, and the summary says so. What is broken stays broken.
-test: $(VENV)/ready-to-test
-	sh tests/ensure_chromium.sh
+test: $(VENV)/ready-to-test browser
 	$(BIN)/ruff format --check --quiet app tests
 	$(BIN)/ruff check --quiet app tests
 	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --reruns 1 -m "not browser"
 	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --reruns 2 -m browser
+
+browser:
+	sh tests/ensure_chromium.sh
 
 check: $(VENV)/ready-to-test
 	$(BIN)/ruff format --check app tests
