@@ -65,8 +65,8 @@ class _Editor:
         self._before = page.page.evaluate(_AS_OPENED)
         return page
 
-    def put_away(self, page: KeyphasePage, recording: Path, again: bool) -> None:
-        """Close the recording, and the page unless it is as it was before and wanted `again`."""
+    def put_away(self, page: KeyphasePage, again: bool) -> None:
+        """Close all recordings, and the page unless it is as it was before and wanted `again`."""
         self._page = None
         try:
             page.press("Escape")
@@ -76,7 +76,8 @@ class _Editor:
             assert not page.errors
             self._page = page if again else None
         finally:
-            self.server.session.queue.remove(recording)
+            for one in self.server.session.queue.recordings:
+                self.server.session.queue.remove(one.path)
             if self._page is None:
                 page.close()
         if self._page:
@@ -106,7 +107,7 @@ def editor(
     recording = folder / "setup1.npz"
     page = _editor.open(recording)
     yield page
-    _editor.put_away(page, recording, again=not request.node.stash.get(_FAILED, False))
+    _editor.put_away(page, again=not request.node.stash.get(_FAILED, False))
 
 
 @pytest.fixture

@@ -14,13 +14,16 @@ from keyphase.segmentation import Segmenter
 
 
 @pytest.fixture
-def with_annas(folder: Path, serve: Serve, visit: Visit) -> KeyphasePage:
-    """The page on a recording that Anna has segmented, too."""
+def annas(folder: Path) -> None:
+    """Anna has segmented the recording, too, before it is opened."""
     _write_annas(folder / "setup1.npz", folder / "setup1.anna.segments.json")
-    page = visit(serve(folder / "setup1.npz"), scene=False)
-    page.wait_for_document()
-    page.until("keyphase.state.comparison")
-    return page
+
+
+@pytest.fixture
+def with_annas(annas: None, editor: KeyphasePage) -> KeyphasePage:
+    """The page on a recording that Anna has segmented, too."""
+    editor.until("keyphase.state.comparison")
+    return editor
 
 
 def _write_annas(recording: Path, path: Path) -> None:
@@ -39,19 +42,19 @@ def _write_annas(recording: Path, path: Path) -> None:
     write_segment_file(labeling, path)
 
 
-def test_compared_with_the_program_by_keys(timeline: KeyphasePage) -> None:
-    timeline.change(lambda: timeline.page.evaluate("() => keyphase.actions.addBoundary(0.6)"))
-    timeline.press("g")
-    timeline.page.locator(".other-segment").first.wait_for()
-    assert timeline.page.locator(".only-first").count() == 1
-    assert timeline.text("[data-gutter=comparison]").startswith("Program’s own F1 0.")
+def test_compared_with_the_program_by_keys(editor: KeyphasePage) -> None:
+    editor.change(lambda: editor.page.evaluate("() => keyphase.actions.addBoundary(0.6)"))
+    editor.press("g")
+    editor.page.locator(".other-segment").first.wait_for()
+    assert editor.page.locator(".only-first").count() == 1
+    assert editor.text("[data-gutter=comparison]").startswith("Program’s own F1 0.")
 
-    timeline.press("j")
-    timeline.until("Math.abs(keyphase.state.clock - 0.6) < 1e-6")
-    timeline.press("g")
-    timeline.until("!keyphase.state.comparison?.with")
-    timeline.settle()
-    assert timeline.page.locator(".other-segment").count() == 0
+    editor.press("j")
+    editor.until("Math.abs(keyphase.state.clock - 0.6) < 1e-6")
+    editor.press("g")
+    editor.until("!keyphase.state.comparison?.with")
+    editor.settle()
+    assert editor.page.locator(".other-segment").count() == 0
 
 
 def test_compared_with_another_person_by_mouse(with_annas: KeyphasePage) -> None:

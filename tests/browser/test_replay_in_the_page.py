@@ -111,14 +111,12 @@ def test_the_result_stays_until_it_is_closed(page: KeyphasePage) -> None:
     assert page.page.locator("#plan .chip").count() == 3
 
 
-def test_its_recording_is_opened_from_the_result(timeline: KeyphasePage) -> None:
-    timeline.change(lambda: timeline.press("i"))
-    timeline.page.evaluate("() => keyphase.actions.replay.setSpeed(4)")
-    begin(timeline)
-    phase(timeline, "over")
-    timeline.page.get_by_role("button", name="Open its recording").click()
-    timeline.until("keyphase.state.document.name.includes('_replay')")
-    assert len(timeline.state("recordings")["items"]) == 2
+def test_its_recording_is_opened_from_the_result(page: KeyphasePage) -> None:
+    begin(page)
+    phase(page, "over")
+    page.page.get_by_role("button", name="Open its recording").click()
+    page.until("keyphase.state.document.name.includes('_replay')")
+    assert len(page.state("recordings")["items"]) == 2
 
 
 @pytest.mark.parametrize(

@@ -24,75 +24,75 @@ def _drop(page: KeyphasePage, name: str, data: bytes) -> None:
     page.page.locator("body").evaluate(_DROP_ON, dropped)
 
 
-def test_a_dropped_recording_opens(timeline: KeyphasePage) -> None:
-    _drop(timeline, "setup2.npz", (shipped("data") / "setup2.npz").read_bytes())
-    timeline.until("keyphase.state.document.name === 'setup2'")
+def test_a_dropped_recording_opens(editor: KeyphasePage) -> None:
+    _drop(editor, "setup2.npz", (shipped("data") / "setup2.npz").read_bytes())
+    editor.until("keyphase.state.document.name === 'setup2'")
 
-    assert timeline.page.locator(".queue-row").count() == 2
-    assert timeline.page.locator("#drop-target").is_hidden()
+    assert editor.page.locator(".queue-row").count() == 2
+    assert editor.page.locator("#drop-target").is_hidden()
 
 
-def test_a_chosen_recording_opens_by_keys_alone(timeline: KeyphasePage, folder: Path) -> None:
+def test_a_chosen_recording_opens_by_keys_alone(editor: KeyphasePage, folder: Path) -> None:
     chosen = folder / "elsewhere" / "setup1.npz"
     chosen.parent.mkdir()
     chosen.write_bytes((folder / "synthetic_setup1.npz").read_bytes())
-    with timeline.page.expect_file_chooser() as chooser:
-        timeline.press("Control+o")
+    with editor.page.expect_file_chooser() as chooser:
+        editor.press("Control+o")
     chooser.value.set_files(chosen)
 
-    timeline.until("keyphase.state.document.name === 'setup1_2'")
+    editor.until("keyphase.state.document.name === 'setup1_2'")
     assert (folder / "setup1_2.npz").read_bytes() == chosen.read_bytes()
 
 
-def test_the_page_shows_where_files_can_be_dropped(timeline: KeyphasePage) -> None:
-    timeline.page.evaluate("""() => {
+def test_the_page_shows_where_files_can_be_dropped(editor: KeyphasePage) -> None:
+    editor.page.evaluate("""() => {
       const transfer = new DataTransfer();
       transfer.items.add(new File(["x"], "x.npz"));
       document.body.dispatchEvent(
         new DragEvent('dragover', { dataTransfer: transfer, bubbles: true, cancelable: true }));
     }""")
-    timeline.page.locator("#drop-target").wait_for()
-    timeline.picture("drop_target")
+    editor.page.locator("#drop-target").wait_for()
+    editor.picture("drop_target")
 
 
 @pytest.mark.parametrize("name", ["run.exe", "<img src=x onerror=alert(1)>.npz"])
 def test_what_is_no_recording_is_refused_with_the_reason(
-    timeline: KeyphasePage, folder: Path, name: str
+    editor: KeyphasePage, folder: Path, name: str
 ) -> None:
     before = {path.name for path in folder.iterdir()}
-    _drop(timeline, name, b"MZ")
-    timeline.page.locator(".notice.warning").wait_for()
-    timeline.picture("upload_refused")
+    _drop(editor, name, b"MZ")
+    editor.page.locator(".notice.warning").wait_for()
+    editor.picture("upload_refused")
 
     assert {path.name for path in folder.iterdir()} == before
-    assert timeline.page.locator(".queue-row").count() == 1
-    assert timeline.page.locator(".notice img").count() == 0
+    assert editor.page.locator(".queue-row").count() == 1
+    assert editor.page.locator(".notice img").count() == 0
 
 
-def test_after_a_refused_file_the_next_one_still_comes(timeline: KeyphasePage) -> None:
-    _drop(timeline, "run.exe", b"MZ")
-    _drop(timeline, "setup2.npz", (shipped("data") / "setup2.npz").read_bytes())
+def test_after_a_refused_file_the_next_one_still_comes(editor: KeyphasePage) -> None:
+    _drop(editor, "run.exe", b"MZ")
+    _drop(editor, "setup2.npz", (shipped("data") / "setup2.npz").read_bytes())
 
-    timeline.until("keyphase.state.document.name === 'setup2'")
+    editor.until("keyphase.state.document.name === 'setup2'")
 
 
-def test_a_dropped_segment_file_is_compared_at_once(timeline: KeyphasePage, folder: Path) -> None:
-    timeline.press("Control+s")
-    timeline.page.get_by_text("Written to").wait_for()
+def test_a_dropped_segment_file_is_compared_at_once(editor: KeyphasePage, folder: Path) -> None:
+    editor.press("Control+s")
+    editor.page.get_by_text("Written to").wait_for()
     written = (folder / "setup1.segments.json").read_bytes()
-    _drop(timeline, "anna.segments.json", written)
-    timeline.page.locator(".other-segment").first.wait_for()
+    _drop(editor, "anna.segments.json", written)
+    editor.page.locator(".other-segment").first.wait_for()
 
-    assert timeline.state("comparison")["with"] == "anna.segments.json"
-    assert timeline.state("comparison")["f1"] == 1.0
+    assert editor.state("comparison")["with"] == "anna.segments.json"
+    assert editor.state("comparison")["f1"] == 1.0
     assert (folder / "anna.segments.json").read_bytes() == written
 
 
-def test_a_recording_is_chosen_with_the_mouse(timeline: KeyphasePage) -> None:
-    with timeline.page.expect_file_chooser() as chooser:
-        timeline.page.locator("#add-recording").click()
+def test_a_recording_is_chosen_with_the_mouse(editor: KeyphasePage) -> None:
+    with editor.page.expect_file_chooser() as chooser:
+        editor.page.locator("#add-recording").click()
     chooser.value.set_files(shipped("data") / "setup2.npz")
-    timeline.until("keyphase.state.document.name === 'setup2'")
+    editor.until("keyphase.state.document.name === 'setup2'")
 
 
 def test_a_recording_dropped_over_the_scene_opens(setup1: KeyphasePage) -> None:
