@@ -25,8 +25,9 @@ def test_split_and_undo_and_redo(editor: KeyphasePage) -> None:
     editor.press(",")
     editor.press("Home")
     _play_until(editor, 0.3)
-    editor.change(lambda: editor.press("t"))
     editor.press("Space")
+    editor.until("!keyphase.state.playhead.playing")
+    editor.change(lambda: editor.press("t"))
     assert editor.segments.count() == before + 1
     editor.change(lambda: editor.press("Control+z"))
     assert editor.segments.count() == before

@@ -106,7 +106,14 @@ def test_the_panels_button_applies_parameters_to_all_by_clicks(
 def test_parameters_are_not_applied_where_a_person_thinks_better_of_it(two: KeyphasePage) -> None:
     two.change(lambda: two.page.evaluate("() => keyphase.actions.setThreshold(1e6, false, null)"))
     two.page.evaluate("() => keyphase.actions.spread('look')")
+    two.until("keyphase.state.spread?.items.length === 2")
+    told = two.state("spread")
     two.page.locator("#spread").get_by_role("button", name="Cancel").click()
+    two.until("keyphase.state.spread === null")
+    # What was under way comes late.
+    two.page.evaluate("spread => keyphase.store.set({ spread })", told)
+    two.settle()
+    assert two.page.locator("#spread").is_hidden()
     _open(two, "synthetic_setup1")
 
     assert two.document["parameters"]["force_threshold"] is None

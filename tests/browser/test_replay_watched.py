@@ -71,9 +71,8 @@ def test_pulled_aside_by_the_gizmo_it_waits_and_goes_on(
     server: PageServer, page: KeyphasePage
 ) -> None:
     page.scene.locator("input[type=checkbox]:visible").last.check()
-    button(page, "Run").click()
-    page.until("keyphase.state.replay?.current === 1 && keyphase.state.samples")
-    steer(page, "Pause")
+    button(page, "Step").click()
+    page.until("keyphase.state.replay?.current === 1")
     phase(page, "paused")
     Gizmo(server, page, GIZMO_M).hold(SIDEWAYS, PULLED_M)
     page.page.evaluate("() => keyphase.actions.replay.toggle()")

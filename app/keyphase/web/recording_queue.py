@@ -45,6 +45,7 @@ class RecordingQueue:
         self.current: str | None = None
         self.may_look: Callable[[], bool] = lambda: True
         self._numbers = itertools.count(len(self.recordings) + 1)
+        self._previews = itertools.count(1)
         self._library = library
         self._telling = telling
         self._on_open = on_open
@@ -91,7 +92,7 @@ class RecordingQueue:
 
         One recording after another, so that others can be opened meanwhile.
         """
-        self._preview = _Preview(opened.parameters, self._beside(opened))
+        self._preview = _Preview(next(self._previews), opened.parameters, self._beside(opened))
         self._telling.all(self._preview.message())
         self._worker.submit(self._preview_next, "preview")
 
@@ -259,8 +260,9 @@ class RecordingQueue:
 
 @dataclass(frozen=True)
 class _Preview:
-    """What parameters would do to recordings, as far as that is known."""
+    """What parameters would do to recordings, as far as that is known; they are numbered."""
 
+    number: int
     parameters: Parameters
     recordings: tuple[Recording, ...]
     items: tuple[dict[str, Any], ...] = ()
@@ -274,7 +276,8 @@ class _Preview:
         return self.recordings[len(self.items)]
 
     def message(self) -> dict[str, Any]:
-        return {"type": "spread", "total": len(self.recordings), "items": list(self.items)}
+        items = list(self.items)
+        return {"type": "spread", "look": self.number, "total": len(self.recordings), "items": items}
 
 
 def _as_json(change: Change) -> dict[str, Any]:

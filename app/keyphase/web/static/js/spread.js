@@ -17,18 +17,24 @@ export function createSpread(store, actions) {
   dialog.append(el("h2", { text: "Apply these parameters to all recordings" }), summary,
     el("div", { class: "spread-progress" }, bar), rows, el("div", { class: "buttons" }, apply, cancel));
   dialog.addEventListener("click", ({ target }) => target === dialog && dialog.close());
+  // What was under way when a person left is still told afterwards.
+  let left = 0;
   dialog.addEventListener("close", () => {
-    if (store.state.spread) actions.spread("leave");
+    if (store.state.spread) {
+      left = store.state.spread.look;
+      actions.spread("leave");
+    }
     store.set({ spread: null });
   });
   apply.addEventListener("click", () => {
+    left = store.state.spread?.look ?? left;
     store.set({ spread: null });
     dialog.close();
     actions.spread("apply");
   });
 
   store.on(["spread"], ({ spread, recordings: { current }, lookingOnly }) => {
-    if (!spread || lookingOnly) return dialog.open && dialog.close();
+    if (!spread || spread.look <= left || lookingOnly) return dialog.open && dialog.close();
     const { items, total } = spread;
     const isWhole = items.length === total;
     summary.textContent = isWhole ? outcome(items) : `Trying them on ${plural(total, "recording")}: ${items.length} done.`;
