@@ -2,6 +2,7 @@
 
 import shutil
 from collections.abc import Generator, Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -48,26 +49,24 @@ _AS_OPENED = """() => {
 class _Editor:
     """A server without a folder of its own, and a page of it that stays open."""
 
-    def __init__(self, chromium: Browser, folder: Path) -> None:
+    def __init__(self, chromium: Browser, folder: Path, size: tuple[int, int], scene: bool) -> None:
         self.server = PageServer([], folder=folder)
-        self._chromium = chromium
+        self._new = partial(_opened, chromium, self.server, size, dark=False, scene=scene)
         self._page: KeyphasePage | None = None
         self._before = ""
 
     def open(self, recording: Path) -> KeyphasePage:
-        page = self._page or _opened(
-            self._chromium, self.server, (1920, 1080), dark=False, scene=False
-        )
-        self._page = page
+        page = self._page = self._page or self._new()
         self.server.session.queue.add(recording)
         page.until("keyphase.state.recordings?.items.length === 1")
         page.wait_for_document()
         self._before = page.page.evaluate(_AS_OPENED)
         return page
 
-    def put_away(self, page: KeyphasePage, again: bool) -> None:
+    def put_away(self, again: bool) -> None:
         """Close all recordings, and the page unless it is as it was before and wanted `again`."""
-        self._page = None
+        page, self._page = self._page, None
+        assert page
         try:
             page.press("Escape")
             page.page.mouse.move(0, 0)
@@ -91,7 +90,14 @@ class _Editor:
 
 @pytest.fixture(scope="session")
 def _editor(chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[_Editor]:
-    editor = _Editor(chromium, tmp_path_factory.mktemp("editor"))
+    editor = _Editor(chromium, tmp_path_factory.mktemp("editor"), (1920, 1080), scene=False)
+    yield editor
+    editor.close()
+
+
+@pytest.fixture(scope="session")
+def _scene_editor(chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[_Editor]:
+    editor = _Editor(chromium, tmp_path_factory.mktemp("editor"), (1280, 720), scene=True)
     yield editor
     editor.close()
 
@@ -104,10 +110,17 @@ def editor(
 
     The page stays open from one of them to the next, unless one fails; the recording is a new one.
     """
-    recording = folder / "setup1.npz"
-    page = _editor.open(recording)
-    yield page
-    _editor.put_away(page, again=not request.node.stash.get(_FAILED, False))
+    yield _editor.open(folder / "setup1.npz")
+    _editor.put_away(again=not request.node.stash.get(_FAILED, False))
+
+
+@pytest.fixture
+def scene_editor(
+    request: pytest.FixtureRequest, _scene_editor: _Editor, folder: Path
+) -> Iterator[KeyphasePage]:
+    """The same like `setup1`, for tests that leave camera, panel and what is shown as they are."""
+    yield _scene_editor.open(folder / "setup1.npz")
+    _scene_editor.put_away(again=not request.node.stash.get(_FAILED, False))
 
 
 @pytest.fixture

@@ -77,17 +77,17 @@ def test_names_follow_the_camera(setup1: KeyphasePage) -> None:
 
 
 def test_a_click_on_a_name_selects_its_segment_and_names_are_hidden_and_shown_again(
-    setup1: KeyphasePage,
+    scene_editor: KeyphasePage,
 ) -> None:
-    setup1.wait_for_scene()
-    setup1.page.locator("#names .name", has_text="5 Slide").click()
-    setup1.until("keyphase.state.selected === 4")
-    setup1.page.locator("#names .name.selected", has_text="5 Slide").wait_for()
+    scene_editor.wait_for_scene()
+    scene_editor.page.locator("#names .name", has_text="5 Slide").click()
+    scene_editor.until("keyphase.state.selected === 4")
+    scene_editor.page.locator("#names .name.selected", has_text="5 Slide").wait_for()
     for visible, state in ((False, "hidden"), (True, "visible")):
-        setup1.page.evaluate(
+        scene_editor.page.evaluate(
             "visible => keyphase.socket.send({ type: 'show', what: 'labels', visible })", visible
         )
-        setup1.page.locator("#names").wait_for(state=state)
+        scene_editor.page.locator("#names").wait_for(state=state)
 
 
 def test_names_never_cover_each_other_nor_leave_the_scene(editor: KeyphasePage) -> None:

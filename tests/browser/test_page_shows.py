@@ -15,12 +15,14 @@ def test_as_many_bands_as_segments_in_their_colors(editor: KeyphasePage) -> None
         assert picture.count(SEGMENT_COLORS[color], band) > 500
 
 
-def test_segments_have_their_colors_on_the_trajectory_too(setup1: KeyphasePage) -> None:
-    setup1.wait_for_scene()
-    picture = setup1.picture("setup1_scene")
-    whole = setup1.box("#viser")
+def test_segments_have_their_colors_on_the_trajectory_too(scene_editor: KeyphasePage) -> None:
+    scene_editor.wait_for_scene()
+    picture = scene_editor.picture("setup1_scene")
+    whole = scene_editor.box("#viser")
     scene = Box(whole.x, whole.y, whole.width - PANEL_WIDTH, whole.height)
-    moving = [one for one in setup1.document["segments"] if one["label"][:4] in ("Move", "Slid")]
+    moving = [
+        one for one in scene_editor.document["segments"] if one["label"][:4] in ("Move", "Slid")
+    ]
     assert len(moving) == 3
     for segment in moving:
         assert picture.count_hue(SEGMENT_COLORS[segment["color"]], scene) > 100

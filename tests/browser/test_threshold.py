@@ -63,36 +63,36 @@ def test_what_would_come_or_go_is_shown_until_the_line_is_let_go(editor: Keyphas
 
 
 def test_the_panels_slider_moves_the_line_and_recolors_the_trajectory(
-    setup1: KeyphasePage,
+    scene_editor: KeyphasePage,
 ) -> None:
-    setup1.wait_for_scene()
-    before = setup1.picture("slider_before")
-    segments = setup1.segments.count()
-    height = drawn_height(setup1, before)
-    middle = setup1.threshold_slider()
-    setup1.drag(middle, (middle[0] + 130, middle[1]), steps=6)
-    setup1.until("keyphase.state.document.boundaries.every(b => !b.contact_change)")
-    setup1.settle()
-    setup1.wait_for_scene()
-    after = setup1.picture("slider_after")
-    assert drawn_height(setup1, after) < height - 10
-    assert setup1.segments.count() == len(setup1.document["segments"])
-    if setup1.segments.count() != segments:
-        view, color = setup1.box("#viser"), SEGMENT_COLORS[2]
+    scene_editor.wait_for_scene()
+    before = scene_editor.picture("slider_before")
+    segments = scene_editor.segments.count()
+    height = drawn_height(scene_editor, before)
+    middle = scene_editor.threshold_slider()
+    scene_editor.drag(middle, (middle[0] + 130, middle[1]), steps=6)
+    scene_editor.until("keyphase.state.document.boundaries.every(b => !b.contact_change)")
+    scene_editor.settle()
+    scene_editor.wait_for_scene()
+    after = scene_editor.picture("slider_after")
+    assert drawn_height(scene_editor, after) < height - 10
+    assert scene_editor.segments.count() == len(scene_editor.document["segments"])
+    if scene_editor.segments.count() != segments:
+        view, color = scene_editor.box("#viser"), SEGMENT_COLORS[2]
         assert before.count_hue(color, view) != after.count_hue(color, view)
 
 
-def test_dragging_the_line_moves_the_panels_value(setup1: KeyphasePage) -> None:
-    scene = setup1.wait_for_scene()
-    row = setup1.row("error")
+def test_dragging_the_line_moves_the_panels_value(scene_editor: KeyphasePage) -> None:
+    scene = scene_editor.wait_for_scene()
+    row = scene_editor.row("error")
     x = row.x + 0.5 * row.width
-    target = line_height(setup1) - 25
-    wanted = setup1.page.evaluate(
-        "y => keyphase.timeline.errorAt(y)", target - setup1.box(".surface").y
+    target = line_height(scene_editor) - 25
+    wanted = scene_editor.page.evaluate(
+        "y => keyphase.timeline.errorAt(y)", target - scene_editor.box(".surface").y
     )
-    setup1.drag((x, line_height(setup1)), (x, target))
-    setup1.until(f"Math.abs(keyphase.state.document.threshold / {wanted} - 1) < 0.05")
-    threshold = setup1.document["parameters"]["force_threshold"]
+    scene_editor.drag((x, line_height(scene_editor)), (x, target))
+    scene_editor.until(f"Math.abs(keyphase.state.document.threshold / {wanted} - 1) < 0.05")
+    threshold = scene_editor.document["parameters"]["force_threshold"]
     scene.wait_for_function(
         """wanted => [...document.querySelectorAll('input')].some(
              field => Math.abs(Number(field.value) - wanted) <= 0.01 * wanted)""",
@@ -114,28 +114,28 @@ _FOCUS_NUMBER = """wanted => [...document.querySelectorAll('input')].find(
   field => Math.abs(Number(field.value) / wanted - 1) < 0.01).focus()"""
 
 
-def test_the_threshold_is_typed_and_given_back_by_keys_alone(setup1: KeyphasePage) -> None:
-    scene = setup1.wait_for_scene()
-    automatic = setup1.document["threshold"]
+def test_the_threshold_is_typed_and_given_back_by_keys_alone(scene_editor: KeyphasePage) -> None:
+    scene = scene_editor.wait_for_scene()
+    automatic = scene_editor.document["threshold"]
     scene.evaluate(_FOCUS_NUMBER, automatic)
-    setup1.press("Control+a")
-    setup1.page.keyboard.type("5000")
-    setup1.press("Enter")
-    setup1.until("keyphase.state.document.parameters.force_threshold === 5000")
-    assert contacts(setup1) == 0
+    scene_editor.press("Control+a")
+    scene_editor.page.keyboard.type("5000")
+    scene_editor.press("Enter")
+    scene_editor.until("keyphase.state.document.parameters.force_threshold === 5000")
+    assert contacts(scene_editor) == 0
 
-    setup1.page.locator("#help").focus()
-    setup1.press("Control+k")
-    setup1.page.keyboard.type("threshold back")
-    setup1.press("Enter")
-    setup1.until("keyphase.state.document.parameters.force_threshold === null")
-    assert setup1.document["threshold"] == automatic
+    scene_editor.page.locator("#help").focus()
+    scene_editor.press("Control+k")
+    scene_editor.page.keyboard.type("threshold back")
+    scene_editor.press("Enter")
+    scene_editor.until("keyphase.state.document.parameters.force_threshold === null")
+    assert scene_editor.document["threshold"] == automatic
 
 
-def test_the_panels_button_gives_all_parameters_back(setup1: KeyphasePage) -> None:
-    scene = setup1.wait_for_scene()
-    setup1.change(
-        lambda: setup1.page.evaluate("() => keyphase.actions.setThreshold(5000, false, null)")
+def test_the_panels_button_gives_all_parameters_back(scene_editor: KeyphasePage) -> None:
+    scene = scene_editor.wait_for_scene()
+    scene_editor.change(
+        lambda: scene_editor.page.evaluate("() => keyphase.actions.setThreshold(5000, false, null)")
     )
-    setup1.change(lambda: scene.get_by_role("button", name="Reset to automatic").click())
-    assert setup1.document["parameters"]["force_threshold"] is None
+    scene_editor.change(lambda: scene.get_by_role("button", name="Reset to automatic").click())
+    assert scene_editor.document["parameters"]["force_threshold"] is None
