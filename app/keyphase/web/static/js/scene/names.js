@@ -10,7 +10,7 @@ import { segmentFill } from "../timeline/band.js";
 import { glyphIcon } from "../timeline/glyphs.js";
 import { projection, viserIn } from "./projection.js";
 import { placed } from "./placing.js";
-import { forceNow, skillNames } from "./replay_names.js";
+import { forceName, forceNow, skillNames } from "./replay_names.js";
 
 /** With more names than this only the selected segment is named. */
 const MOST = 10;
@@ -96,12 +96,6 @@ export function createNames(store, actions, inside) {
   store.later(["samples"], forceChanged);
   store.later(["dark"], place);
   setInterval(look, LOOK_MS);
-}
-
-/** The measured force, before anything was measured. @returns {Named} */
-function forceName() {
-  const color = "var(--origin-force)";
-  return { at: [0, 0, 0], color, title: "Measured force", isSelected: false, mark: el("i", { style: { background: color } }), text: "" };
 }
 
 /** What is to be named. @param {import("../types.js").Doc} doc @returns {Named[]} */

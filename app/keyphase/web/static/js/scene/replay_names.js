@@ -28,6 +28,13 @@ export function skillNames({ skills, current }) {
   });
 }
 
+/** The measured force, before anything was measured. @returns {import("./names.js").Named} */
+export function forceName() {
+  const color = "var(--origin-force)";
+  const mark = el("i", { style: { background: color } });
+  return { at: [0, 0, 0], color, title: "Measured force", isSelected: false, mark, text: "" };
+}
+
 /**
  * The force's size at the tip of its arrow; null where the scene draws none.
  * @param {any} replay the `replay` message
