@@ -277,7 +277,12 @@ class _Preview:
 
     def message(self) -> dict[str, Any]:
         items = list(self.items)
-        return {"type": "spread", "look": self.number, "total": len(self.recordings), "items": items}
+        return {
+            "type": "spread",
+            "look": self.number,
+            "total": len(self.recordings),
+            "items": items,
+        }
 
 
 def _as_json(change: Change) -> dict[str, Any]:
