@@ -18,8 +18,8 @@ demo: $(VENV)/ready-to-run
 test: $(VENV)/ready-to-test browser
 	$(BIN)/ruff format --check --quiet app tests
 	$(BIN)/ruff check --quiet app tests
-	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --reruns 1 -m "not browser"
-	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --reruns 2 -m browser
+	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist worksteal --reruns 1 -m "not browser"
+	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist worksteal --reruns 2 -m browser
 
 browser:
 	sh tests/ensure_chromium.sh

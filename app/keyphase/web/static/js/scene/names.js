@@ -5,6 +5,7 @@
  */
 
 import { byId, el, svg } from "../dom.js";
+import { sceneFrames } from "../scene.js";
 import { time as timeText } from "../format.js";
 import { segmentFill } from "../timeline/band.js";
 import { glyphIcon } from "../timeline/glyphs.js";
@@ -17,8 +18,8 @@ const MOST = 10;
 /** The node the server shows and hides for all names, and the one that holds a replay. */
 const NODE = "/labels";
 const REPLAY_NODE = "/replay";
-/** The force of a replay is told again no more often than this. */
-const FORCE_EVERY_MS = 100;
+/** The force of a replay is told again after so many frames of the scene. */
+const FORCE_EVERY_FRAMES = 2;
 /** How often we look whether viser has started, and whether it still shows that node. */
 const LOOK_MS = 250;
 
@@ -38,7 +39,7 @@ export function createNames(store, actions, inside) {
   let names = [];
   /** @type {Name|null} the last of the names in a replay */
   let force = null;
-  let toldForce = -Infinity;
+  let drawnBefore = 0;
   let followed = null;
 
   function build() {
@@ -69,14 +70,15 @@ export function createNames(store, actions, inside) {
   }
 
   function tellForce() {
-    toldForce = performance.now();
+    drawnBefore = sceneFrames() ?? 0;
     const now = forceNow(store.state.replay, store.state.samples);
     force.at = now?.at ?? null;
     if (now) force.plate.lastChild.textContent = now.text;
   }
 
+  /** With the arrow, which is drawn by the scene: in between, all under the plates would be drawn again. */
   function forceChanged() {
-    if (!force || performance.now() - toldForce < FORCE_EVERY_MS) return;
+    if (!force || (sceneFrames() ?? 0) < drawnBefore + FORCE_EVERY_FRAMES) return;
     tellForce();
     place();
   }
