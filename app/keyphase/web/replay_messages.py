@@ -18,9 +18,9 @@ from keyphase.simulation.replay_result import (
 )
 from keyphase.skills.skill import Skill, drawn, until
 from keyphase.web.document_message import short_labels
+from keyphase.web.force_arrow import force_arrow_message
 from keyphase.web.polyline import Polyline
 from keyphase.web.recordings import Recording
-from keyphase.web.replay_arrow import force_arrow_message
 from keyphase.web.replay_plan import PlannedSkill, ReplayPlan
 from keyphase.web.replay_run import ReplayRun
 from keyphase.web.replay_settings import ReplaySettings

@@ -14,10 +14,10 @@ import viser
 from keyphase.demonstration import Array
 from keyphase.simulation.replay_result import Frame, ReplayResult, ReplayState
 from keyphase.simulation.replay_skill import STEP_S
+from keyphase.web.force_arrow import ForceArrow
 from keyphase.web.lent_yumi import LentYumi
 from keyphase.web.part_figures import PartFigures
 from keyphase.web.recordings import printable
-from keyphase.web.replay_arrow import ForceArrow
 from keyphase.web.replay_exports import write_page
 from keyphase.web.replay_messages import middle_of_skill, path_of_skill
 from keyphase.web.replay_paths import ReplayPaths

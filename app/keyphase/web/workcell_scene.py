@@ -9,15 +9,14 @@ from keyphase.robot.pose import Placement
 from keyphase.robot.yumi import yumi
 from keyphase.simulation.lead_through import LeadThroughState
 from keyphase.simulation.shapes import Shape
+from keyphase.web.force_arrow import ForceArrow
 from keyphase.web.lead_through_session import (
     LeadThroughSession,
     LeadThroughStatus,
     LeadThroughView,
 )
 from keyphase.web.opened import Opened
-from keyphase.web.palette import LIGHT, Rgb, painted
 from keyphase.web.part_figures import PartFigures
-from keyphase.web.path_geometry import METRES_PER_NEWTON
 from keyphase.web.robot_figure import RobotFigure
 from keyphase.web.robot_view import RobotView
 from keyphase.web.scene import Scene
@@ -27,14 +26,7 @@ ROOT = "/workcell"
 GIZMO = f"{ROOT}/gizmo"
 GIZMO_M = 0.14
 
-LEAST_FORCE_N = 0.6
-"""What the sensor reads in free space is not drawn."""
-
 _SEEN_M = 0.42
-_BESIDE_M = np.array([0.055, 0.0, 0.0])
-"""The arrow stands in front of the gripper, which would hide it."""
-
-_ARROW: Rgb = painted(LIGHT.origins["force"])
 
 
 class WorkcellCloser(View):
@@ -66,7 +58,7 @@ class WorkcellScene(LeadThroughView):
         self._own_figure: RobotFigure | None = None
         self._figure: RobotFigure | None = None
         self._parts: PartFigures | None = None
-        self._arrow: viser.ArrowsHandle | None = None
+        self._arrow: ForceArrow | None = None
         self._gizmo: viser.TransformControlsHandle | None = None
 
     def show_workcell(self, status: LeadThroughStatus, shapes: tuple[Shape, ...]) -> None:
@@ -79,7 +71,7 @@ class WorkcellScene(LeadThroughView):
             self._figure = self._lent_figure()
             self._figure.stand(Placement())
             self._figure.visible = True
-            self._arrow = self._add_arrow()
+            self._arrow = ForceArrow(self._server, ROOT)
             self._gizmo = self._add_gizmo(state)
             self._draw(state)
             self._scene.cover(state.parts["housing"][0] + [0.0, 0.0, 0.1], _SEEN_M)
@@ -119,23 +111,7 @@ class WorkcellScene(LeadThroughView):
         sample = state.sample
         self._figure.pose(self._arm.robot, sample.joints_rad)
         self._parts.pose(state.parts)
-        size = float(np.linalg.norm(sample.force_N))
-        self._arrow.visible = size >= LEAST_FORCE_N
-        if size >= LEAST_FORCE_N:
-            start = sample.position_m + _BESIDE_M
-            tip = start + METRES_PER_NEWTON * sample.force_N
-            self._arrow.points = np.array([[start, tip]], np.float32)
-
-    def _add_arrow(self) -> viser.ArrowsHandle:
-        return self._server.scene.add_arrows(
-            f"{ROOT}/force",
-            np.array([[[0.0, 0.0, 0.0], [0.0, 0.0, 0.01]]], np.float32),
-            np.array(_ARROW, np.uint8),
-            shaft_radius=0.004,
-            head_radius=0.009,
-            head_length=0.02,
-            visible=False,
-        )
+        self._arrow.show(sample.position_m, sample.force_N)
 
     def _add_gizmo(self, state: LeadThroughState) -> viser.TransformControlsHandle:
         gizmo = self._server.scene.add_transform_controls(

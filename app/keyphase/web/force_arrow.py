@@ -1,4 +1,4 @@
-"""The measured force in the scene of a replay: an arrow beside the gripper."""
+"""The measured force in the scene of a workcell: an arrow beside the gripper."""
 
 import numpy as np
 import viser
@@ -7,7 +7,7 @@ from keyphase.demonstration import Array
 from keyphase.web.palette import LIGHT, Rgb, painted
 from keyphase.web.path_geometry import METRES_PER_NEWTON
 
-LEAST_FORCE_N = 0.4
+LEAST_FORCE_N = 0.6
 """What the sensor reads in free space is not drawn."""
 
 BESIDE_M = (0.055, 0.0, 0.0)
