@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from keyphase.batch import segment_all
+from keyphase.commands.batch import segment_all
 from keyphase.demonstration import Demonstration
 from keyphase.errors import KeyphaseError, ParameterError, SegmentFileError
 from keyphase.labeling.segment_file import read_segment_file

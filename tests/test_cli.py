@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from keyphase.cli import main
-from keyphase.shipped import shipped
+from keyphase.files.shipped import shipped
 
 
 def keyphase(*arguments: object) -> int:

@@ -40,7 +40,7 @@ def test_every_make_target_of_the_readme_exists() -> None:
 def test_readme_example_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     import shutil
 
-    from keyphase.shipped import shipped
+    from keyphase.files.shipped import shipped
 
     shutil.copy(shipped("data") / "setup1.npz", tmp_path)
     monkeypatch.chdir(tmp_path)

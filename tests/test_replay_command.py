@@ -7,8 +7,8 @@ from xml.etree import ElementTree
 import pytest
 
 from keyphase.cli import main
+from keyphase.files.shipped import shipped
 from keyphase.readers import read
-from keyphase.shipped import shipped
 from keyphase.skills.skill_file import read_skills
 
 

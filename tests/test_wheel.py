@@ -50,7 +50,7 @@ def run(installed: Path, *arguments: object, cwd: Path) -> str:
 
 def test_wheel_holds_the_shipped_recordings_and_robots(installed: Path, tmp_path: Path) -> None:
     code = (
-        "from keyphase.shipped import shipped;"
+        "from keyphase.files.shipped import shipped;"
         "print(*sorted(p.name for p in shipped('data').iterdir()));"
         "print(*sorted(p.name for p in shipped('static_robots').iterdir()))"
     )

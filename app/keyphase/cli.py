@@ -12,8 +12,8 @@ from typing import Annotated
 import tyro
 
 from keyphase import __version__
+from keyphase.commands.replay import ReplaySegments
 from keyphase.errors import KeyphaseError
-from keyphase.replay_command import ReplaySegments
 from keyphase.segmentation.parameters import Parameters
 
 _Paths = tyro.conf.Positional[tuple[Path, ...]]
@@ -83,7 +83,7 @@ class SegmentRecordings:
             raise KeyphaseError("Name at least one recording or folder to segment.")
         from tqdm import tqdm
 
-        from keyphase.batch import segment_all
+        from keyphase.commands.batch import segment_all
 
         with tqdm(unit="recording", disable=None) as bar:
 

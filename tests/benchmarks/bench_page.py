@@ -23,7 +23,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "browser"))
 from chromium import chromium_browser
 from driver import KeyphasePage
 
-from keyphase.shipped import shipped
+from keyphase.files.shipped import shipped
 from keyphase.web.server import PageServer
 from long_recording import write_long
 

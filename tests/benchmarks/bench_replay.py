@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "simulation"))
 from replaying import NAMES, begun, bundled, plan
 
 from keyphase.simulation import Simulation, workcell
-from keyphase.simulation.replay import run
+from keyphase.simulation.replay.replay import run
 from keyphase.skills.library import skills_of
 
 REPLAYED_S = 10.0

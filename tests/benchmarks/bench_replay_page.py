@@ -18,10 +18,10 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "browser"))
 from chromium import chromium_browser
 from driver import KeyphasePage
 
-from keyphase.shipped import shipped
-from keyphase.web.replay_run import Tick
-from keyphase.web.replay_view import ReplayView, Running
+from keyphase.files.shipped import shipped
+from keyphase.web.scene.replay_view import ReplayView, Running
 from keyphase.web.server import PageServer
+from keyphase.workbench.replay_run import Tick
 
 WINDOW_S = 0.5
 MOST_JITTER = 0.05

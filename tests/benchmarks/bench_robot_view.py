@@ -25,7 +25,7 @@ from websockets.typing import Subprotocol
 sys.path.insert(0, str(Path(__file__).parents[1] / "web"))
 from talking import PageClient, cookie
 
-from keyphase.shipped import shipped
+from keyphase.files.shipped import shipped
 from keyphase.web.server import PageServer
 
 UPDATES = 600

@@ -30,7 +30,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "web"))
 from serving import Served, serving
 from talking import CAMERA, PageClient, visers_socket
 
-from keyphase.shipped import shipped
+from keyphase.files.shipped import shipped
 
 MOST_MS = 100.0
 MOST_ROUNDS = 200

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from keyphase.simulation import RATE_HZ, record, workcell
-from keyphase.simulation.lead_through import LeadThrough
-from keyphase.simulation.operator import hand_path
-from keyphase.simulation.recording import lead, settle
+from keyphase.simulation.demonstrating.lead_through import LeadThrough
+from keyphase.simulation.demonstrating.operator import hand_path
+from keyphase.simulation.demonstrating.recording import lead, settle
 
 NAMES = ["setup1", "setup2"]
 BUILT_WITHIN_S = 0.2

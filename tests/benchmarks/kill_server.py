@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "web"))
 from killing_server import Aftermath, kill_once
 from serving import Serving, many_servings
 
-from keyphase.shipped import shipped
+from keyphase.files.shipped import shipped
 
 
 def main() -> int:

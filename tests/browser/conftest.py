@@ -10,8 +10,8 @@ from chromium import chromium_browser
 from driver import KeyphasePage, Serve, Visit
 from playwright.sync_api import Browser, Route
 
+from keyphase.files.shipped import shipped
 from keyphase.readers import find_recordings
-from keyphase.shipped import shipped
 from keyphase.web.server import PageServer
 
 

@@ -9,8 +9,8 @@ from gizmo import Gizmo
 
 from keyphase.readers import read
 from keyphase.segmentation import segment
+from keyphase.web.scene.workcell_scene import GIZMO_M
 from keyphase.web.server import PageServer
-from keyphase.web.workcell_scene import GIZMO_M
 
 FORWARD, FORWARD_M = np.array([1.0, 0.0, 0.0]), 0.12
 DOWN, DOWN_M = np.array([0.0, 0.0, -1.0]), 0.115

@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 from driver import KeyphasePage
 
-from keyphase.web.replay_settings import ReplaySettings
 from keyphase.web.server import PageServer
+from keyphase.workbench.replay_settings import ReplaySettings
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from driver import KeyphasePage
 
-from keyphase.shipped import shipped
+from keyphase.files.shipped import shipped
 
 _DROP_ON = """(node, { name, data }) => {
   const bytes = Uint8Array.from(atob(data), letter => letter.charCodeAt(0));

@@ -26,10 +26,10 @@ from keyphase.labeling.edits import (
     Remove,
     Reset,
 )
-from keyphase.labeling.journal import Journal
 from keyphase.labeling.label import label
 from keyphase.labeling.segment_file import schema
 from keyphase.labeling.segment_file_content import segment_file_content
+from keyphase.labeling.storage.journal import Journal
 from keyphase.segmentation.parameters import Parameters
 
 anywhere = st.floats(-0.5, 10.5, allow_nan=False)

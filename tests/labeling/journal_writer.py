@@ -15,8 +15,8 @@ from handmade import demonstration, described, segmentation
 
 from keyphase.errors import LabelingError
 from keyphase.labeling.edits import Accept, Add, Keep, Label, Merge, Move, Plan, Remove
-from keyphase.labeling.journal import Journal
 from keyphase.labeling.label import label
+from keyphase.labeling.storage.journal import Journal
 from keyphase.segmentation.parameters import Parameters
 
 

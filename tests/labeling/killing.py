@@ -10,7 +10,7 @@ from pathlib import Path
 from handmade import demonstration
 from journal_writer import digest
 
-from keyphase.labeling.journal import Journal
+from keyphase.labeling.storage.journal import Journal
 
 _WRITER = Path(__file__).with_name("journal_writer.py")
 

@@ -11,11 +11,11 @@ import pytest
 from handmade import Person, demonstration, labels, segmentation, times
 
 from keyphase.errors import JournalError
-from keyphase.labeling import state_folder
 from keyphase.labeling.edits import Add, BringBack, Label, Move, Remove
-from keyphase.labeling.journal import Journal, journal_path, summarize
 from keyphase.labeling.label import label
-from keyphase.labeling.records import encode
+from keyphase.labeling.storage import state_folder
+from keyphase.labeling.storage.journal import Journal, journal_path, summarize
+from keyphase.labeling.storage.records import encode
 from keyphase.segmentation.parameters import Parameters
 
 
@@ -132,7 +132,7 @@ def test_whoever_comes_after_the_writer_may_write(demo):
 def test_the_lock_of_a_killed_writer_does_not_stay(demo):
     program = (
         "import os, sys; sys.path.insert(0, sys.argv[2]); from pathlib import Path;"
-        "from handmade import demonstration; from keyphase.labeling.journal import Journal;"
+        "from handmade import demonstration; from keyphase.labeling.storage.journal import Journal;"
         "journal = Journal(demonstration(path=Path(sys.argv[1])));"
         "print(journal.read_only, flush=True); sys.stdin.read()"
     )

@@ -3,7 +3,7 @@
 import pytest
 
 from keyphase.errors import JournalError, LabelingError
-from keyphase.labeling.folder_settings import (
+from keyphase.labeling.storage.folder_settings import (
     FolderSettings,
     read_folder_settings,
     write_folder_settings,

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 import trimesh
 
-from keyphase.shipped import shipped
+from keyphase.files.shipped import shipped
 
 FOLDER = shipped("static_robots") / "yumi"
 

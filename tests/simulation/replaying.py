@@ -8,16 +8,16 @@ from types import MappingProxyType
 import numpy as np
 
 from keyphase.demonstration import Demonstration
+from keyphase.files.shipped import shipped
 from keyphase.labeling.edits import Edit
 from keyphase.labeling.label import label
 from keyphase.labeling.labeling import LabeledSegment
 from keyphase.readers import read
 from keyphase.segmentation import Segmentation, Segmenter
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
-from keyphase.shipped import shipped
 from keyphase.simulation import NOMINAL, Disturbance, workcell
-from keyphase.simulation.replay import Replay, ReplayOptions, run
-from keyphase.simulation.replay_result import ReplayResult
+from keyphase.simulation.replay.replay import Replay, ReplayOptions, run
+from keyphase.simulation.replay.result import ReplayResult
 from keyphase.skills.connecting import minimum_jerk
 from keyphase.skills.library import skills_of
 

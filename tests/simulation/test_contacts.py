@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 
 from keyphase.simulation import Reference, Simulation
-from keyphase.simulation.setup1 import SETUP1
+from keyphase.simulation.workcells.setup1 import SETUP1
 
 DOWN_M_S = 0.05
 

@@ -5,7 +5,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from keyphase.simulation.hand_path import Habits, HandPath, Z, band_noise, minimum_jerk
+from keyphase.simulation.demonstrating.hand_path import (
+    Habits,
+    HandPath,
+    Z,
+    band_noise,
+    minimum_jerk,
+)
 from keyphase.simulation.impedance import Reference
 
 START = Reference(np.array([0.4, -0.2, 0.2]), np.array([0.0, 0.0, 1.0, 0.0]))

@@ -5,9 +5,9 @@ import pytest
 
 from keyphase.errors import SimulationError
 from keyphase.simulation import Gains, Reference, Simulation
-from keyphase.simulation.follow import FURTHEST_AHEAD_M, Follower
+from keyphase.simulation.demonstrating.follow import FURTHEST_AHEAD_M, Follower
 from keyphase.simulation.impedance import CartesianImpedance
-from keyphase.simulation.setup1 import SETUP1
+from keyphase.simulation.workcells.setup1 import SETUP1
 
 
 def settle(simulation: Simulation, reference: Reference, seconds: float) -> None:

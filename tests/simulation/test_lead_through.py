@@ -9,10 +9,10 @@ from keyphase.errors import SimulationError
 from keyphase.readers import read
 from keyphase.segmentation import segment
 from keyphase.simulation import RATE_HZ
-from keyphase.simulation.lead_through import LeadThrough
-from keyphase.simulation.recorder import take_of
-from keyphase.simulation.setup1 import SETUP1
-from keyphase.simulation.setup2 import SETUP2
+from keyphase.simulation.demonstrating.lead_through import LeadThrough
+from keyphase.simulation.demonstrating.recorder import take_of
+from keyphase.simulation.workcells.setup1 import SETUP1
+from keyphase.simulation.workcells.setup2 import SETUP2
 
 
 def advance(session: LeadThrough, seconds: float) -> None:

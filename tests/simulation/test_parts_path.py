@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from keyphase.files.shipped import shipped
 from keyphase.readers import read
-from keyphase.shipped import shipped
-from keyphase.simulation.parts_path import parts_path
-from keyphase.simulation.setup1 import HOUSING_POSITION_M, WALL_FACE_Y_M
+from keyphase.simulation.workcells.parts_path import parts_path
+from keyphase.simulation.workcells.setup1 import HOUSING_POSITION_M, WALL_FACE_Y_M
 
 
 @pytest.fixture(scope="module")

@@ -7,10 +7,10 @@ import pytest
 from right_segments import PHASES, segmented_right
 
 from keyphase.errors import SimulationError
+from keyphase.files.shipped import shipped
 from keyphase.readers import read, save_npz
-from keyphase.shipped import shipped
 from keyphase.simulation import Disturbance, record
-from keyphase.simulation import recording as recording_module
+from keyphase.simulation.demonstrating import recording as recording_module
 
 NAMES = ["setup1", "setup2"]
 BUNDLED_SEED = 7

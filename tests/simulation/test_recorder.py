@@ -11,7 +11,13 @@ import pytest
 from keyphase.errors import SimulationError
 from keyphase.readers import read
 from keyphase.simulation import RATE_HZ, Sample
-from keyphase.simulation.recorder import LONGEST_UNWRITTEN_S, Recorder, read_take, recover, take_of
+from keyphase.simulation.demonstrating.recorder import (
+    LONGEST_UNWRITTEN_S,
+    Recorder,
+    read_take,
+    recover,
+    take_of,
+)
 
 ORIGIN = {"workcell": "setup1", "contact_names": ["touch", "wall"], "contact_changes": ["wall"]}
 CHUNK = round(LONGEST_UNWRITTEN_S * RATE_HZ)
@@ -157,7 +163,7 @@ _CHILD = """
 import sys
 from pathlib import Path
 from keyphase.simulation import RATE_HZ, workcell
-from keyphase.simulation.lead_through import LeadThrough
+from keyphase.simulation.demonstrating.lead_through import LeadThrough
 
 session = LeadThrough(workcell("setup1"))
 session.start_recording(Path(sys.argv[1]))

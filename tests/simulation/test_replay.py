@@ -12,7 +12,7 @@ from keyphase.readers import read, save_npz
 from keyphase.segmentation import segment
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
 from keyphase.simulation import Disturbance, workcell
-from keyphase.simulation.replay import Replay, run
+from keyphase.simulation.replay.replay import Replay, run
 from keyphase.skills.library import skills_of
 
 MOVED_S = 0.1

@@ -7,14 +7,14 @@ from replaying import NAMES, bundled, nominal, plan, replayed
 from keyphase.demonstration import Demonstration
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
 from keyphase.simulation import Disturbance
-from keyphase.simulation.replay_contact import (
+from keyphase.simulation.replay.contact import (
     KeptContact,
     after_contact,
     kept_contact,
     pressing_direction,
     square,
 )
-from keyphase.simulation.replay_guard import SPEED_M_S, guard_of
+from keyphase.simulation.replay.guard import SPEED_M_S, guard_of
 from keyphase.skills.library import skill_of, skills_of
 
 DOWN = np.array([0.0, 0.0, -1.0])

@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 from keyphase.errors import SimulationError
 from keyphase.simulation import workcell
 from keyphase.simulation.impedance import Reference
-from keyphase.simulation.replay import Replay, ReplayOptions
+from keyphase.simulation.replay.replay import Replay, ReplayOptions
 from keyphase.skills.library import skills_of
 
 HELD_S = 1.0

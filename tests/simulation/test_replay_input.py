@@ -7,11 +7,11 @@ import pytest
 from replaying import bundled
 
 from keyphase.errors import SegmentFileError
+from keyphase.files.shipped import shipped
 from keyphase.labeling.label import label
 from keyphase.labeling.segment_file import write_segment_file
 from keyphase.segmentation.end_condition import ConfigurationEnd
-from keyphase.shipped import shipped
-from keyphase.simulation.replay_input import planned_replay, with_configuration_ends
+from keyphase.simulation.replay.input import planned_replay, with_configuration_ends
 
 
 @pytest.fixture

@@ -8,8 +8,8 @@ from replaying import NAMES, bundled, plan
 
 from keyphase.errors import ParameterError, SimulationError
 from keyphase.simulation import Disturbance
-from keyphase.simulation.spread import Spread, spread_of
-from keyphase.simulation.trials import (
+from keyphase.simulation.replay.spread import Spread, spread_of
+from keyphase.simulation.replay.trials import (
     Trial,
     Trials,
     World,
@@ -18,7 +18,7 @@ from keyphase.simulation.trials import (
     run_trials,
     wilson_interval,
 )
-from keyphase.simulation.trials_picture import trials_svg
+from keyphase.simulation.replay.trials_picture import trials_svg
 from keyphase.skills.library import skills_of
 
 DISTURBED = Worlds(

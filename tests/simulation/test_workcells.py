@@ -5,10 +5,10 @@ import pytest
 
 from keyphase.errors import SimulationError
 from keyphase.simulation import Disturbance, Reference, Simulation, workcell
-from keyphase.simulation.seating import seat_gap_m
-from keyphase.simulation.setup1 import SETUP1
-from keyphase.simulation.setup2 import BUTTONS, SETUP2
 from keyphase.simulation.shapes import shapes_of
+from keyphase.simulation.workcells.seating import seat_gap_m
+from keyphase.simulation.workcells.setup1 import SETUP1
+from keyphase.simulation.workcells.setup2 import BUTTONS, SETUP2
 
 CELLS = (SETUP1, SETUP2)
 both = pytest.mark.parametrize("cell", CELLS, ids=lambda cell: cell.name)

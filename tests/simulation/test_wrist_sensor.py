@@ -8,8 +8,8 @@ from scipy.spatial.transform import Rotation
 
 from keyphase.errors import SimulationError
 from keyphase.simulation import Disturbance, Reference, Simulation, record
-from keyphase.simulation.setup1 import SETUP1
-from keyphase.simulation.setup2 import SETUP2
+from keyphase.simulation.workcells.setup1 import SETUP1
+from keyphase.simulation.workcells.setup2 import SETUP2
 from keyphase.simulation.wrist_sensor import SensorModel, WristSensor, estimated_load
 
 FREE_N = 0.3

@@ -13,7 +13,7 @@ from talking import PageClient
 from websockets.exceptions import ConnectionClosed
 
 from keyphase.labeling.edits import Label
-from keyphase.labeling.journal import Journal
+from keyphase.labeling.storage.journal import Journal
 from keyphase.readers import read
 
 _AHEAD = 3

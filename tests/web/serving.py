@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import IO
 from urllib.parse import parse_qs, urlsplit
 
-from keyphase.web.access import Access
+from keyphase.web.transport.access import Access
 
 
 @dataclass(frozen=True)

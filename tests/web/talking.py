@@ -11,8 +11,8 @@ from websockets.asyncio.client import connect as async_connect
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
-from keyphase.web.access import cookie_name
 from keyphase.web.server import PageServer
+from keyphase.web.transport.access import cookie_name
 
 Message = dict[str, Any]
 

@@ -12,8 +12,8 @@ from websockets.exceptions import InvalidStatus
 from websockets.typing import Subprotocol
 
 from keyphase.errors import KeyphaseError, RequestError
-from keyphase.web.access import Access, Grant, cookie_name
 from keyphase.web.server import PageServer
+from keyphase.web.transport.access import Access, Grant, cookie_name
 
 SOCKETS = ("/app/ws", "/viser")
 ROUTES = (

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from keyphase.files.shipped import shipped
 from keyphase.labeling.label import label
 from keyphase.labeling.labeling import Labeling
 from keyphase.readers import read
 from keyphase.segmentation import Boundary, Peak, segment
-from keyphase.shipped import shipped
-from keyphase.web.document_message import document_message, ghosts, short_labels
-from keyphase.web.page_sockets import encode
+from keyphase.web.protocol.document_message import document_message, ghosts, short_labels
+from keyphase.web.transport.page_sockets import encode
 
 PEAK = Peak(4.2, 4.21, 465.0, 80.0, (0.2, 0.1, 3.8), None, 9.0, "")
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from talking import Message, PageClient, StartServer
 
-from keyphase.shipped import shipped
+from keyphase.files.shipped import shipped
 
 
 @pytest.fixture

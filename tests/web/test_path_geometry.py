@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from keyphase.demonstration import Demonstration
 from keyphase.segmentation.segmentation import Gaussian
-from keyphase.web.path_geometry import (
+from keyphase.web.scene.path_geometry import (
     MOST_ELLIPSOIDS,
     MOST_PIECES,
     arrow,
@@ -20,7 +20,7 @@ from keyphase.web.path_geometry import (
     tube,
     turns_of_z,
 )
-from keyphase.web.viewpoint import FIELD_OF_VIEW_RAD, viewpoint_of
+from keyphase.web.scene.viewpoint import FIELD_OF_VIEW_RAD, viewpoint_of
 
 POINTS = arrays(np.float64, (12, 3), elements=st.floats(-2, 2))
 

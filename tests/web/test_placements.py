@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from keyphase.errors import LabelingError
 from keyphase.robot.pose import Placement
-from keyphase.web.placements import forget_placement, save_placement, saved_placement
+from keyphase.workbench.placements import forget_placement, save_placement, saved_placement
 
 HALF_TURN = Placement((0.1, -0.2, 0.3), (0.0, 0.0, 0.0, 1.0))
 

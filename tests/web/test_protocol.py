@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from talking import PageClient
 
 from keyphase.errors import RequestError
-from keyphase.web.protocol import Request, Seek, Set, parse
+from keyphase.web.protocol.requests import Request, Seek, Set, parse
 
 JSON = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=20),

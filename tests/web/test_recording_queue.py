@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from talking import PageClient, StartServer
 
-from keyphase.web.library import Library
-from keyphase.web.opened import Opened
-from keyphase.web.recordings import Recording, printable, queue, recordings_message
+from keyphase.workbench.library import Library
+from keyphase.workbench.opened import Opened
+from keyphase.workbench.recordings import Recording, printable, queue, recordings_message
 
 
 @pytest.fixture

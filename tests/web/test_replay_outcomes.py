@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from talking import PageClient, StartServer
 
-from keyphase.shipped import shipped
+from keyphase.files.shipped import shipped
 from keyphase.web.replay_outcomes import outcome_table
 from keyphase.web.server import PageServer
 

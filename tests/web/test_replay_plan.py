@@ -1,5 +1,6 @@
 """The plan of a labeled recording, made executable."""
 
+from keyphase.files.shipped import shipped
 from keyphase.labeling.edits import edit_from_json
 from keyphase.labeling.label import label
 from keyphase.labeling.labeling import Labeling
@@ -7,8 +8,7 @@ from keyphase.readers import read
 from keyphase.segmentation import Segmenter
 from keyphase.segmentation.end_condition import ConfigurationEnd
 from keyphase.segmentation.parameters import Parameters
-from keyphase.shipped import shipped
-from keyphase.web.replay_plan import plan_of
+from keyphase.workbench.replay_plan import plan_of
 
 
 def labeled(*edits: dict[str, object]) -> Labeling:

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from talking import Message, PageClient, StartServer
 
+from keyphase.files.shipped import shipped
 from keyphase.readers import read
-from keyphase.shipped import shipped
 from keyphase.web.server import PageServer
 
 FAST = 4.0

@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from talking import cookie, get
 
-from keyphase.web.responses import StaticFiles, page_files
 from keyphase.web.server import PageServer
+from keyphase.web.transport.responses import StaticFiles, page_files
 
 PATHS = ("/", "/app/static/js/main.js", "/viser/", "/nothing")
 

@@ -12,14 +12,14 @@ from talking import PageClient, StartServer
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import RobotError
+from keyphase.files.shipped import shipped
 from keyphase.readers import read, save_npz
 from keyphase.robot.arms import robot_arms
 from keyphase.robot.link_frames import link_frames
 from keyphase.robot.pose import Placement, matrix
 from keyphase.robot.yumi import yumi
-from keyphase.shipped import shipped
-from keyphase.web.placements import save_placement, saved_placement
 from keyphase.web.server import PageServer
+from keyphase.workbench.placements import save_placement, saved_placement
 
 WAIT_S = 60.0
 

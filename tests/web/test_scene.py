@@ -7,9 +7,9 @@ import msgspec
 import numpy as np
 from talking import CAMERA, Message, PageClient, control, visers_socket
 
-from keyphase.web.palette import SEGMENT_COLORS, painted
-from keyphase.web.playback import Playhead
+from keyphase.web.scene.palette import SEGMENT_COLORS, painted
 from keyphase.web.server import PageServer
+from keyphase.workbench.playback import Playhead
 
 
 def _document(page: PageClient) -> Message:

@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 from talking import PageClient
 
 from keyphase.demonstration import Demonstration
-from keyphase.web.signals import Series, SignalTracks, rotation_from_start_deg, speed_mm_s
+from keyphase.workbench.signals import Series, SignalTracks, rotation_from_start_deg, speed_mm_s
 
 TIMES = np.arange(0.0, 10.0, 0.001)
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from keyphase.errors import SimulationError
-from keyphase.web.takes import Takes
+from keyphase.workbench.takes import Takes
 
 
 def made(takes: Takes, content: str) -> Path:

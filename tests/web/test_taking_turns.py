@@ -5,8 +5,8 @@ from pathlib import Path
 
 from talking import PageClient, StartServer
 
-from keyphase.web.budget import MESSAGES_PER_S, Budget
-from keyphase.web.page_sockets import MOST_CHANGES
+from keyphase.web.transport.budget import MESSAGES_PER_S, Budget
+from keyphase.web.transport.page_sockets import MOST_CHANGES
 
 
 def test_a_connection_may_send_a_burst_and_then_waits() -> None:

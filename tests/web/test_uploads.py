@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from talking import Message, PageClient, StartServer
 
 from keyphase.errors import RequestError
-from keyphase.shipped import shipped
-from keyphase.web.uploads import SUFFIXES, Upload, safe_name
+from keyphase.files.shipped import shipped
+from keyphase.workbench.uploads import SUFFIXES, Upload, safe_name
 
 
 def _send(page: PageClient, name: str, data: bytes, piece: int = 40_000) -> None:

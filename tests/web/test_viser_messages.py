@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from talking import PageClient, control, visers_socket
 
-from keyphase.web.access import Grant
 from keyphase.web.server import PageServer
-from keyphase.web.viser_messages import admits
+from keyphase.web.transport.access import Grant
+from keyphase.web.transport.viser_messages import admits
 
 CAMERA = {
     "type": "ViewerCameraMessage",

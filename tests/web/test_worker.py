@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from keyphase.web.playback import Playhead
-from keyphase.web.worker import Worker
+from keyphase.workbench.playback import Playhead
+from keyphase.workbench.worker import Worker
 
 
 def _busy(worker: Worker) -> threading.Event:

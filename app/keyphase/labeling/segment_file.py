@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import Any
 
 from keyphase.errors import KeyphaseError, SegmentFileError
+from keyphase.files.writing import write_whole
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file_content import as_csv, as_json, segment_file_content
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import Origin
-from keyphase.whole_file import write_whole
 
 SUFFIX = ".segments.json"
 """How the names of segment files end."""

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from keyphase.demonstration import Demonstration
+from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
 from keyphase.readers.finding import (
     FOLDER_RECIPE,
     RECIPE_SUFFIX,
@@ -22,7 +23,6 @@ from keyphase.readers.native_npz import MAGIC, read_npz, save_npz
 from keyphase.readers.recipe import Recipe
 from keyphase.readers.recipe_file import load_recipe, parse_recipe
 from keyphase.readers.recipe_reader import read_by_recipe
-from keyphase.readers.whole_file import DEFAULT_LIMIT_BYTES, read_whole
 
 __all__ = [
     "FOLDER_RECIPE",

@@ -7,9 +7,9 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import DemonstrationError
+from keyphase.files.reading import WholeFile
 from keyphase.readers.held import held_notices
 from keyphase.readers.timing import irregular_notices
-from keyphase.readers.whole_file import WholeFile
 
 
 def build(

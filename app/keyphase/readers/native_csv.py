@@ -13,12 +13,12 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import DemonstrationError
+from keyphase.files.reading import WholeFile
+from keyphase.files.writing import write_whole
 from keyphase.readers.build import build
 from keyphase.readers.orientation import refuse_not_unit
 from keyphase.readers.table import Table, TableForm, open_table, split_cells
 from keyphase.readers.timing import refuse_not_increasing
-from keyphase.readers.whole_file import WholeFile
-from keyphase.whole_file import write_whole
 
 _GROUPS: Mapping[str, tuple[str, ...]] = {
     "time_s": ("time_s",),

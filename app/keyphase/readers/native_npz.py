@@ -25,9 +25,9 @@ from numpy.typing import NDArray
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import DemonstrationError
+from keyphase.files.reading import WholeFile
+from keyphase.files.writing import write_whole
 from keyphase.readers.build import build
-from keyphase.readers.whole_file import WholeFile
-from keyphase.whole_file import write_whole
 
 MAGIC = b"PK\x03\x04"
 """How a zip archive that holds anything begins."""

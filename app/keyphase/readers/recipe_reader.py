@@ -8,6 +8,7 @@ import numpy as np
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import DemonstrationError, RecipeError
+from keyphase.files.reading import WholeFile
 from keyphase.readers.build import build
 from keyphase.readers.held import find_hold
 from keyphase.readers.recipe import RateTime, Recipe
@@ -15,7 +16,6 @@ from keyphase.readers.recipe_channels import Channels, Noted, channels_of, where
 from keyphase.readers.resampling import interpolate_hold, resample
 from keyphase.readers.table import Table, open_table
 from keyphase.readers.timing import irregularity, refuse_not_increasing
-from keyphase.readers.whole_file import WholeFile
 from keyphase.readers.wrench import in_base_frame, offset_of
 
 _LOADS = {"force_N": "N", "torque_Nm": "N m"}

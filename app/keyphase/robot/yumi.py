@@ -7,8 +7,8 @@ from typing import Literal
 import numpy as np
 
 from keyphase.demonstration import Array
+from keyphase.files.shipped import shipped
 from keyphase.robot.description import RobotDescription, load_descriptions
-from keyphase.shipped import shipped
 
 Side = Literal["r", "l"]
 

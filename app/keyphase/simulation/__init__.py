@@ -1,10 +1,10 @@
 """Workcells in MuJoCo: recording, lead-through, control and a wrist sensor."""
 
+from keyphase.simulation.demonstrating.recording import record
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.impedance import RATE_HZ, Gains, Reference
-from keyphase.simulation.recording import record
 from keyphase.simulation.simulation import Sample, Simulation
-from keyphase.simulation.workcell import Workcell, workcell
+from keyphase.simulation.workcells.workcell import Workcell, workcell
 
 __all__ = [
     "NOMINAL",

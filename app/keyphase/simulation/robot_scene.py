@@ -15,7 +15,7 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.errors import SimulationError
-from keyphase.shipped import shipped
+from keyphase.files.shipped import shipped
 
 ARM_JOINTS = tuple(f"yumi_joint_{axis}_r" for axis in "1273456")
 """The driven joints from shoulder to wrist; ABB counts the third one as axis 7."""

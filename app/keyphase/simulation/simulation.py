@@ -26,7 +26,7 @@ from keyphase.simulation.wrist_sensor import (
 )
 
 if TYPE_CHECKING:
-    from keyphase.simulation.workcell import Workcell
+    from keyphase.simulation.workcells.workcell import Workcell
 
 _CALIBRATION_TILTS_RAD = ((0.0, 0.0), (0.4, 0.0), (-0.4, 0.0), (0.0, 0.4), (0.0, -0.4))
 """Turns of the last two joints but one, from the start: enough tilt to tell weight from bias."""

@@ -16,10 +16,10 @@ from jsonschema import Draft202012Validator
 from keyphase import __version__
 from keyphase.demonstration import UNIT_TOLERANCE, Array
 from keyphase.errors import ParameterError, SkillError
+from keyphase.files.writing import write_whole
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
 from keyphase.skills.primitive import Constants, Primitive
 from keyphase.skills.skill import Skill
-from keyphase.whole_file import write_whole
 
 FORMAT = "keyphase skills"
 VERSION = 1

@@ -12,10 +12,10 @@ from typing import Any, get_args
 import viser
 
 from keyphase.segmentation.parameters import Estimator, Parameters, Variant
-from keyphase.web.opened import Opened
-from keyphase.web.requests import with_parameter
-from keyphase.web.session import SETTLE_S, Session
-from keyphase.web.views import View
+from keyphase.web.protocol.dispatch import with_parameter
+from keyphase.web.scene.views import View
+from keyphase.workbench.opened import Opened
+from keyphase.workbench.session import SETTLE_S, Session
 
 AUTOMATIC = "automatic"
 MOST_GAUSSIANS = 15

@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 import viser
 
-from keyphase.simulation.workcell import workcell
-from keyphase.web.lead_through_session import (
+from keyphase.simulation.workcells.workcell import workcell
+from keyphase.workbench.lead_through_session import (
     LeadThroughSession,
     LeadThroughStatus,
     LeadThroughView,
 )
-from keyphase.web.telling import Telling
+from keyphase.workbench.telling import Telling
 
 WORKCELLS = ("setup1", "setup2")
 

@@ -2,9 +2,9 @@
 
 from html import escape
 
-from keyphase.simulation.replay_result import SkillResult, went_on
-from keyphase.web.document_message import unmeasured
-from keyphase.web.replay_view import Running
+from keyphase.simulation.replay.result import SkillResult, went_on
+from keyphase.web.protocol.document_message import unmeasured
+from keyphase.web.scene.replay_view import Running
 
 _GOOD, _BAD, _NOW = (
     "light-dark(#2b8a3e, #69db7c)",

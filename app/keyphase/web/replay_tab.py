@@ -7,13 +7,13 @@ from typing import Any, get_args
 
 import viser
 
-from keyphase.web.opened import Opened
 from keyphase.web.replay_outcomes import outcome_table
-from keyphase.web.replay_session import ReplaySession
-from keyphase.web.replay_settings import SPEEDS, WORKCELLS, EndBy, ReplaySettings
-from keyphase.web.replay_view import ReplayView, Running
-from keyphase.web.telling import Telling
-from keyphase.web.views import View
+from keyphase.web.scene.replay_view import ReplayView, Running
+from keyphase.web.scene.views import View
+from keyphase.workbench.opened import Opened
+from keyphase.workbench.replay_session import ReplaySession
+from keyphase.workbench.replay_settings import SPEEDS, WORKCELLS, EndBy, ReplaySettings
+from keyphase.workbench.telling import Telling
 
 STEP, STOP = "Step", "Stop"
 

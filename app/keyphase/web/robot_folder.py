@@ -5,8 +5,8 @@ from typing import Any
 
 import viser
 
-from keyphase.web.robot_view import RobotView
-from keyphase.web.telling import Telling
+from keyphase.web.scene.robot_view import RobotView
+from keyphase.workbench.telling import Telling
 
 _ARM_HINT = "The tool that follows the recording."
 _MOVE_HINT = "Show arrows and arcs at the robot's base; where it is dragged to is kept."

@@ -15,26 +15,26 @@ from keyphase.readers import find_recordings
 from keyphase.robot.arms import robot_arms, yumi_arms
 from keyphase.robot.description import RobotDescription
 from keyphase.segmentation.parameters import RANGES
-from keyphase.simulation.recorder import recover
-from keyphase.web.access import Access, Grant
-from keyphase.web.ground_shadow import shadow_of
-from keyphase.web.lead_through_session import LeadThroughSession
-from keyphase.web.library import Library
-from keyphase.web.one_port import control_of, serve, silent
+from keyphase.simulation.demonstrating.recorder import recover
 from keyphase.web.panel import Panel
-from keyphase.web.parts_view import PartsView
+from keyphase.web.protocol.dispatch import hear
 from keyphase.web.record_tab import RecordTab
-from keyphase.web.replay_scene import ReplayScene
 from keyphase.web.replay_tab import ReplayCloser, ReplayTab
-from keyphase.web.requests import hear
 from keyphase.web.robot_folder import RobotFolder
-from keyphase.web.robot_view import RobotView
-from keyphase.web.scene import Scene
-from keyphase.web.session import Session
-from keyphase.web.site import OurSite
-from keyphase.web.uploads import DEFAULT_LIMIT_BYTES
-from keyphase.web.viser_controls import takes
-from keyphase.web.workcell_scene import WorkcellCloser, WorkcellScene
+from keyphase.web.scene.ground_shadow import shadow_of
+from keyphase.web.scene.parts_view import PartsView
+from keyphase.web.scene.replay_scene import ReplayScene
+from keyphase.web.scene.robot_view import RobotView
+from keyphase.web.scene.scene import Scene
+from keyphase.web.scene.workcell_scene import WorkcellCloser, WorkcellScene
+from keyphase.web.transport.access import Access, Grant
+from keyphase.web.transport.one_port import control_of, serve, silent
+from keyphase.web.transport.site import OurSite
+from keyphase.web.transport.viser_controls import takes
+from keyphase.workbench.lead_through_session import LeadThroughSession
+from keyphase.workbench.library import Library
+from keyphase.workbench.session import Session
+from keyphase.workbench.uploads import DEFAULT_LIMIT_BYTES
 
 
 class PageServer:

@@ -1,0 +1,1 @@
+"""Writing a file whole, reading one within limits, and what ships with keyphase."""

@@ -1,0 +1,158 @@
+"""What a journal's records say: the recording they are about, its history, whether it is done."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, fields, replace
+from typing import Any
+
+from keyphase import __version__
+from keyphase.demonstration import Demonstration
+from keyphase.errors import JournalError, KeyphaseError
+from keyphase.labeling.edits import edit_as_json, edit_from_json
+from keyphase.labeling.history import History, ParameterChange, Step
+from keyphase.labeling.storage.records import Record
+from keyphase.segmentation.parameters import Parameters
+
+FORMAT = 1
+"""Version of the records; a change that old readers cannot follow raises it."""
+
+
+@dataclass(frozen=True)
+class Journaled:
+    """The state a journal leads to.
+
+    sha256    of the recording when a person last agreed to it; None in an empty journal
+    refused   how many whole records could not be understood
+    """
+
+    sha256: str | None = None
+    history: History = field(default_factory=History)
+    next_number: int = 0
+    done: bool = False
+    refused: int = 0
+
+
+def replay(records: Iterable[Record]) -> Journaled:
+    """Follow records in order.
+
+    Steps name the step they followed and undo and redo the step they led to, always as the
+    number of that step, so a record that is lost costs no other. Raises JournalError for records
+    of a later format.
+    """
+    state = Journaled()
+    for record in records:
+        try:
+            state = _followed(state, record)
+        except (KeyphaseError, KeyError, TypeError, ValueError) as error:
+            if isinstance(error, JournalError):
+                raise
+            state = replace(state, refused=state.refused + 1)
+    return state
+
+
+def opening(demonstration: Demonstration) -> Record:
+    """The record of the recording that a journal is about, as it is now."""
+    assert demonstration.source is not None
+    return {
+        "op": "recording",
+        "format": FORMAT,
+        "software": f"keyphase {__version__}",
+        "name": demonstration.source.path.name,
+        "sha256": demonstration.source.sha256,
+    }
+
+
+def changes(before: History, after: History, next_number: int) -> list[Record]:
+    """The records that lead from one history to another whose new steps count from a number."""
+    records: list[Record] = []
+    at = _number(before.last_done)
+    for place, step in enumerate(after.steps):
+        if step.number >= next_number:
+            records.append(_step(step, after.steps[place - 1] if place else None))
+            at = step.number
+    if at != _number(after.last_done):
+        records.append({"op": "at", "number": _number(after.last_done)})
+    return records
+
+
+def done_record(done: bool) -> Record:
+    """The record that a person has or has not finished with the recording."""
+    return {"op": "done", "done": done}
+
+
+def compact(state: Journaled, first: Record) -> list[Record]:
+    """The fewest records that lead to a state again, after `first` about the recording."""
+    recording = {**first, "sha256": state.sha256 or first["sha256"], "next": state.next_number}
+    empty = History()
+    return [
+        recording,
+        *changes(empty, state.history, next_number=0),
+        *([done_record(True)] if state.done else []),
+    ]
+
+
+def _followed(state: Journaled, record: Record) -> Journaled:
+    match record["op"]:
+        case "recording":
+            return _with_recording(state, record)
+        case "step":
+            return _with_step(state, record)
+        case "at":
+            history = replace(state.history, position=_position(state.history, record["number"]))
+            return replace(state, history=history)
+        case "done":
+            return replace(state, done=bool(record["done"]))
+        case _:
+            raise ValueError("an operation this version does not know")
+
+
+def _with_recording(state: Journaled, record: Record) -> Journaled:
+    if record["format"] > FORMAT:
+        raise JournalError(
+            f"The journal of {record.get('name')} was written by {record.get('software')}, in a "
+            f"form that keyphase {__version__} cannot read; update keyphase."
+        )
+    number = max(state.next_number, int(record.get("next", 0)))
+    return replace(state, sha256=str(record["sha256"]), next_number=number)
+
+
+def _with_step(state: Journaled, record: Record) -> Journaled:
+    number = int(record["number"])
+    change = _change(record)
+    position = _position(state.history, record["after"])
+    step = Step(number, str(record["name"]), change)
+    history = replace(state.history, position=position).with_step(step)
+    return replace(state, history=history, next_number=max(state.next_number, number + 1))
+
+
+def _position(history: History, number: int | None) -> int:
+    """How many steps are in force after step `number`; where it was lost, those before it."""
+    if number is None:
+        return 0
+    return sum(step.number <= number for step in history.steps)
+
+
+def _change(record: Record) -> Any:
+    if "edit" in record:
+        return edit_from_json(record["edit"])
+    own = record["parameters"]
+    known = {each.name for each in fields(Parameters)}
+    if not isinstance(own, Mapping) or not known.issuperset(own):
+        raise ValueError("parameters this version does not know")
+    Parameters(**own)
+    return ParameterChange(dict(own))
+
+
+def _step(step: Step, previous: Step | None) -> Record:
+    shared = {
+        "op": "step",
+        "number": step.number,
+        "after": _number(previous),
+        "name": step.name,
+    }
+    if isinstance(step.change, ParameterChange):
+        return {**shared, "parameters": dict(step.change.own)}
+    return {**shared, "edit": edit_as_json(step.change)}
+
+
+def _number(step: Step | None) -> int | None:
+    return step.number if step else None

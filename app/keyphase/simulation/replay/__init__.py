@@ -1,0 +1,1 @@
+"""A plan replayed in a workcell, once or in many disturbed worlds."""

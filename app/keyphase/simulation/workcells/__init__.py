@@ -1,0 +1,1 @@
+"""Simulated workcells: parts, seating, and the two set-ups."""

@@ -1,0 +1,73 @@
+# MuJoCo tells no types.
+# pyright: reportAttributeAccessIssue=false
+"""A workcell: robot, table, parts, and what counts as success."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+import mujoco
+
+from keyphase.errors import SimulationError
+from keyphase.simulation.contacts import Pair, watch_contacts
+from keyphase.simulation.disturbance import NOMINAL, Disturbance
+from keyphase.simulation.robot_scene import robot_spec
+from keyphase.simulation.simulation import Simulation
+
+
+@dataclass(frozen=True)
+class Workcell:
+    """Plain description of a simulated scene; `build` brings it to life.
+
+    name, title       for files and for people
+    start_joints_rad  where the right arm starts, in the order of ARM_JOINTS
+    furnish           adds table and parts to the robot's specification
+    parts             all bodies but the robot's; "held" is in the gripper
+    pairs             contacts the simulator reports, by name
+    onsets            which of these are contact changes of the task, in the order they happen
+    ends_at_contact   whether the task is over at the last of them
+    checks            named predicates on a simulation; all true is success
+    """
+
+    name: str
+    title: str
+    start_joints_rad: tuple[float, ...]
+    furnish: Callable[[mujoco.MjSpec, Disturbance], None]
+    parts: tuple[str, ...]
+    pairs: Mapping[str, Pair] = field(hash=False)
+    onsets: tuple[str, ...]
+    ends_at_contact: bool
+    checks: Callable[[Simulation], Mapping[str, bool]]
+
+    def build(self, disturbance: Disturbance = NOMINAL, seed: int = 0) -> Simulation:
+        """A simulation of this workcell at its start, its wrist sensor calibrated.
+
+        `seed` sets the sensor's noise. Raises SimulationError when the scene cannot be compiled.
+        """
+        return Simulation(self, self.spec(disturbance).compile(), disturbance, seed)
+
+    def spec(self, disturbance: Disturbance = NOMINAL) -> mujoco.MjSpec:
+        """The scene before it is compiled."""
+        spec = robot_spec()
+        self.furnish(spec, disturbance)
+        watch_contacts(spec, self.pairs)
+        return spec
+
+    def succeeded(self, simulation: Simulation) -> bool:
+        """Whether everything in `checks` holds now."""
+        return all(self.checks(simulation).values())
+
+
+def workcell(name: str) -> Workcell:
+    """The workcell called `name`.
+
+    Raises SimulationError for a name nobody knows.
+    """
+    from keyphase.simulation.workcells.setup1 import SETUP1
+    from keyphase.simulation.workcells.setup2 import SETUP2
+
+    known = {cell.name: cell for cell in (SETUP1, SETUP2)}
+    if name not in known:
+        raise SimulationError(
+            f"The workcell must be one of {', '.join(known)}, but is '{name}'; choose one of these."
+        )
+    return known[name]

@@ -1,0 +1,217 @@
+"""What a page may say to the server, checked before anything is done with it.
+
+docs/protocol.md has both directions in words. Unknown types and fields, wrong kinds, numbers that
+are not finite or far out of range and texts that are too long are refused with a reason.
+"""
+
+from typing import Annotated, Any, Literal
+
+import msgspec
+from msgspec import Meta, Struct
+
+from keyphase.errors import RequestError
+from keyphase.workbench.replay_settings import SPEEDS, Action
+
+_Time = Annotated[float, Meta(ge=-1e9, le=1e10)]
+_Value = Annotated[float, Meta(ge=-1e12, le=1e12)]
+_Id = Annotated[str, Meta(max_length=4096)]
+_Name = Annotated[str, Meta(max_length=100)]
+_Counter = Annotated[int, Meta(ge=0, le=2**53)]
+_Width = Annotated[int, Meta(ge=1, le=20_000)]
+_Speed = Annotated[float, Meta(ge=0.01, le=100.0)]
+
+
+class _Request(Struct, frozen=True, tag_field="type", forbid_unknown_fields=True):
+    """A message from a page."""
+
+
+class Open(_Request, tag="open", frozen=True):
+    """Make a recording the current one."""
+
+    id: _Id
+
+
+class Set(_Request, tag="set", frozen=True):
+    """Change a parameter; `held` while the person is still dragging."""
+
+    parameter: _Name
+    value: _Value | _Name | None
+    event: _Counter | None = None
+    held: bool = False
+
+
+class Reset(_Request, tag="reset", frozen=True):
+    """Parameters back to automatic."""
+
+
+class Edit(_Request, tag="edit", frozen=True):
+    """Apply one edit."""
+
+    edit: dict[str, Any]
+    event: _Counter | None = None
+
+
+class Undo(_Request, tag="undo", frozen=True):
+    """Take back the last edit or parameter change."""
+
+
+class Redo(_Request, tag="redo", frozen=True):
+    """Do again what was taken back."""
+
+
+class Done(_Request, tag="done", frozen=True):
+    """This recording is, or is not, finished."""
+
+    done: bool
+
+
+class KeepLabels(_Request, tag="keep_labels", frozen=True):
+    """The recording has changed since it was labeled, and the labels are to be kept."""
+
+
+class ForgetLabel(_Request, tag="forget_label", frozen=True):
+    """Take a label out of the folder's vocabulary."""
+
+    label: _Name
+
+
+class Spread(_Request, tag="spread", frozen=True):
+    """Tell what these parameters would do to all recordings of the folder; do it; or never mind."""
+
+    step: Literal["look", "apply", "leave"]
+
+
+class Compare(_Request, tag="compare", frozen=True):
+    """Compare with another segmentation of this recording; null: tell with which one can."""
+
+    other: _Id | None = msgspec.field(name="with", default=None)
+
+
+class TakeOver(_Request, tag="take_over", frozen=True):
+    """Make another segmentation of this recording its own, as one edit."""
+
+    other: _Id = msgspec.field(name="from")
+
+
+class Upload(_Request, tag="upload", frozen=True):
+    """A file follows in binary messages."""
+
+    name: Annotated[str, Meta(max_length=1000)]
+    size: Annotated[int, Meta(ge=0, le=2**50)]
+
+
+class UploadCancel(_Request, tag="upload_cancel", frozen=True):
+    """The file on its way is not wanted after all."""
+
+
+class Select(_Request, tag="select", frozen=True):
+    """Select a segment, or none."""
+
+    segment: Annotated[int, Meta(ge=0, le=1_000_000)] | None
+
+
+class Seek(_Request, tag="seek", frozen=True):
+    """Move the playhead."""
+
+    time_s: _Time
+
+
+class Play(_Request, tag="play", frozen=True):
+    """Start, pause, or change how playback runs."""
+
+    playing: bool
+    speed: _Speed = 1.0
+    loop: bool = False
+
+
+class Signals(_Request, tag="signals", frozen=True):
+    """Ask for the visible range of some tracks."""
+
+    request: _Counter
+    tracks: Annotated[list[_Name], Meta(max_length=20)]
+    from_s: _Time
+    to_s: _Time
+    width: _Width
+
+
+class Export(_Request, tag="export", frozen=True):
+    """Write the segment file, as JSON or CSV, or of all recordings."""
+
+    format: Literal["json", "csv", "all"]
+
+
+class Show(_Request, tag="show", frozen=True):
+    """Show or hide a part of the scene."""
+
+    what: _Name
+    visible: bool
+
+
+class Theme(_Request, tag="theme", frozen=True):
+    """The page has become light or dark."""
+
+    dark: bool
+
+
+class Replay(_Request, tag="replay", frozen=True):
+    """Begin, steer or end a replay of the plan."""
+
+    do: Action
+    speed: Annotated[float, Meta(ge=SPEEDS[0], le=SPEEDS[1])] | None = None
+
+
+class Latency(_Request, tag="latency", frozen=True):
+    """How long it took from an input event to the first frame that shows what it did."""
+
+    event: _Counter
+    milliseconds: Annotated[float, Meta(ge=0.0, le=1e7)]
+
+
+Request = (
+    Open
+    | Set
+    | Reset
+    | Edit
+    | Undo
+    | Redo
+    | Done
+    | KeepLabels
+    | ForgetLabel
+    | Spread
+    | Compare
+    | TakeOver
+    | Upload
+    | UploadCancel
+    | Select
+    | Seek
+    | Play
+    | Signals
+    | Export
+    | Show
+    | Theme
+    | Replay
+    | Latency
+)
+
+LOOKING_REQUESTS = (Signals, Latency, Compare)
+"""What a page may ask that was opened by the link for looking."""
+
+_LARGEST_BYTES = 256 << 10
+_decoder = msgspec.json.Decoder(Request)
+
+
+def parse(raw: str | bytes) -> Request:
+    """The request in a message from a page.
+
+    Raises RequestError with what is wrong and where.
+    """
+    if len(raw) > _LARGEST_BYTES:
+        raise RequestError(
+            f"A message may have {_LARGEST_BYTES} characters at most, but has {len(raw)}."
+        )
+    if isinstance(raw, bytes):
+        raise RequestError("A message must be text holding one JSON object, but is binary.")
+    try:
+        return _decoder.decode(raw)
+    except (msgspec.MsgspecError, UnicodeError, RecursionError) as error:
+        raise RequestError(f"This message is refused: {error}.") from error

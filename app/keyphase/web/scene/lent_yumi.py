@@ -1,0 +1,44 @@
+"""The YuMi for whoever moves it by its joints: the one that is in the scene, or one of our own."""
+
+import viser
+
+from keyphase.demonstration import Array
+from keyphase.robot.pose import Placement
+from keyphase.robot.yumi import yumi
+from keyphase.web.scene.robot_figure import RobotFigure
+from keyphase.web.scene.robot_view import RobotView
+
+
+class LentYumi:
+    """Stands at the origin, where workcells have it, between `take` and `give_back`."""
+
+    def __init__(self, server: viser.ViserServer, shown: RobotView) -> None:
+        self._server, self._shown = server, shown
+        self._robot = yumi()
+        self._own: RobotFigure | None = None
+        self._figure: RobotFigure | None = None
+
+    def take(self) -> None:
+        """Take over the robot that is shown; one of our own where that is no YuMi."""
+        figure = self._shown.lend()
+        if not set(figure.links) <= set(self._robot.links):
+            figure.visible = False
+            self._own = self._own or RobotFigure(self._server, self._robot, "/yumi")
+            figure = self._own
+        figure.stand(Placement())
+        figure.visible = True
+        self._figure = figure
+
+    def pose(self, joints_rad: Array) -> None:
+        """Take a posture (7,) of the right arm."""
+        if self._figure is not None:
+            self._figure.pose(self._robot, joints_rad)
+
+    def give_back(self) -> None:
+        """The robot that was shown follows the playhead again."""
+        if self._figure is None:
+            return
+        self._figure = None
+        if self._own is not None:
+            self._own.visible = False
+        self._shown.take_back()

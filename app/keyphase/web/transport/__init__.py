@@ -1,0 +1,1 @@
+"""One port: access, sockets, responses, and the hook into viser's server."""

@@ -1,0 +1,68 @@
+"""A folder of recordings while it is open: the vocabulary and parameters its recordings share."""
+
+import threading
+from dataclasses import replace
+from pathlib import Path
+
+from keyphase.labeling.labeling import Labeling
+from keyphase.labeling.storage.folder_settings import (
+    FolderSettings,
+    read_folder_settings,
+    write_folder_settings,
+)
+from keyphase.labeling.vocabulary import COLORS, Vocabulary
+from keyphase.segmentation import Parameters
+
+
+class Folder:
+    """One folder's settings; every change is on disk on return. Used by several threads."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._settings = read_folder_settings(path)
+        self._lock = threading.Lock()
+
+    @property
+    def settings(self) -> FolderSettings:
+        """What its recordings share."""
+        return self._settings
+
+    def learn(self, label: str, color: int) -> None:
+        """Put a label into the vocabulary, if it can be in the colour its segment has.
+
+        Raises JournalError where it cannot be kept.
+        """
+        preferred = COLORS[color % len(COLORS)]
+        self._change_vocabulary(self._settings.vocabulary.with_label(label, preferred))
+
+    def forget(self, label: str) -> None:
+        """Take a label out of the vocabulary; segments that have it keep it."""
+        self._change_vocabulary(self._settings.vocabulary.without_label(label))
+
+    def share(self, parameters: Parameters) -> None:
+        """Give all its recordings other parameters. Raises JournalError likewise."""
+        self._change(replace(self._settings, parameters=parameters))
+
+    def colored(self, labeling: Labeling) -> Labeling:
+        """The labeling with segments named by the vocabulary in the colours of their names."""
+        colors = {
+            label.name: COLORS.index(label.color.upper())
+            for label in self._settings.vocabulary.labels
+            if label.color.upper() in COLORS
+        }
+        segments = tuple(
+            segment
+            if segment.proposed
+            else replace(segment, color=colors.get(segment.label, segment.color))
+            for segment in labeling.segments
+        )
+        return replace(labeling, segments=segments)
+
+    def _change_vocabulary(self, vocabulary: Vocabulary) -> None:
+        if vocabulary is not self._settings.vocabulary:
+            self._change(replace(self._settings, vocabulary=vocabulary))
+
+    def _change(self, settings: FolderSettings) -> None:
+        with self._lock:
+            write_folder_settings(self.path, settings)
+            self._settings = settings
