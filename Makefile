@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 PICTURES := tests/pictures
 
-.PHONY: demo test check bench wheel clean browser
+.PHONY: demo test check bench wheel clean browser page-scripts
 
 # The environment and the browser are installed at the same time.
 MAKEFLAGS += --jobs=2
@@ -15,7 +15,7 @@ demo: $(VENV)/ready-to-run
 
 # Processes are killed and a browser drawing in software is driven here: what a busy machine
 # upsets is tried again, and the summary says so. What is broken stays broken.
-test: $(VENV)/ready-to-test browser
+test: $(VENV)/ready-to-test browser page-scripts
 	$(BIN)/ruff format --check --quiet app tests
 	$(BIN)/ruff check --quiet app tests
 	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist worksteal --reruns 1 -m "not browser"
@@ -24,7 +24,17 @@ test: $(VENV)/ready-to-test browser
 browser:
 	sh tests/ensure_chromium.sh
 
-check: $(VENV)/ready-to-test
+# The page's scripts are read as they are written; Node checks them and is not needed to run them.
+page-scripts: node_modules/ready
+	npm run --silent check
+	npm run --silent format
+	npm run --silent test
+
+node_modules/ready: package.json
+	npm install --no-package-lock --no-audit --no-fund --silent
+	@touch $@
+
+check: $(VENV)/ready-to-test page-scripts
 	$(BIN)/ruff format --check app tests
 	$(BIN)/ruff check app tests
 	$(BIN)/pyright
@@ -36,7 +46,7 @@ wheel: $(VENV)/ready-to-test
 	$(BIN)/python -m build --wheel
 
 clean:
-	rm -rf $(VENV) $(PICTURES) dist build
+	rm -rf $(VENV) $(PICTURES) node_modules dist build
 
 define environment
 @test -n "$(PYTHON)" || { echo "keyphase needs Python 3.11 or newer; on Debian: apt-get install python3 python3-venv"; exit 1; }

@@ -1,54 +1,60 @@
 /** Puts the page together: state, socket, parts. */
 
-import { createActions } from "./actions.js";
-import { createCommands } from "./commands.js";
-import { createBanners } from "./banners.js";
-import { placeIcons } from "./dom.js";
-import { createEmpty } from "./empty.js";
-import { createExplain } from "./explain.js";
-import { createHeader } from "./header.js";
-import { createKeys, letGoOfButton } from "./keys.js";
-import { createKeysSheet } from "./keys_sheet.js";
-import { createLatency } from "./latency.js";
-import { createMenu } from "./menu.js";
-import { createNotices } from "./notices.js";
-import { createPalette } from "./palette.js";
-import { createPlan } from "./plan.js";
-import { createPlayback } from "./playback.js";
-import { createQueue } from "./queue.js";
-import { createReceiver } from "./receive.js";
-import { createReplayKeys } from "./replay/keys.js";
+import { sceneFrames } from "./scene/viser_client.js";
+import { createActions } from "./actions/actions.js";
+import { createCommands } from "./actions/commands.js";
+import { createBanners } from "./panels/banners.js";
+import { placeIcons } from "./lib/dom.js";
+import { createEmpty } from "./panels/empty.js";
+import { createExplain } from "./panels/overlays/explain.js";
+import { createHeader } from "./panels/header.js";
+import { createKeys, letGoOfButton } from "./actions/keys.js";
+import { createKeysSheet } from "./panels/overlays/keys_sheet.js";
+import { createLatency } from "./model/latency.js";
+import { createMenu } from "./panels/overlays/menu.js";
+import { createNotices } from "./panels/overlays/notices.js";
+import { createPalette } from "./panels/overlays/palette.js";
+import { createPlan } from "./panels/plan.js";
+import { createPlayback } from "./model/playback.js";
+import { createQueue } from "./panels/queue.js";
+import { createReceiver } from "./model/receive.js";
+import { createReplayKeys } from "./replay/replay_keys.js";
 import { createReplay, createReplayActions } from "./replay/replay.js";
-import { createRename } from "./rename.js";
-import { createScene, sceneFrames } from "./scene.js";
+import { createRename } from "./panels/overlays/rename.js";
+import { createScene } from "./scene/scene.js";
 import { createNames } from "./scene/names.js";
 import { askForShadows } from "./scene/shadows.js";
-import { createSignals } from "./signals.js";
-import { openSocket } from "./socket.js";
-import { createSplitter } from "./splitter.js";
-import { createSpread } from "./spread.js";
-import { firstState } from "./state.js";
-import { createStatus } from "./status.js";
-import { createStore } from "./store.js";
-import { createTheme, firstDark } from "./theme.js";
+import { createSignals } from "./model/signals.js";
+import { openSocket } from "./lib/socket.js";
+import { createSplitter } from "./panels/splitter.js";
+import { createSpread } from "./panels/overlays/spread.js";
+import { firstState } from "./model/state.js";
+import { createStatus } from "./panels/status.js";
+import { createStore } from "./lib/store.js";
+import { createTheme, firstDark } from "./panels/theme.js";
 import { createLens } from "./timeline/lens.js";
 import { attachPointer } from "./timeline/pointer.js";
-import { firstChoice, SMALL_BELOW_PX, tracksOf } from "./timeline/rows.js";
+import { firstChoice, SMALL_BELOW_PX, tracksOf } from "./model/rows.js";
 import { createTimeline } from "./timeline/timeline.js";
-import { createTransport } from "./transport.js";
-import { createUpload } from "./upload.js";
+import { createTransport } from "./panels/transport.js";
+import { createUpload } from "./actions/upload.js";
 
 const isSmall = () => innerWidth <= SMALL_BELOW_PX;
 
 const store = createStore(firstState(isSmall()));
 
-/** @type {import("./socket.js").Socket|null} */
+/** @type {import("./lib/socket.js").Socket|null} */
 let socket = null;
 const send = (message) => socket?.send(message) ?? false;
 const latency = createLatency(store, send, sceneFrames);
 const signals = createSignals(store, send, () => wantedTracks(store.state));
 const actions = createActions(store, send, latency);
-const dialogs = { openPalette: (query) => palette.open(query), openKeys: () => keysSheet.open(), chooseFiles: () => upload.choose(), openMenu: () => menu.forChosen(timeline) };
+const dialogs = {
+  openPalette: (query) => palette.open(query),
+  openKeys: () => keysSheet.open(),
+  chooseFiles: () => upload.choose(),
+  openMenu: () => menu.forChosen(timeline),
+};
 const replayActions = createReplayActions(store, send);
 Object.assign(actions, { replay: replayActions });
 const commands = createCommands(actions, store, dialogs);
@@ -61,7 +67,9 @@ const playback = createPlayback(store);
 /** The overview needs the error or the speed even where their tracks are hidden; so does snapping. */
 function wantedTracks(state) {
   const channels = state.document?.channels ?? [];
-  const always = channels.includes("force") ? ["error", "speed", "force", "position"] : ["speed", "position"];
+  const always = channels.includes("force")
+    ? ["error", "speed", "force", "position"]
+    : ["speed", "position"];
   return [...new Set([...always, ...tracksOf(state).map(({ key }) => key)])];
 }
 
@@ -72,11 +80,16 @@ createTheme(store, send);
 // A comparison is with what is shown now, whatever has been edited since.
 store.later(["document"], ({ comparison }) => comparison?.with && actions.compare(comparison.with));
 store.later(["recording"], () => actions.compare(null));
-const applySize = () => (document.documentElement.dataset.size = store.state.small ? "small" : "large");
+const applySize = () =>
+  (document.documentElement.dataset.size = store.state.small ? "small" : "large");
 applySize();
 store.on(["small"], applySize);
 const timeline = createTimeline(document.getElementById("timeline"), store, actions);
-const pointer = attachPointer(store, timeline, Object.assign(actions, { menu: menu.forTimeline, openPalette: dialogs.openPalette }));
+const pointer = attachPointer(
+  store,
+  timeline,
+  Object.assign(actions, { menu: menu.forTimeline, openPalette: dialogs.openPalette }),
+);
 createSplitter(store, timeline.naturalHeight);
 createHeader(store, actions, dialogs);
 createBanners(store, actions);
@@ -114,13 +127,24 @@ addEventListener("resize", () => {
   store.set({ small, ...firstChoice(small) });
 });
 
-const receive = createReceiver(store, { latency, playback, notices, signals, replay, upload: () => upload });
+const receive = createReceiver(store, {
+  latency,
+  playback,
+  notices,
+  signals,
+  replay,
+  upload: () => upload,
+});
 socket = openSocket({
   onMessage: receive,
   onSignals: (frame) => signals.receive(frame),
   onState(connected) {
     if (!connected) upload.broke();
-    store.set(connected ? { connected } : { connected, saving: false, greeted: store.state.document !== null });
+    store.set(
+      connected
+        ? { connected }
+        : { connected, saving: false, greeted: store.state.document !== null },
+    );
   },
 });
 const upload = createUpload(store, socket, actions);
@@ -130,4 +154,11 @@ askForShadows(store, send, () => sceneFrame.contentWindow);
 store.set({ dark: firstDark(), snap: true });
 
 /** For tests and for anyone who wants to know how fast it is. */
-/** @type {any} */ (window).keyphase = { latency: latency.list, state: store.state, actions, timeline, socket, store };
+/** @type {any} */ (window).keyphase = {
+  latency: latency.list,
+  state: store.state,
+  actions,
+  timeline,
+  socket,
+  store,
+};

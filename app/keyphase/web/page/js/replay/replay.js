@@ -1,8 +1,8 @@
 /** Replay in the page: turns it from the demonstration to the replay and back. */
 
-import { byId, el, svg } from "../dom.js";
-import { sceneFrames } from "../scene.js";
-import { createScenePace } from "../scene_pace.js";
+import { sceneFrames } from "../scene/viser_client.js";
+import { byId, el, svg } from "../lib/dom.js";
+import { createScenePace } from "../scene/scene_pace.js";
 import { createReplayPlan } from "./plan.js";
 import { withRows } from "./samples.js";
 import { placeText } from "./schedule.js";
@@ -14,21 +14,27 @@ const PLACES = ["timeline", "transport", "plan"];
 
 /**
  * What a person can ask of a replay, as one function each.
- * @param {import("../store.js").Store} store
- * @param {(message: import("../types.js").Message) => boolean} send
+ * @param {import("../lib/store.js").Store} store
+ * @param {(message: import("../model/types.js").Message) => boolean} send
  */
 export function createReplayActions(store, send) {
   const ask = (what) => () => send({ type: "replay", do: what });
   return {
-    run: ask("run"), again: ask("again"), next: ask("next"), stop: ask("stop"), leave: ask("leave"), keep: ask("keep"),
-    toggle: () => send({ type: "replay", do: store.state.replay?.phase === "running" ? "pause" : "run" }),
+    run: ask("run"),
+    again: ask("again"),
+    next: ask("next"),
+    stop: ask("stop"),
+    leave: ask("leave"),
+    keep: ask("keep"),
+    toggle: () =>
+      send({ type: "replay", do: store.state.replay?.phase === "running" ? "pause" : "run" }),
     hold: () => send({ type: "replay", do: store.state.replay?.held ? "release" : "hold" }),
     setSpeed: (speed) => send({ type: "replay", do: "speed", speed }),
   };
 }
 
 /**
- * @param {import("../store.js").Store} store
+ * @param {import("../lib/store.js").Store} store
  * @param {ReturnType<typeof createReplayActions>} actions
  * @returns {Object<string, (message: any) => void>} what to do with messages
  */
@@ -47,10 +53,20 @@ export function createReplay(store, actions) {
     store.set({ replayShown: shown });
   });
   store.later(["replay"], ({ replay }) => {
-    if (replay) status.replaceChildren("Replay of ", el("b", { text: replay.name }), el("span", { class: "wide", text: ending(replay) }));
+    if (replay)
+      status.replaceChildren(
+        "Replay of ",
+        el("b", { text: replay.name }),
+        el("span", { class: "wide", text: ending(replay) }),
+      );
   });
   return {
-    replay: (message) => store.set(message.phase === null ? { replay: null, samples: null, replayView: null } : { replay: message }),
+    replay: (message) =>
+      store.set(
+        message.phase === null
+          ? { replay: null, samples: null, replayView: null }
+          : { replay: message },
+      ),
     samples: (message) => store.set({ samples: withRows(store.state.samples, message) }),
     trials: showTrials,
   };
@@ -58,7 +74,10 @@ export function createReplay(store, actions) {
 
 /** While something plays or is replayed the scene leaves time to the timeline. */
 function paceScene({ state }) {
-  const pace = createScenePace(sceneFrames, () => state.replay?.phase === "running" || state.playhead.playing);
+  const pace = createScenePace(
+    sceneFrames,
+    () => state.replay?.phase === "running" || state.playhead.playing,
+  );
   const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
   // After all others that watch the frame, so that what it draws with is seen as it is.
   frame.addEventListener("load", () => setTimeout(() => pace.watch(frame.contentWindow)));
@@ -77,19 +96,36 @@ function createReplayHud(store) {
     what.replaceChildren(...(replay ? [el("b", { text: "● Replay" }), ` ${replay.words}`] : []));
   });
   store.on(["replay", "samples"], ({ replay, samples }) => {
-    how.textContent = replay ? [placeText(replay), ...(pace(replay, samples))].join(" · ") : "";
+    how.textContent = replay ? [placeText(replay), ...pace(replay, samples)].join(" · ") : "";
   });
   byId("replay-legend").append(
     el("span", {}, line("var(--idle)", 2), "demonstration"),
     el("span", {}, line("var(--segment-2)", 3), "replay"),
-    el("span", {}, svg("svg", { width: 26, height: 8 },
-      svg("path", { d: "M0 4h20", "stroke-width": 3, style: { stroke: "var(--origin-force)" } }),
-      svg("path", { d: "M18 0l8 4-8 4z", style: { fill: "var(--origin-force)" } })), "force, 5 N"));
+    el(
+      "span",
+      {},
+      svg(
+        "svg",
+        { width: 26, height: 8 },
+        svg("path", { d: "M0 4h20", "stroke-width": 3, style: { stroke: "var(--origin-force)" } }),
+        svg("path", { d: "M18 0l8 4-8 4z", style: { fill: "var(--origin-force)" } }),
+      ),
+      "force, 5 N",
+    ),
+  );
 }
 
 function pace({ phase, held }, samples) {
   if (phase !== "running") return [phase];
-  return [...(samples?.factor ? [`${samples.factor.toFixed(2)}× real time`] : []), ...(held ? ["held"] : [])];
+  return [
+    ...(samples?.factor ? [`${samples.factor.toFixed(2)}× real time`] : []),
+    ...(held ? ["held"] : []),
+  ];
 }
 
-const line = (color, width) => svg("svg", { width: 16, height: 8 }, svg("path", { d: "M0 4h16", "stroke-width": width, style: { stroke: color } }));
+const line = (color, width) =>
+  svg(
+    "svg",
+    { width: 16, height: 8 },
+    svg("path", { d: "M0 4h16", "stroke-width": width, style: { stroke: color } }),
+  );

@@ -1,6 +1,6 @@
 /** The rows of the timeline in a replay and how high each is; open tracks fill what is left. */
 
-import { FOLDED_PX } from "../timeline/rows.js";
+import { FOLDED_PX } from "../model/rows.js";
 
 const HEAD = [
   { key: "overview", large: 26, small: 20 },
@@ -20,7 +20,7 @@ export const REPLAY_TRACKS = [
 /**
  * @param {{small: boolean, replayFolded: Set<string>}} state
  * @param {number} room height of the pane
- * @returns {import("../timeline/rows.js").Layout}
+ * @returns {import("../model/rows.js").Layout}
  */
 export function layOutReplay({ small, replayFolded }, room) {
   const rows = new Map();
@@ -31,10 +31,18 @@ export function layOutReplay({ small, replayFolded }, room) {
   };
   for (const { key, large, small: low } of HEAD) put(key, small ? low : large, false);
   const headHeight = y;
-  const heights = REPLAY_TRACKS.map(({ key, large, small: low }) => (replayFolded.has(key) ? FOLDED_PX : small ? low : large));
+  const heights = REPLAY_TRACKS.map(({ key, large, small: low }) =>
+    replayFolded.has(key) ? FOLDED_PX : small ? low : large,
+  );
   const folded = REPLAY_TRACKS.filter(({ key }) => replayFolded.has(key)).length * FOLDED_PX;
   const natural = heights.reduce((sum, height) => sum + height, 0) - folded;
   const stretch = natural > 0 ? Math.max(0.5, (room - headHeight - folded) / natural) : 1;
-  REPLAY_TRACKS.forEach(({ key }, k) => put(key, replayFolded.has(key) ? FOLDED_PX : Math.floor(heights[k] * stretch), replayFolded.has(key)));
+  REPLAY_TRACKS.forEach(({ key }, k) =>
+    put(
+      key,
+      replayFolded.has(key) ? FOLDED_PX : Math.floor(heights[k] * stretch),
+      replayFolded.has(key),
+    ),
+  );
   return { rows, headHeight, height: y };
 }

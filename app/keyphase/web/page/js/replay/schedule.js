@@ -20,7 +20,15 @@ export function slotsOf(replay, now) {
     const progress = done ? "done" : index === replay.current ? "running" : "waiting";
     const start = done ? skill.start_s : end;
     end = done ? skill.end_s : Math.max(start + skill.expected_s, progress === "running" ? now : 0);
-    return { index, start, end, met: done ? (skill.met_s ?? skill.end_s) : null, progress, good: GOOD.includes(skill.outcome), skill };
+    return {
+      index,
+      start,
+      end,
+      met: done ? (skill.met_s ?? skill.end_s) : null,
+      progress,
+      good: GOOD.includes(skill.outcome),
+      skill,
+    };
   });
 }
 
@@ -45,8 +53,12 @@ export function outcomeText({ outcome, peak_N: peak }) {
 export function placeText(replay) {
   const { skills, current, phase } = replay;
   const count = skills.filter(({ segment }) => segment !== null).length;
-  const ended = skills.filter(({ segment, outcome }) => segment !== null && outcome !== null).length;
+  const ended = skills.filter(
+    ({ segment, outcome }) => segment !== null && outcome !== null,
+  ).length;
   if (phase === "over" || current === null) return `${ended} of ${count} skills ended`;
   const place = skills.slice(0, current + 1).filter(({ segment }) => segment !== null).length;
-  return skills[current].segment === null ? `connecting to skill ${place + 1} of ${count}` : `skill ${place} of ${count}`;
+  return skills[current].segment === null
+    ? `connecting to skill ${place + 1} of ${count}`
+    : `skill ${place} of ${count}`;
 }

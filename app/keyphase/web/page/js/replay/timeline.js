@@ -1,9 +1,9 @@
 /** The timeline in a replay: its rows on the replay's own time. */
 
-import { byId, el, svg } from "../dom.js";
+import { byId, el, svg } from "../lib/dom.js";
 import { createGutter } from "../timeline/gutter.js";
 import { createPlayhead, drawRuler } from "../timeline/ruler.js";
-import { createScale } from "../timeline/scale.js";
+import { createScale } from "../lib/scale.js";
 import { drawCurrent, drawEnds, drawSkills, drawWholePlan } from "./band.js";
 import { layOutReplay, REPLAY_TRACKS } from "./rows.js";
 import { planned, slotsOf } from "./schedule.js";
@@ -13,14 +13,32 @@ import { attachReplayView, shownOf } from "./view.js";
 const MARGIN_PX = { large: 42, small: 34 };
 const GUTTER_PX = { large: 172, small: 132 };
 
-/** @param {import("../store.js").Store} store */
+/** @param {import("../lib/store.js").Store} store */
 export function createReplayTimeline(store) {
   const pane = byId("replay-timeline");
   const clip = svg("rect", { y: -10_000, height: 20_000 });
   const inside = { "clip-path": "url(#replay-clip)" };
-  const groups = { current: svg("g", inside), plan: svg("g"), ruler: svg("g"), skills: svg("g", inside), ends: svg("g", inside), playhead: svg("g", { class: "playhead" }), whole: svg("rect", { class: "overview-playhead", width: 1.5 }) };
+  const groups = {
+    current: svg("g", inside),
+    plan: svg("g"),
+    ruler: svg("g"),
+    skills: svg("g", inside),
+    ends: svg("g", inside),
+    playhead: svg("g", { class: "playhead" }),
+    whole: svg("rect", { class: "overview-playhead", width: 1.5 }),
+  };
   const below = svg("svg", { class: "layer below" }, patterns(), groups.current);
-  const above = svg("svg", { class: "layer above" }, svg("clipPath", { id: "replay-clip" }, clip), groups.plan, groups.whole, groups.ruler, groups.skills, groups.ends, groups.playhead);
+  const above = svg(
+    "svg",
+    { class: "layer above" },
+    svg("clipPath", { id: "replay-clip" }, clip),
+    groups.plan,
+    groups.whole,
+    groups.ruler,
+    groups.skills,
+    groups.ends,
+    groups.playhead,
+  );
   const content = el("div", { class: "tracks-content" });
   pane.append(below, el("div", { class: "tracks" }, content), above);
   const gutters = createGutters(pane);
@@ -29,7 +47,9 @@ export function createReplayTimeline(store) {
     if (!next.delete(key)) next.add(key);
     store.set({ replayFolded: next });
   };
-  const tracks = new Map(REPLAY_TRACKS.map((track) => [track.key, buildTrack(track, content, fold)]));
+  const tracks = new Map(
+    REPLAY_TRACKS.map((track) => [track.key, buildTrack(track, content, fold)]),
+  );
   const playhead = createPlayhead(groups.playhead);
   let layout = layOutReplay(store.state, 0);
 
@@ -54,9 +74,14 @@ export function createReplayTimeline(store) {
   }
 
   const left = () => GUTTER_PX[store.state.small ? "small" : "large"];
-  const width = () => Math.max(50, pane.clientWidth - left() - MARGIN_PX[store.state.small ? "small" : "large"]);
+  const width = () =>
+    Math.max(50, pane.clientWidth - left() - MARGIN_PX[store.state.small ? "small" : "large"]);
   let shown = { whole: { from: 0, to: 1 }, view: { from: 0, to: 1 } };
-  attachReplayView(store, pane, () => ({ ...shown, width: width(), left: pane.getBoundingClientRect().left + left() }));
+  attachReplayView(store, pane, () => ({
+    ...shown,
+    width: width(),
+    left: pane.getBoundingClientRect().left + left(),
+  }));
 
   function draw(state) {
     const { replay, samples } = state;
@@ -71,7 +96,10 @@ export function createReplayTimeline(store) {
     const bottom = pane.clientHeight;
     const body = rows.get("skills").y + rows.get("skills").height;
     groups.current.replaceChildren(...drawCurrent(slots, scale, body, bottom));
-    groups.plan.replaceChildren(...drawWholePlan(slots, whole, rows.get("overview")), ...drawPart(shown, whole, rows.get("overview")));
+    groups.plan.replaceChildren(
+      ...drawWholePlan(slots, whole, rows.get("overview")),
+      ...drawPart(shown, whole, rows.get("overview")),
+    );
     groups.ruler.replaceChildren(...drawRuler(scale, rows.get("ruler")));
     groups.skills.replaceChildren(...drawSkills(slots, scale, rows.get("skills"), now));
     groups.ends.replaceChildren(...drawEnds(slots, scale, rows.get("ends"), bottom));
@@ -79,9 +107,17 @@ export function createReplayTimeline(store) {
       track.draw(samples, slots, scale, rows.get(key));
       track.read(samples);
     }
-    groups.playhead.style.setProperty("visibility", now < scale.from || now > scale.to ? "hidden" : "visible");
+    groups.playhead.style.setProperty(
+      "visibility",
+      now < scale.from || now > scale.to ? "hidden" : "visible",
+    );
     playhead.move(scale, now, groups.ruler.querySelectorAll("text"));
-    for (const [name, value] of Object.entries({ x: whole.x(now) - 0.75, y: rows.get("overview").y, height: rows.get("overview").height })) groups.whole.setAttribute(name, String(value));
+    for (const [name, value] of Object.entries({
+      x: whole.x(now) - 0.75,
+      y: rows.get("overview").y,
+      height: rows.get("overview").height,
+    }))
+      groups.whole.setAttribute(name, String(value));
     describe(gutters.get("skills"), slots);
   }
 
@@ -100,8 +136,21 @@ function drawPart({ view, whole: all }, whole, { y, height }) {
   const [from, to] = [whole.x(view.from), whole.x(view.to)];
   return [
     svg("rect", { y, width: Math.max(0, from), height, class: "overview-outside" }),
-    svg("rect", { x: to, y, width: Math.max(0, whole.width - to), height, class: "overview-outside" }),
-    svg("rect", { x: from, y: y + 1.5, width: Math.max(2, to - from), height: height - 3, rx: 3, class: "overview-window" }),
+    svg("rect", {
+      x: to,
+      y,
+      width: Math.max(0, whole.width - to),
+      height,
+      class: "overview-outside",
+    }),
+    svg("rect", {
+      x: from,
+      y: y + 1.5,
+      width: Math.max(2, to - from),
+      height: height - 3,
+      rx: 3,
+      class: "overview-window",
+    }),
   ];
 }
 
@@ -114,7 +163,13 @@ function buildTrack({ key, title, unit }, content, fold) {
   const gutter = createGutter({ key, title, unit }, fold);
   const plot = el("div", { class: "plot", data: { track: `replay-${key}` } });
   const marks = svg("g");
-  const row = el("div", { class: "track", data: { key: `replay-${key}` } }, gutter.node, plot, svg("svg", { class: "marks" }, marks));
+  const row = el(
+    "div",
+    { class: "track", data: { key: `replay-${key}` } },
+    gutter.node,
+    plot,
+    svg("svg", { class: "marks" }, marks),
+  );
   content.append(row);
   return { ...createReplayTrack(key, { plot, marks, gutter: gutter.body }), row, gutter };
 }
@@ -129,7 +184,8 @@ function createGutters(pane) {
   const gutters = new Map(rows.map((row) => [row.key, createGutter(row)]));
   for (const { node } of gutters.values()) pane.append(node);
   gutters.get("skills").body.append(el("div", { class: "gutter-note wide" }));
-  for (const key of ["ends", "skills"]) gutters.get(key).node.querySelector(".gutter-name").classList.remove("plain");
+  for (const key of ["ends", "skills"])
+    gutters.get(key).node.querySelector(".gutter-name").classList.remove("plain");
   return gutters;
 }
 
@@ -137,15 +193,26 @@ function describe(gutter, slots) {
   const skills = planned(slots).length;
   const moves = slots.length - skills;
   gutter.small.textContent = String(skills);
-  gutter.body.firstElementChild.textContent = moves === 0 ? "" : moves === 1 ? "and a connecting move" : `and ${moves} connecting moves`;
+  gutter.body.firstElementChild.textContent =
+    moves === 0 ? "" : moves === 1 ? "and a connecting move" : `and ${moves} connecting moves`;
 }
 
 /** The hatch of connecting moves, and the stripes of the skill that runs. */
 function patterns() {
   const tile = { patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" };
-  return svg("defs", {},
-    svg("pattern", { id: "replay-hatch", width: 6, height: 6, ...tile },
-      svg("rect", { width: 6, height: 6, style: { fill: "var(--hatch)" } }), svg("rect", { width: 2.2, height: 6, style: { fill: "var(--hatch-line)" } })),
-    svg("pattern", { id: "running-stripes", width: 10, height: 10, ...tile },
-      svg("rect", { width: 5, height: 10, style: { fill: "#fff", opacity: 0.22 } })));
+  return svg(
+    "defs",
+    {},
+    svg(
+      "pattern",
+      { id: "replay-hatch", width: 6, height: 6, ...tile },
+      svg("rect", { width: 6, height: 6, style: { fill: "var(--hatch)" } }),
+      svg("rect", { width: 2.2, height: 6, style: { fill: "var(--hatch-line)" } }),
+    ),
+    svg(
+      "pattern",
+      { id: "running-stripes", width: 10, height: 10, ...tile },
+      svg("rect", { width: 5, height: 10, style: { fill: "#fff", opacity: 0.22 } }),
+    ),
+  );
 }

@@ -3,11 +3,12 @@
  * under each skill; and the force at which a skill is over.
  */
 
-import { el, svg } from "../dom.js";
-import { signed } from "../format.js";
-import { createCurves, cssColor, normOf } from "../timeline/curves.js";
+import { cssColor } from "../lib/colors.js";
+import { el, svg } from "../lib/dom.js";
+import { signed } from "../lib/format.js";
+import { createCurves, normOf } from "../timeline/curves.js";
 import { createReadout } from "../timeline/gutter.js";
-import { multiples, tickStep } from "../timeline/scale.js";
+import { multiples, tickStep } from "../lib/scale.js";
 import { tickLabels } from "../timeline/tracks.js";
 import { indexAt, liveSeries } from "./samples.js";
 
@@ -34,7 +35,11 @@ export function createReplayTrack(key, { plot, marks, gutter }) {
   const { curves, width, pale, digits, least } = PENS[key];
   let laid = [];
   let scale = null;
-  const open = createCurves(plot, curves.map(({ color }) => ({ color, width })), (chart, box) => drawBelow(chart, box));
+  const open = createCurves(
+    plot,
+    curves.map(({ color }) => ({ color, width })),
+    (chart, box) => drawBelow(chart, box),
+  );
   const folded = createCurves(plot, [{ color: "--text-3", width: 1 }]);
   const note = el("div", { class: "replay-notes" });
   gutter.append(note);
@@ -60,7 +65,9 @@ export function createReplayTrack(key, { plot, marks, gutter }) {
   function strokeLine(ctx, times, values, shift, box, color) {
     ctx.strokeStyle = color;
     ctx.beginPath();
-    times.forEach((time, k) => ctx[k ? "lineTo" : "moveTo"](scale.x(time + shift), box.y(values[k])));
+    times.forEach((time, k) =>
+      ctx[k ? "lineTo" : "moveTo"](scale.x(time + shift), box.y(values[k])),
+    );
     ctx.stroke();
   }
 
@@ -68,7 +75,7 @@ export function createReplayTrack(key, { plot, marks, gutter }) {
     /**
      * @param {import("./samples.js").Samples} samples
      * @param {import("./schedule.js").Slot[]} slots
-     * @param {import("../timeline/rows.js").Row} row
+     * @param {import("../model/rows.js").Row} row
      */
     draw(samples, slots, nextScale, row) {
       scale = nextScale;
@@ -87,14 +94,20 @@ export function createReplayTrack(key, { plot, marks, gutter }) {
       open.resize(scale.width, row.height, false);
       open.draw(live, range, view);
       const ends = key === "force" ? drawEndConditions(slots, samples, scale, open.y) : [];
-      const inside = svg("g", { "clip-path": "url(#replay-clip)" }, ...ends, ...dots(live, scale, open.y, curves));
+      const inside = svg(
+        "g",
+        { "clip-path": "url(#replay-clip)" },
+        ...ends,
+        ...dots(live, scale, open.y, curves),
+      );
       marks.replaceChildren(...tickLabels(range, open.y), inside);
     },
     /** The newest values, in the gutter. */
     read(samples) {
       const values = liveSeries(samples, key).map((series) => series.values.at(-1));
       if (key === "off") now.textContent = Number.isFinite(values[0]) ? values[0].toFixed(1) : "–";
-      else readout.show(values.map((value) => (Number.isFinite(value) ? signed(value, digits) : "–")));
+      else
+        readout.show(values.map((value) => (Number.isFinite(value) ? signed(value, digits) : "–")));
     },
     recolor() {
       open.recolor();
@@ -103,7 +116,10 @@ export function createReplayTrack(key, { plot, marks, gutter }) {
   };
 }
 
-const FORCE_NOTES = () => ["live", "demonstrated", "end condition"].map((text) => el("div", { class: `gutter-note pen ${text.replace(" ", "-")}`, text }));
+const FORCE_NOTES = () =>
+  ["live", "demonstrated", "end condition"].map((text) =>
+    el("div", { class: `gutter-note pen ${text.replace(" ", "-")}`, text }),
+  );
 
 /**
  * Where the demonstration of each skill lies on the replay's axis: from where the skill starts; of
@@ -120,7 +136,8 @@ export function layDemonstrated(slots, samples) {
   });
 }
 
-const valuesOf = (laid, key) => laid.flatMap(({ data }) => ["x", "y", "z"].flatMap((axis) => data[`${key}_${axis}`] ?? []));
+const valuesOf = (laid, key) =>
+  laid.flatMap(({ data }) => ["x", "y", "z"].flatMap((axis) => data[`${key}_${axis}`] ?? []));
 
 /** All that is drawn fits, with air; the unit's own least span keeps noise small. */
 function rangeOf(series, more, height, least, key) {
@@ -140,32 +157,51 @@ function rangeOf(series, more, height, least, key) {
   const air = 0.07 * (high - low);
   const bottom = low === 0 ? -0.4 * air : low - air;
   const top = high + air;
-  return { low: bottom, high: top, ticks: multiples(bottom, top, tickStep(top - bottom, Math.max(1, height / TICK_EVERY_PX))), map: identity };
+  return {
+    low: bottom,
+    high: top,
+    ticks: multiples(bottom, top, tickStep(top - bottom, Math.max(1, height / TICK_EVERY_PX))),
+    map: identity,
+  };
 }
 
 /** A dot at the newest value of each curve. */
 function dots(live, scale, y, curves) {
   const last = live[0].times.length - 1;
   if (last < 0) return [];
-  return curves.map(({ color }, k) => svg("circle", { cx: scale.x(live[k].times[last]), cy: y(live[k].values[last]), r: 2.4, style: { fill: `var(${color})` } }));
+  return curves.map(({ color }, k) =>
+    svg("circle", {
+      cx: scale.x(live[k].times[last]),
+      cy: y(live[k].values[last]),
+      r: 2.4,
+      style: { fill: `var(${color})` },
+    }),
+  );
 }
 
 const AXIS_NAMES = ["x", "y", "z"];
 
 /** The force along the main axis of its direction at which each skill is over. */
 function drawEndConditions(slots, samples, scale, y) {
-  return slots.filter(({ skill }) => skill.contact).flatMap((slot) => {
-    const { direction, threshold_N: threshold } = slot.skill.contact;
-    const axis = direction.reduce((best, value, k) => (Math.abs(value) > Math.abs(direction[best]) ? k : best), 0);
-    const level = levelBefore(slot, samples, axis) + direction[axis] * threshold;
-    const [from, to] = [Math.max(scale.x(slot.start), 0), scale.x(slot.met ?? slot.end)];
-    if (to <= 0) return [];
-    const at = y(level);
-    const text = `ends at F${AXIS_NAMES[axis]} ${signed(level, 1).replace("+", "")} N`;
-    const below = direction[axis] < 0;
-    return [svg("path", { d: `M${from + 2} ${at}H${to}`, class: "end-condition" }),
-      svg("text", { x: from + 6, y: at + (below ? 12 : -4), class: "end-condition-text", text })];
-  });
+  return slots
+    .filter(({ skill }) => skill.contact)
+    .flatMap((slot) => {
+      const { direction, threshold_N: threshold } = slot.skill.contact;
+      const axis = direction.reduce(
+        (best, value, k) => (Math.abs(value) > Math.abs(direction[best]) ? k : best),
+        0,
+      );
+      const level = levelBefore(slot, samples, axis) + direction[axis] * threshold;
+      const [from, to] = [Math.max(scale.x(slot.start), 0), scale.x(slot.met ?? slot.end)];
+      if (to <= 0) return [];
+      const at = y(level);
+      const text = `ends at F${AXIS_NAMES[axis]} ${signed(level, 1).replace("+", "")} N`;
+      const below = direction[axis] < 0;
+      return [
+        svg("path", { d: `M${from + 2} ${at}H${to}`, class: "end-condition" }),
+        svg("text", { x: from + 6, y: at + (below ? 12 : -4), class: "end-condition-text", text }),
+      ];
+    });
 }
 
 /** The usual force in a skill before its contact: measured once there is enough, else demonstrated. */
@@ -176,7 +212,8 @@ function levelBefore(slot, samples, axis) {
   if (measured.length >= 12) return median(measured);
   const data = samples.demonstrated[slot.index];
   const length = slot.skill.demonstrated_s[1] - slot.skill.demonstrated_s[0] - 0.1;
-  const before = data?.[`force_${AXIS_NAMES[axis]}`]?.filter((_, k) => data.time_s[k] < length) ?? [];
+  const before =
+    data?.[`force_${AXIS_NAMES[axis]}`]?.filter((_, k) => data.time_s[k] < length) ?? [];
   return before.length ? median(before) : 0;
 }
 

@@ -4,12 +4,12 @@
  * and a click on one selects what it names. They follow viser's camera.
  */
 
-import { byId, el, svg } from "../dom.js";
-import { sceneFrames } from "../scene.js";
-import { time as timeText } from "../format.js";
-import { segmentFill } from "../timeline/band.js";
+import { segmentFill } from "../lib/colors.js";
+import { sceneFrames, viserIn } from "./viser_client.js";
+import { byId, el, svg } from "../lib/dom.js";
+import { time as timeText } from "../lib/format.js";
 import { glyphIcon } from "../timeline/glyphs.js";
-import { projection, viserIn } from "./projection.js";
+import { projection } from "./projection.js";
 import { placed } from "./placing.js";
 import { forceName, forceNow, skillNames } from "./replay_names.js";
 
@@ -28,7 +28,7 @@ const LOOK_MS = 250;
  *   chosen?: (actions: any) => void}} Named
  * @typedef {{at: number[]|null, plate: HTMLElement, line: SVGElement, dot: SVGElement}} Name
  *
- * @param {import("../store.js").Store} store
+ * @param {import("../lib/store.js").Store} store
  * @param {any} actions
  * @param {() => Window|null} inside viser's window
  */
@@ -60,12 +60,18 @@ export function createNames(store, actions, inside) {
     layer.hidden = !viser?.nodeRefFromName[node]?.visible || !names.length;
     if (layer.hidden) return;
     const project = projection(viser, node);
-    const seen = names.map(({ at, plate }) => ({ anchor: at && project(at), width: plate.offsetWidth }));
+    const seen = names.map(({ at, plate }) => ({
+      anchor: at && project(at),
+      width: plate.offsetWidth,
+    }));
     const inView = seen.map(({ anchor }) => anchor && isInside(anchor, viser.canvas));
-    const places = placed(seen.filter((_, k) => inView[k]), {
-      width: viser.canvas.clientWidth,
-      height: viser.canvas.clientHeight,
-    });
+    const places = placed(
+      seen.filter((_, k) => inView[k]),
+      {
+        width: viser.canvas.clientWidth,
+        height: viser.canvas.clientHeight,
+      },
+    );
     names.forEach((name, k) => put(name, seen[k].anchor, inView[k] ? places.shift() : null));
   }
 
@@ -100,7 +106,7 @@ export function createNames(store, actions, inside) {
   setInterval(look, LOOK_MS);
 }
 
-/** What is to be named. @param {import("../types.js").Doc} doc @returns {Named[]} */
+/** What is to be named. @param {import("../model/types.js").Doc} doc @returns {Named[]} */
 function namesOf(doc, selected, small) {
   const kept = doc.segments.flatMap((one, index) => (one.kept ? [index] : []));
   const contacts = doc.boundaries.flatMap((one, index) => (one.at_m ? [index] : []));
@@ -108,7 +114,9 @@ function namesOf(doc, selected, small) {
   const told = small || kept.length + contacts.length > MOST ? [] : contacts;
   const withSelected = [...new Set([...shown, ...(selected === null ? [] : [selected])])];
   return [
-    ...withSelected.filter((index) => doc.segments[index]).map((index) => segmentName(doc, index, selected, small)),
+    ...withSelected
+      .filter((index) => doc.segments[index])
+      .map((index) => segmentName(doc, index, selected, small)),
     ...told.map((index) => contactName(doc, index)),
   ];
 }
@@ -145,7 +153,12 @@ function contactName(doc, index) {
 function drawn({ at, isSelected, title, color, mark, text, chosen }, actions) {
   const look = { class: isSelected ? "name selected" : "name", title };
   const plate = chosen
-    ? el("button", { ...look, type: "button", tabindex: -1, on: { click: () => chosen(actions) } }, mark, text)
+    ? el(
+        "button",
+        { ...look, type: "button", tabindex: -1, on: { click: () => chosen(actions) } },
+        mark,
+        text,
+      )
     : el("div", look, mark, el("span", { text }));
   return { at, plate, line: svg("path"), dot: svg("circle", { r: 2.5, style: { fill: color } }) };
 }

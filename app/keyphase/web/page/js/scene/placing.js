@@ -29,12 +29,16 @@ export function placed(asked, canvas) {
     ["right", order.slice(half)],
   ])) {
     const column = indices.sort((a, b) => asked[a].anchor.y - asked[b].anchor.y);
-    const heights = apart(column.map((index) => asked[index].anchor.y), canvas.height);
+    const heights = apart(
+      column.map((index) => asked[index].anchor.y),
+      canvas.height,
+    );
     column.forEach((index, k) => {
       const { width } = asked[index];
-      const x = side === "left"
-        ? Math.max(Math.min(...across) - BESIDE_PX, MARGIN_PX + width)
-        : Math.min(Math.max(...across) + BESIDE_PX, canvas.width - MARGIN_PX - width);
+      const x =
+        side === "left"
+          ? Math.max(Math.min(...across) - BESIDE_PX, MARGIN_PX + width)
+          : Math.min(Math.max(...across) + BESIDE_PX, canvas.width - MARGIN_PX - width);
       places[index] = { side, x, y: heights[k] };
     });
   }
@@ -46,9 +50,14 @@ function apart(heights, canvasHeight) {
   const spread = downwards(heights, -Infinity);
   const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
   const shift = mean(heights) - mean(spread);
-  const below = downwards(spread.map((y) => y + shift), COVERED_PX);
+  const below = downwards(
+    spread.map((y) => y + shift),
+    COVERED_PX,
+  );
   // From the lowest up, the same as from the highest down seen in a mirror.
-  return downwards(below.map((y) => -y).reverse(), COVERED_PX - canvasHeight).map((y) => -y).reverse();
+  return downwards(below.map((y) => -y).reverse(), COVERED_PX - canvasHeight)
+    .map((y) => -y)
+    .reverse();
 }
 
 /** Each at least a line below the one before, the first no higher than `top`. */

@@ -1,22 +1,8 @@
-/**
- * Where points of the scene are on the screen. viser's client shows its camera and its nodes to
- * tests under `__viserMutable`; its version is fixed, and a browser test fails if that is gone.
- *
- * @typedef {{elements: number[]}} Matrix  4x4, column by column
- * @typedef {{canvas: HTMLCanvasElement|null, camera: {updateMatrixWorld: () => void,
- *   projectionMatrix: Matrix, matrixWorldInverse: Matrix}|null, cameraControl: any,
- *   nodeRefFromName: Object<string, ?{visible: boolean, matrixWorld: Matrix}>}} Viser
- */
-
-/** What stands in the frame, once its client has started. @returns {Viser|undefined} */
-export function viserIn(inside) {
-  const viser = /** @type {any} */ (inside)?.__viserMutable;
-  return viser?.camera && viser.canvas ? viser : undefined;
-}
+/** Where points of the scene are on the screen. */
 
 /**
  * A function from points below a node of the scene [m] to px of the canvas; null behind the camera.
- * @param {Viser} viser
+ * @param {import("./viser_client.js").Viser} viser
  * @param {string} node
  * @returns {(point: number[]) => {x: number, y: number}|null}
  */
@@ -35,7 +21,7 @@ export function projection(viser, node) {
   };
 }
 
-/** @param {number[]} vector @param {Matrix} matrix */
+/** @param {number[]} vector @param {import("./viser_client.js").Matrix} matrix */
 function applied(vector, { elements }) {
   return [0, 1, 2, 3].map((row) =>
     vector.reduce((sum, value, column) => sum + elements[4 * column + row] * value, 0),

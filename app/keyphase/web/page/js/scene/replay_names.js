@@ -1,8 +1,8 @@
 /** What is named over the scene of a replay: its skills at their paths, and the measured force. */
 
-import { el } from "../dom.js";
-import { withoutMeasure } from "../names.js";
-import { segmentFill } from "../timeline/band.js";
+import { segmentFill } from "../lib/colors.js";
+import { el } from "../lib/dom.js";
+import { withoutMeasure } from "../model/label_forms.js";
 
 /** With more skills than this only the one that runs is named. */
 const MOST = 6;
@@ -13,15 +13,23 @@ const MOST = 6;
  * @returns {import("./names.js").Named[]}
  */
 export function skillNames({ skills, current }) {
-  const first = skills.map(({ segment }, index) => skills.findIndex((one) => one.segment === segment) === index);
-  const named = skills.flatMap(({ segment }, index) => (segment !== null && first[index] ? [index] : []));
-  const running = current === null ? null : skills.findIndex((one) => one.segment === skills[current].segment);
+  const first = skills.map(
+    ({ segment }, index) => skills.findIndex((one) => one.segment === segment) === index,
+  );
+  const named = skills.flatMap(({ segment }, index) =>
+    segment !== null && first[index] ? [index] : [],
+  );
+  const running =
+    current === null ? null : skills.findIndex((one) => one.segment === skills[current].segment);
   const shown = named.length > MOST ? named.filter((index) => index === running) : named;
   return shown.map((index) => {
     const { middle_m: at, segment, color: number, label } = skills[index];
     const color = segmentFill({ color: number });
     return {
-      at, color, title: label, isSelected: index === running,
+      at,
+      color,
+      title: label,
+      isSelected: index === running,
       mark: el("i", { style: { background: color } }),
       text: `${segment + 1} ${withoutMeasure(label)}`,
     };
@@ -43,10 +51,13 @@ export function forceName() {
  */
 export function forceNow({ zero_m, force_arrow: arrow }, samples) {
   if (!samples?.count) return null;
-  const newest = (name) => ["x", "y", "z"].map((axis) => samples.columns.get(`${name}_${axis}`)[samples.count - 1]);
+  const newest = (name) =>
+    ["x", "y", "z"].map((axis) => samples.columns.get(`${name}_${axis}`)[samples.count - 1]);
   const force = newest("force");
   const size = Math.hypot(...force);
   if (size < arrow.least_N) return null;
-  const at = newest("position").map((mm, k) => zero_m[k] + mm / 1000 + arrow.beside_m[k] + arrow.metres_per_N * force[k]);
+  const at = newest("position").map(
+    (mm, k) => zero_m[k] + mm / 1000 + arrow.beside_m[k] + arrow.metres_per_N * force[k],
+  );
   return { at, text: `${size.toFixed(1)} N` };
 }

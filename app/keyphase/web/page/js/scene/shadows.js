@@ -4,15 +4,15 @@
  * the panel has decided.
  */
 
-import { viserIn } from "./projection.js";
+import { viserIn } from "./viser_client.js";
 
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 const ASKED = "keyphase.shadows-asked";
 const LOOK_MS = 500;
 
 /**
- * @param {import("../store.js").Store} store
- * @param {(message: import("../types.js").Message) => boolean} send
+ * @param {import("../lib/store.js").Store} store
+ * @param {(message: import("../model/types.js").Message) => boolean} send
  * @param {() => Window|null} inside viser's window
  */
 export function askForShadows(store, send, inside) {

@@ -3,25 +3,16 @@
  * way to shorter ones where they do not fit; the number stays longest.
  */
 
-import { svg } from "../dom.js";
-import { duration } from "../format.js";
-import { formsOf } from "../names.js";
+import { segmentFill } from "../lib/colors.js";
+import { svg } from "../lib/dom.js";
+import { duration } from "../lib/format.js";
+import { formsOf } from "../model/label_forms.js";
 import { denseSegments, MOST_IN_DETAIL, segmentsInView } from "./dense.js";
-import { textWidth } from "./text_width.js";
-
-/** As many colours as the palette has before it repeats. */
-export const COLORS = 7;
-
-/** @param {{color: number|null}} segment */
-export function segmentFill({ color }) {
-  return color === null
-    ? "var(--hatch-line)"
-    : `var(--segment-${((color % COLORS) + COLORS) % COLORS})`;
-}
+import { textWidth } from "../lib/text_width.js";
 
 /**
  * The longest of the label and its short forms that fits, else "".
- * @param {import("../types.js").Segment} segment
+ * @param {import("../model/types.js").Segment} segment
  * @param {number} room px
  * @param {string} font
  */
@@ -30,9 +21,9 @@ export function fittingLabel(segment, room, font) {
 }
 
 /**
- * @param {import("../store.js").State} state
- * @param {import("./scale.js").Scale} scale
- * @param {import("./rows.js").Row} row
+ * @param {import("../lib/store.js").State} state
+ * @param {import("../lib/scale.js").Scale} scale
+ * @param {import("../model/rows.js").Row} row
  */
 export function drawBand(state, scale, row) {
   const { document: doc, selected, range } = state;

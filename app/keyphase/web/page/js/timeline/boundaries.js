@@ -1,30 +1,15 @@
 /** Boundaries: glyphs and times in their row, lines and uncertainty intervals over all tracks. */
 
-import { svg } from "../dom.js";
-import { time as timeText } from "../format.js";
+import { originColor } from "../lib/colors.js";
+import { isUnsure } from "../model/unsure.js";
+import { svg } from "../lib/dom.js";
+import { time as timeText } from "../lib/format.js";
 import { denseBoundaries, MOST_IN_DETAIL } from "./dense.js";
-import { glyph, originColor } from "./glyphs.js";
-import { textWidth } from "./text_width.js";
-
-/** Confidence below which a boundary is unsure, as long as nobody accepted it. */
-export const UNSURE_BELOW = 0.75;
+import { glyph } from "./glyphs.js";
+import { textWidth } from "../lib/text_width.js";
 
 /** Where boundaries stand closer than this on average, their lines step back. */
 const DENSE_PX = 45;
-
-/** @param {import("../types.js").Boundary} boundary */
-export function isUnsure(boundary) {
-  return !boundary.accepted && boundary.origin !== "user" && boundary.confidence < UNSURE_BELOW;
-}
-
-/** Numbers of the unsure boundaries, the least certain first. @param {import("../types.js").Doc|null} doc */
-export function unsureBoundaries(doc) {
-  if (!doc) return [];
-  const numbers = doc.boundaries
-    .map((_, index) => index)
-    .filter((index) => isUnsure(doc.boundaries[index]));
-  return numbers.sort((a, b) => doc.boundaries[a].confidence - doc.boundaries[b].confidence);
-}
 
 /**
  * Shaded bands where boundaries may lie, and the stretch of the selected segment; drawn below

@@ -3,27 +3,35 @@
  * two bands what they share and what only one of them has.
  */
 
-import { el, icon, svg } from "../dom.js";
-import { segmentFill } from "./band.js";
-import { textWidth } from "./text_width.js";
+import { segmentFill } from "../lib/colors.js";
+import { el, icon, svg } from "../lib/dom.js";
+import { textWidth } from "../lib/text_width.js";
 
 /** Height between the bands, for the links. */
 const LINK_PX = 9;
 const CROSS_PX = 3.2;
 
 /**
- * @param {import("../store.js").State} state
- * @param {import("./scale.js").Scale} scale
- * @param {import("./rows.js").Row} row
+ * @param {import("../lib/store.js").State} state
+ * @param {import("../lib/scale.js").Scale} scale
+ * @param {import("../model/rows.js").Row} row
  */
 export function drawComparison({ document: doc, comparison, labels: known }, scale, { y, height }) {
-  const { boundaries_s: boundaries, labels, shared, only_first_s: onlyFirst, only_second_s: onlySecond } = comparison;
+  const {
+    boundaries_s: boundaries,
+    labels,
+    shared,
+    only_first_s: onlyFirst,
+    only_second_s: onlySecond,
+  } = comparison;
   const edges = [doc.start_s, ...boundaries, doc.end_s];
   const place = { top: y + LINK_PX, height: height - LINK_PX - 3 };
   const ground = svg("rect", { y, width: scale.width, height, class: "band-ground" });
   return [
     ground,
-    ...labels.flatMap((label, k) => drawOther({ label, fill: fillOf(label, doc, known) }, edges[k], edges[k + 1], scale, place)),
+    ...labels.flatMap((label, k) =>
+      drawOther({ label, fill: fillOf(label, doc, known) }, edges[k], edges[k + 1], scale, place),
+    ),
     ...shared.map(([first, second]) => link(scale, first, second, y)),
     ...onlySecond.map((time) => tick(scale, time, place)),
     ...onlyFirst.map((time) => missing(scale, time, y + LINK_PX / 2)),
@@ -33,31 +41,53 @@ export function drawComparison({ document: doc, comparison, labels: known }, sca
 /** A label has the colour it has in the shown segmentation or in the vocabulary, else none. */
 function fillOf(label, doc, known) {
   const same = doc.segments.find((segment) => segment.label === label && segment.kept);
-  return same ? segmentFill(same) : (known.find(({ name }) => name === label)?.color ?? "var(--idle)");
+  return same
+    ? segmentFill(same)
+    : (known.find(({ name }) => name === label)?.color ?? "var(--idle)");
 }
 
 function drawOther({ label, fill }, from, to, scale, { top, height }) {
   const left = Math.max(scale.x(from), 0) + 1;
   const right = Math.min(scale.x(to), scale.width) - 1;
   if (right - left < 1) return [];
-  const box = svg("rect", { x: left, y: top, width: right - left, height, rx: 3, class: "other-segment", style: { fill, stroke: fill } });
+  const box = svg("rect", {
+    x: left,
+    y: top,
+    width: right - left,
+    height,
+    rx: 3,
+    class: "other-segment",
+    style: { fill, stroke: fill },
+  });
   if (textWidth(label, "10.5px") > right - left - 12) return [box];
-  return [box, svg("text", { x: left + 6, y: top + height / 2 + 3.6, class: "other-label", text: label })];
+  return [
+    box,
+    svg("text", { x: left + 6, y: top + height / 2 + 3.6, class: "other-label", text: label }),
+  ];
 }
 
 /** From where the shown segmentation has a boundary to where the other has it. */
 function link(scale, first, second, y) {
-  return svg("path", { d: `M${scale.x(first)} ${y}v1.5L${scale.x(second)} ${y + LINK_PX - 1.5}v1.5`, class: "other-link" });
+  return svg("path", {
+    d: `M${scale.x(first)} ${y}v1.5L${scale.x(second)} ${y + LINK_PX - 1.5}v1.5`,
+    class: "other-link",
+  });
 }
 
 function tick(scale, time, { top, height }) {
-  return svg("path", { d: `M${scale.x(time)} ${top - LINK_PX + 3}v${height + LINK_PX - 3}`, class: "only-second" });
+  return svg("path", {
+    d: `M${scale.x(time)} ${top - LINK_PX + 3}v${height + LINK_PX - 3}`,
+    class: "only-second",
+  });
 }
 
 /** A boundary only the shown segmentation has. */
 function missing(scale, time, y) {
   const x = scale.x(time);
-  return svg("path", { d: `M${x - CROSS_PX} ${y - CROSS_PX}l${2 * CROSS_PX} ${2 * CROSS_PX}m0 ${-2 * CROSS_PX}l${-2 * CROSS_PX} ${2 * CROSS_PX}`, class: "only-first" });
+  return svg("path", {
+    d: `M${x - CROSS_PX} ${y - CROSS_PX}l${2 * CROSS_PX} ${2 * CROSS_PX}m0 ${-2 * CROSS_PX}l${-2 * CROSS_PX} ${2 * CROSS_PX}`,
+    class: "only-first",
+  });
 }
 
 /** Whose segmentation it is, for people. @param {string} other */
@@ -69,15 +99,43 @@ export function nameOf(other) {
 export function createComparisonGutter({ node, body }, store, actions) {
   const name = el("b", { class: "other-name" });
   const score = el("span", { class: "other-score" });
-  const take = el("button", { type: "button", class: "tool", title: "Take over: make this segmentation the recording’s, in one step", "aria-label": "Take over", on: { click: actions.takeOver } }, icon("check", "small"));
-  const close = el("button", { type: "button", class: "tool", title: "Compare no longer", "aria-label": "Compare no longer", on: { click: () => actions.compare(null) } }, icon("close", "small"));
+  const take = el(
+    "button",
+    {
+      type: "button",
+      class: "tool",
+      title: "Take over: make this segmentation the recording’s, in one step",
+      "aria-label": "Take over",
+      on: { click: actions.takeOver },
+    },
+    icon("check", "small"),
+  );
+  const close = el(
+    "button",
+    {
+      type: "button",
+      class: "tool",
+      title: "Compare no longer",
+      "aria-label": "Compare no longer",
+      on: { click: () => actions.compare(null) },
+    },
+    icon("close", "small"),
+  );
   node.replaceChildren(el("div", { class: "other-head" }, name, take, close), score, body);
-  return ({ with: other, f1, timing_s: timing, same_label: same, only_first_s: onlyFirst, only_second_s: onlySecond }) => {
+  return ({
+    with: other,
+    f1,
+    timing_s: timing,
+    same_label: same,
+    only_first_s: onlyFirst,
+    only_second_s: onlySecond,
+  }) => {
     const late = timing === null ? "" : ` · ${Math.round(1000 * timing)} ms`;
     const labels = `labels ${Math.round(100 * same)} %`;
     name.textContent = nameOf(other);
     score.textContent = `F1 ${f1.toFixed(2)}${late}${store.state.small ? "" : ` · ${labels}`}`;
-    node.title = `Compared with ${nameOf(other)}: F1 ${f1.toFixed(2)}${timing === null ? "" : `, shared boundaries${late.replace(" ·", "")} apart`}, ${labels} of the time the same; ` +
+    node.title =
+      `Compared with ${nameOf(other)}: F1 ${f1.toFixed(2)}${timing === null ? "" : `, shared boundaries${late.replace(" ·", "")} apart`}, ${labels} of the time the same; ` +
       `${onlyFirst.length} only here (×), ${onlySecond.length} only there (red)`;
     /** @type {HTMLElement} */ (take).hidden = store.state.readOnly;
   };

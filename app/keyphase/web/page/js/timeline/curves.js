@@ -3,7 +3,8 @@
  * overlay's, so that all rows share one time axis and one look.
  */
 
-import { upperBound, valueAt } from "../signals.js";
+import { cssColor } from "../lib/colors.js";
+import { upperBound, valueAt } from "../model/signals.js";
 import { eachColumn, isDense } from "./dense_curve.js";
 
 /** uPlot comes as a classic script, before the modules. */
@@ -17,11 +18,6 @@ const FOLDED_PADDING_PX = { top: 3, bottom: 3 };
  * @typedef {{low: number, high: number, ticks: number[], map: (value: number) => number}} Range
  *   `map` takes a value to where it is drawn (identity, or a logarithm); low and high are mapped.
  */
-
-/** The value of a CSS variable now. @param {string} name */
-export function cssColor(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-}
 
 /**
  * @param {HTMLElement} parent
@@ -75,8 +71,13 @@ export function createCurves(parent, pens, drawBelow) {
     const ratio = devicePixelRatio;
     shown.forEach((series, k) => {
       ctx.fillStyle = penColors[k];
-      eachColumn(series, view, bbox.width, (value) => ratio * y(value), (column, top, bottom) =>
-        ctx.fillRect(column, Math.floor(top), 1, Math.max(1, Math.round(bottom - top))),
+      eachColumn(
+        series,
+        view,
+        bbox.width,
+        (value) => ratio * y(value),
+        (column, top, bottom) =>
+          ctx.fillRect(column, Math.floor(top), 1, Math.max(1, Math.round(bottom - top))),
       );
     });
   }
@@ -129,9 +130,9 @@ export function createCurves(parent, pens, drawBelow) {
       } else chart?.setSize({ width, height });
     },
     /**
-     * @param {import("../types.js").Series[]} series as many as pens
+     * @param {import("../model/types.js").Series[]} series as many as pens
      * @param {Range} nextRange
-     * @param {import("../types.js").View} nextView
+     * @param {import("../model/types.js").View} nextView
      */
     draw(series, nextRange, nextView) {
       if (size.width < 2 || size.height < 2) return;
@@ -166,7 +167,7 @@ export function createCurves(parent, pens, drawBelow) {
 
 /**
  * uPlot wants all series on one set of times; ours are decimated one by one.
- * @param {import("../types.js").Series[]} series
+ * @param {import("../model/types.js").Series[]} series
  * @param {(value: number) => number} map
  */
 function alignedData(series, map) {
@@ -181,8 +182,8 @@ function alignedData(series, map) {
 
 /**
  * The length of a vector of series, on the times of its first: what a folded track shows.
- * @param {import("../types.js").Series[]} series
- * @returns {import("../types.js").Series}
+ * @param {import("../model/types.js").Series[]} series
+ * @returns {import("../model/types.js").Series}
  */
 export function normOf(series) {
   if (series.length === 1) return series[0];
@@ -194,7 +195,7 @@ export function normOf(series) {
   return { key: "norm", times, values: squares.map(Math.sqrt) };
 }
 
-/** Least and greatest value of several series. @param {import("../types.js").Series[]} series */
+/** Least and greatest value of several series. @param {import("../model/types.js").Series[]} series */
 export function extent(series) {
   let low = Infinity;
   let high = -Infinity;

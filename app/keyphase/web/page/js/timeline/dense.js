@@ -3,14 +3,13 @@
  * each, at most one mark per pixel, so that an hour of recording draws as fast as ten seconds.
  */
 
-import { svg } from "../dom.js";
-import { segmentFill } from "./band.js";
-import { originColor } from "./glyphs.js";
+import { originColor, segmentFill } from "../lib/colors.js";
+import { svg } from "../lib/dom.js";
 
 /** Beyond so many in view, marks lose their texts and shapes. */
 export const MOST_IN_DETAIL = 300;
 
-/** @param {import("../types.js").Segment[]} segments @param {import("./scale.js").Scale} scale */
+/** @param {import("../model/types.js").Segment[]} segments @param {import("../lib/scale.js").Scale} scale */
 export function segmentsInView(segments, scale) {
   return segments.filter(
     ({ start_s: start, end_s: end }) => end >= scale.from && start <= scale.to,
@@ -19,8 +18,8 @@ export function segmentsInView(segments, scale) {
 
 /**
  * Segments as one path per colour.
- * @param {import("../types.js").Segment[]} segments
- * @param {import("./scale.js").Scale} scale
+ * @param {import("../model/types.js").Segment[]} segments
+ * @param {import("../lib/scale.js").Scale} scale
  * @param {number} top
  * @param {number} height
  */
@@ -47,9 +46,9 @@ export function denseSegments(segments, scale, top, height) {
 
 /**
  * Boundaries as one path per origin: a tick in their own row.
- * @param {import("../types.js").Boundary[]} boundaries
- * @param {import("./scale.js").Scale} scale
- * @param {import("./rows.js").Row} row
+ * @param {import("../model/types.js").Boundary[]} boundaries
+ * @param {import("../lib/scale.js").Scale} scale
+ * @param {import("../model/rows.js").Row} row
  */
 export function denseBoundaries(boundaries, scale, { y, height }) {
   /** @type {Map<string, {d: string, last: number}>} */

@@ -3,15 +3,16 @@
  * drag, and what became of every peak above it.
  */
 
-import { el, svg } from "../dom.js";
-import { height as heightText } from "../format.js";
-import { curvesOf, valueAt } from "../signals.js";
-import { createCurves, cssColor, eachSample, extent } from "./curves.js";
+import { cssColor } from "../lib/colors.js";
+import { el, svg } from "../lib/dom.js";
+import { height as heightText } from "../lib/format.js";
+import { curvesOf, valueAt } from "../model/signals.js";
+import { createCurves, eachSample, extent } from "./curves.js";
 import { eachColumn, isDense } from "./dense_curve.js";
 import { glyph } from "./glyphs.js";
-import { textWidth } from "./text_width.js";
+import { textWidth } from "../lib/text_width.js";
 import { tickLabels } from "./tracks.js";
-import { multiples, tickStep } from "./scale.js";
+import { multiples, tickStep } from "../lib/scale.js";
 
 const FLOOR = 0.3;
 /** Beyond so many peaks in view they lose their texts. */
@@ -33,7 +34,7 @@ function logarithm(floor) {
 
 /**
  * @param {{plot: HTMLElement, marks: SVGElement, gutter: HTMLElement}} parts
- * @param {import("../store.js").Store} store
+ * @param {import("../lib/store.js").Store} store
  */
 export function createErrorTrack({ plot, marks, gutter }, store) {
   const pens = [

@@ -7,13 +7,13 @@
  *   end: (point: Point, moved: boolean) => void, cancel?: () => void}} Gesture
  */
 
-import { reachOf } from "./drag.js";
-import { segmentAt } from "./hit.js";
-import { clampView, createScale } from "./scale.js";
-import { nearestEvidence, REACH_PX } from "./snapping.js";
+import { segmentAt } from "../model/segments.js";
+import { reachOf } from "../model/drag.js";
+import { clampView, createScale } from "../lib/scale.js";
+import { nearestEvidence, REACH_PX } from "../model/snapping.js";
 
 /**
- * @param {import("../store.js").Store} store
+ * @param {import("../lib/store.js").Store} store
  * @param {any} timeline
  * @param {any} actions
  * @param {import("./hit.js").Hit} hit

@@ -1,9 +1,7 @@
 /** The mark of a boundary: its shape says the origin, filled says the contact changed there. */
 
-import { svg } from "../dom.js";
-
-/** CSS variable of an origin's colour. @param {import("../types.js").Origin} origin */
-export const originColor = (origin) => `var(--origin-${origin})`;
+import { originColor } from "../lib/colors.js";
+import { svg } from "../lib/dom.js";
 
 /** @type {Object<string, (x: number, y: number, r: number) => [string, Object]>} */
 const SHAPES = {
@@ -19,7 +17,7 @@ const SHAPES = {
 };
 
 /**
- * @param {import("../types.js").Origin} origin
+ * @param {import("../model/types.js").Origin} origin
  * @param {{x: number, y: number, r?: number, filled: boolean}} place
  */
 export function glyph(origin, { x, y, r = 4.6, filled }) {

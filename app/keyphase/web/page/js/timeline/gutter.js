@@ -1,6 +1,6 @@
 /** The column at the left of the tracks: name, unit, fold button, value under the pointer. */
 
-import { el, icon } from "../dom.js";
+import { el, icon } from "../lib/dom.js";
 
 /**
  * @param {{key: string, title: string, unit?: string, foldable?: boolean}} row
@@ -30,7 +30,7 @@ export function createGutter({ key, title, unit = "", foldable = true }, fold) {
     node,
     body,
     small,
-    /** @param {import("./rows.js").Row} row */
+    /** @param {import("../model/rows.js").Row} row */
     place({ y, height, folded }) {
       node.style.setProperty("top", `${y}px`);
       node.style.setProperty("height", `${height}px`);

@@ -1,5 +1,7 @@
 /** What lies under the pointer on the timeline. */
 
+import { segmentAt } from "../model/segments.js";
+
 const BOUNDARY_PX = 5;
 const THRESHOLD_PX = 4;
 const HANDLE_PX = 6;
@@ -10,7 +12,7 @@ const HANDLE_PX = 6;
  */
 
 /**
- * @param {import("../store.js").State} state
+ * @param {import("../lib/store.js").State} state
  * @param {any} timeline
  * @param {number} x px from the plot's left edge
  * @param {number} y px from the timeline's top
@@ -55,10 +57,4 @@ function boundaryAt(doc, scale, x) {
     if (away <= distance) [best, distance] = [index, away];
   });
   return best;
-}
-
-/** Number of the segment around a time. @param {import("../types.js").Doc} doc @param {number} time */
-export function segmentAt(doc, time) {
-  const index = doc.segments.findIndex(({ end_s: end }) => time < end);
-  return index < 0 ? doc.segments.length - 1 : index;
 }

@@ -1,8 +1,9 @@
 /** A small lens beside the pointer while a boundary is dragged: the force and speed around it. */
 
-import { byId } from "../dom.js";
-import { time as timeText } from "../format.js";
-import { cssColor, eachSample, extent } from "./curves.js";
+import { cssColor } from "../lib/colors.js";
+import { byId } from "../lib/dom.js";
+import { time as timeText } from "../lib/format.js";
+import { eachSample, extent } from "./curves.js";
 
 const WIDTH = 216;
 const HEIGHT = 128;
@@ -10,9 +11,9 @@ const CLOSER = 6;
 const TITLE_PX = 22;
 
 /**
- * @param {import("../store.js").Store} store
+ * @param {import("../lib/store.js").Store} store
  * @param {any} timeline
- * @param {ReturnType<typeof import("../signals.js").createSignals>} signals
+ * @param {ReturnType<typeof import("../model/signals.js").createSignals>} signals
  */
 export function createLens(store, timeline, signals) {
   const canvas = /** @type {HTMLCanvasElement} */ (byId("lens"));

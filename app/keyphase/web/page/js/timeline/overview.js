@@ -1,10 +1,10 @@
 /** The whole recording in one line: error curve, segments, the part in view, the playhead. */
 
-import { svg } from "../dom.js";
-import { curvesOf } from "../signals.js";
-import { segmentFill } from "./band.js";
+import { segmentFill } from "../lib/colors.js";
+import { svg } from "../lib/dom.js";
+import { curvesOf } from "../model/signals.js";
 import { denseSegments, MOST_IN_DETAIL } from "./dense.js";
-import { createScale } from "./scale.js";
+import { createScale } from "../lib/scale.js";
 
 const LOWEST = 0.3;
 

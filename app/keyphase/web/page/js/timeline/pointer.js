@@ -2,7 +2,7 @@
 
 import { startGesture } from "./gestures.js";
 import { hitTest } from "./hit.js";
-import { clampView, zoomView } from "./scale.js";
+import { clampView, zoomView } from "../lib/scale.js";
 
 const CLICK_PX = 3;
 const CURSORS = {
@@ -19,7 +19,7 @@ const WHEEL_ZOOM = 0.0016;
 const WHEEL_REST_MS = 1000;
 
 /**
- * @param {import("../store.js").Store} store
+ * @param {import("../lib/store.js").Store} store
  * @param {any} timeline
  * @param {any} actions
  */

@@ -1,15 +1,15 @@
 /** The time axis: ticks at round times, and the playhead's flag on top of it. */
 
-import { svg } from "../dom.js";
-import { time as timeText } from "../format.js";
-import { multiples, tickStep } from "./scale.js";
+import { svg } from "../lib/dom.js";
+import { time as timeText } from "../lib/format.js";
+import { multiples, tickStep } from "../lib/scale.js";
 
 const TICK_EVERY_PX = 110;
 const FLAG_WIDTH = 50;
 
 /**
- * @param {import("./scale.js").Scale} scale
- * @param {import("./rows.js").Row} row
+ * @param {import("../lib/scale.js").Scale} scale
+ * @param {import("../model/rows.js").Row} row
  */
 export function drawRuler(scale, { y, height }) {
   const step = tickStep(scale.to - scale.from, scale.width / TICK_EVERY_PX);
@@ -49,7 +49,7 @@ export function createPlayhead(group) {
   const label = svg("text", { class: "playhead-time", "text-anchor": "middle" });
   group.append(line, flag, label);
   return {
-    /** @param {import("./rows.js").Layout} layout @param {number} bottom */
+    /** @param {import("../model/rows.js").Layout} layout @param {number} bottom */
     lay(layout, bottom) {
       const { y, height } = layout.rows.get("ruler");
       line.setAttribute("d", `M0 ${y + height - 2}V${bottom}`);
@@ -61,7 +61,7 @@ export function createPlayhead(group) {
       label.setAttribute("y", String(y + 12.5));
     },
     /**
-     * @param {import("./scale.js").Scale} scale
+     * @param {import("../lib/scale.js").Scale} scale
      * @param {number} seconds
      * @param {Iterable<Element>} ticks the ruler's texts; those under the flag give way
      */

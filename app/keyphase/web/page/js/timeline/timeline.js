@@ -3,17 +3,18 @@
  * when; every kind of row draws itself in a file of its own.
  */
 
-import { el, svg } from "../dom.js";
+import { el, svg } from "../lib/dom.js";
 import { drawBand } from "./band.js";
 import { drawBoundaries, drawGhosts, drawIntervals } from "./boundaries.js";
-import { createComparisonGutter, drawComparison } from "./comparison.js";
-import { withDrag } from "./drag.js";
+import { drawComparison } from "./comparison.js";
+import { withDrag } from "../model/drag.js";
 import { createErrorTrack } from "./error_track.js";
 import { createGutter } from "./gutter.js";
+import { createHeadGutters } from "./head_gutters.js";
 import { drawOverviewCurve, drawOverviewStrip, drawWindow } from "./overview.js";
-import { layOut, TRACKS, tracksOf } from "./rows.js";
+import { layOut, toggle, TRACKS, tracksOf } from "../model/rows.js";
 import { createPlayhead, drawRuler } from "./ruler.js";
-import { createScale } from "./scale.js";
+import { createScale } from "../lib/scale.js";
 import { createTrack } from "./tracks.js";
 
 const MARGIN_PX = { large: 42, small: 34 };
@@ -21,7 +22,7 @@ const GUTTER_PX = { large: 172, small: 132 };
 
 /**
  * @param {HTMLElement} pane
- * @param {import("../store.js").Store} store
+ * @param {import("../lib/store.js").Store} store
  * @param {any} actions
  */
 export function createTimeline(pane, store, actions) {
@@ -62,7 +63,7 @@ export function createTimeline(pane, store, actions) {
   scroller.append(content);
   pane.append(below, scroller, above, surface);
 
-  const gutters = createGutters(pane, store, actions);
+  const gutters = createHeadGutters(pane, store, actions);
   const playhead = createPlayhead(groups.playhead);
   /** @type {Map<string, any>} */
   const tracks = new Map();
@@ -282,47 +283,4 @@ function clipPaths() {
     svg("rect", { width: 2.2, height: 6, style: { fill: "var(--hatch-line)" } }),
   );
   return { clips: svg("defs", {}, hatch) };
-}
-
-/** @param {import("../store.js").Store} store @param {"folded"|"hidden"} what @param {string} key */
-export function toggle(store, what, key) {
-  const next = new Set(store.state[what]);
-  if (!next.delete(key)) next.add(key);
-  store.set({ [what]: next });
-}
-
-function createGutters(pane, store, actions) {
-  const fold = (name) => toggle(store, "folded", name);
-  const rows = [
-    { key: "overview", title: "Whole recording", foldable: false },
-    { key: "ruler", title: "Time, s", foldable: false },
-    { key: "boundaries", title: "Boundaries" },
-    { key: "segments", title: "Segments" },
-    { key: "comparison", title: "Compared", foldable: false },
-  ];
-  const gutters = new Map(rows.map((row) => [row.key, createGutter(row, fold)]));
-  for (const { node } of gutters.values()) pane.append(node);
-  const segments = gutters.get("segments");
-  const accept = el("button", {
-    type: "button",
-    class: "link",
-    on: { click: actions.acceptNames },
-  });
-  segments.body.append(accept);
-  let told = { segments: null, small: false, readOnly: false };
-  segments.describe = (doc) => {
-    const { small, readOnly } = store.state;
-    if (told.segments === doc.segments && told.small === small && told.readOnly === readOnly) return;
-    told = { segments: doc.segments, small, readOnly };
-    const kept = doc.segments.filter((segment) => segment.kept).length;
-    segments.small.textContent = small
-      ? String(doc.segments.length)
-      : `${doc.segments.length}, ${kept} kept`;
-    const proposed = doc.segments.filter((segment) => segment.kept && segment.proposed).length;
-    accept.hidden = proposed === 0 || readOnly;
-    accept.textContent = `Accept ${proposed} ${proposed === 1 ? "name" : "names"}`;
-  };
-  const compared = gutters.get("comparison");
-  compared.describe = createComparisonGutter(compared, store, actions);
-  return gutters;
 }

@@ -1,11 +1,11 @@
 /** The plain tracks: position, speed, force, torque, orientation. The error has its own file. */
 
-import { svg } from "../dom.js";
-import { plain, signed } from "../format.js";
-import { curvesOf, valueAt } from "../signals.js";
+import { svg } from "../lib/dom.js";
+import { plain, signed } from "../lib/format.js";
+import { curvesOf, valueAt } from "../model/signals.js";
 import { createCurves, extent, normOf } from "./curves.js";
 import { createReadout } from "./gutter.js";
-import { multiples, tickStep } from "./scale.js";
+import { multiples, tickStep } from "../lib/scale.js";
 
 const AXES = [
   { key: "x", color: "--axis-x" },
@@ -40,7 +40,7 @@ export function createTrack(key, { plot, marks, gutter }) {
   const cache = createCache();
 
   return {
-    /** @param {import("../store.js").State} state @param {import("./rows.js").Row} row */
+    /** @param {import("../lib/store.js").State} state @param {import("../model/rows.js").Row} row */
     draw(state, scale, row) {
       const series = curvesOf(state, key)?.series;
       plot.classList.toggle("folded", row.folded);
@@ -63,7 +63,7 @@ export function createTrack(key, { plot, marks, gutter }) {
             ]),
       );
     },
-    /** @param {import("../store.js").State} state @param {number} time */
+    /** @param {import("../lib/store.js").State} state @param {number} time */
     read(state, time) {
       const series = curvesOf(state, key)?.series ?? [];
       readout.show(curves.map((_, k) => valueText(series[k], time, digits)));

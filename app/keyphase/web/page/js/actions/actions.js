@@ -1,0 +1,273 @@
+/**
+ * Everything a person can do, as one function each: what keys, buttons, menus, the palette and
+ * gestures call. Nothing here draws; the server answers with what came of it.
+ */
+
+import { segmentAt } from "../model/segments.js";
+import { unsureBoundaries } from "../model/unsure.js";
+import { SPEEDS } from "../model/playback.js";
+import { createRecordingActions } from "./recording_actions.js";
+import { nearestEvidence, REACH_PX } from "../model/snapping.js";
+import { clampView, zoomView } from "../lib/scale.js";
+
+/** So long after it was asked, what the server tells may not know of it yet. */
+const TOLD_BACK_MS = 500;
+
+/**
+ * @param {import("../lib/store.js").Store} store
+ * @param {(message: import("../model/types.js").Message) => boolean} send
+ * @param {ReturnType<typeof import("../model/latency.js").createLatency>} latency
+ */
+export function createActions(store, send, latency) {
+  const { state } = store;
+  const doc = () => state.document;
+  const middle = ({ start_s: start, end_s: end }) => (start + end) / 2;
+
+  /** One edit; numbered, so that the page can tell how long it took to see. */
+  function edit(change) {
+    if (!doc() || state.readOnly) return;
+    store.set({ saving: true });
+    const timeStamp = window.event?.timeStamp ?? performance.now();
+    send({ type: "edit", edit: change, event: latency.began(timeStamp, "edit") });
+  }
+
+  function selectedSegment() {
+    const index = state.selected ?? (doc() ? segmentAt(doc(), state.clock) : null);
+    return index === null ? null : { index, segment: doc()?.segments[index] };
+  }
+
+  function onSegment(action, index = selectedSegment()?.index) {
+    const segment = doc()?.segments[index];
+    if (segment) action(segment, index);
+  }
+
+  /** Brings a time into view without changing how much is seen. */
+  function reveal(time) {
+    const { view } = state;
+    if (!view || (time >= view.from && time <= view.to)) return;
+    const half = (view.to - view.from) / 2;
+    store.set({ view: clampView(time - half, time + half, doc()) });
+  }
+
+  /** What all windows see; one that may only look keeps it to itself. */
+  const share = (message) => !state.lookingOnly && send(message);
+
+  /** What was asked of the playhead lately: the next change follows it, told back already or not. */
+  let asked = { until: -Infinity, playhead: state.playhead };
+  const wanted = () => (performance.now() < asked.until ? asked.playhead : state.playhead);
+
+  const actions = {
+    send,
+    open: (id) => send({ type: "open", id }),
+    exportAs: (format) => send({ type: "export", format }),
+
+    seek(time) {
+      if (!doc()) return;
+      const at = Math.min(Math.max(time, doc().start_s), doc().end_s);
+      store.set({ clock: at });
+      share({ type: "seek", time_s: at });
+    },
+    play(change = {}) {
+      const playhead = { ...wanted(), ...change };
+      const { playing, speed, loop } = playhead;
+      if (!doc() || !share({ type: "play", playing, speed, loop })) return;
+      asked = { until: performance.now() + TOLD_BACK_MS, playhead };
+    },
+    togglePlay: () => actions.play({ playing: !wanted().playing }),
+    toggleLoop: () => actions.play({ loop: !wanted().loop }),
+    setSpeed: (speed) => actions.play({ speed }),
+    /** The next higher speed, or the next lower one. */
+    changeSpeed(direction) {
+      const at = SPEEDS.indexOf(wanted().speed) + direction;
+      if (SPEEDS[at]) actions.setSpeed(SPEEDS[at]);
+    },
+    toStart: () => doc() && actions.goTo(doc().start_s),
+    toEnd: () => doc() && actions.goTo(doc().end_s),
+    goTo(time) {
+      actions.seek(time);
+      reveal(time);
+    },
+
+    /** Goes to the next boundary in time, or the previous one. */
+    step(direction) {
+      if (!doc()) return;
+      const times = doc().boundaries.map((boundary) => boundary.time_s);
+      const beyond =
+        direction > 0
+          ? times.findIndex((time) => time > state.clock + 1e-4)
+          : times.findLastIndex((time) => time < state.clock - 1e-4);
+      if (beyond < 0) return direction > 0 ? actions.toEnd() : actions.toStart();
+      return actions.visit(beyond);
+    },
+    /** Makes a boundary the current one and shows why it is there. */
+    visit(index) {
+      store.set({ current: index, explained: index });
+      actions.goTo(doc().boundaries[index].time_s);
+    },
+    visitUnsure(direction) {
+      const unsure = unsureBoundaries(doc());
+      if (!unsure.length)
+        return store.set({ notice: { level: "info", text: "No boundary is unsure." } });
+      const at = unsure.indexOf(state.current);
+      const next = at < 0 ? (direction > 0 ? 0 : unsure.length - 1) : at + direction;
+      return actions.visit(unsure.at(next % unsure.length));
+    },
+
+    /** @param {number|null} index */
+    select(index) {
+      if (!doc()) return;
+      store.set({ selected: index });
+      share({ type: "select", segment: index });
+    },
+    selectNext(direction) {
+      if (!doc()) return;
+      const last = doc().segments.length - 1;
+      const from = state.selected ?? segmentAt(doc(), state.clock) - direction;
+      const index = Math.min(Math.max(from + direction, 0), last);
+      actions.select(index);
+      reveal(middle(doc().segments[index]));
+    },
+
+    /** A boundary at the playhead; while playing, at the nearest evidence. */
+    split() {
+      if (!doc()) return;
+      const reach = Math.max(
+        0.12,
+        (REACH_PX * (state.view.to - state.view.from)) / state.plotWidth,
+      );
+      const evidence =
+        state.playhead.playing && state.snap ? nearestEvidence(state, state.clock, reach) : null;
+      edit({ kind: "add", time_s: evidence?.time ?? state.clock });
+    },
+    addBoundary: (time) => edit({ kind: "add", time_s: time }),
+    removeBoundary(index = state.current) {
+      const boundary = doc()?.boundaries[index];
+      if (!boundary) return;
+      store.set({ current: null, explained: null });
+      edit({ kind: "remove", time_s: boundary.time_s });
+    },
+    moveBoundary(from, to) {
+      if (Math.abs(to - from) > 1e-6) edit({ kind: "move", from_s: from, to_s: to });
+    },
+    nudge(direction) {
+      const boundary = doc()?.boundaries[state.current];
+      if (boundary)
+        actions.moveBoundary(
+          boundary.time_s,
+          boundary.time_s + direction * Math.max(0.01, 1 / doc().rate_hz),
+        );
+    },
+    acceptBoundary(index = state.current) {
+      const boundary = doc()?.boundaries[index];
+      if (boundary && !boundary.accepted) edit({ kind: "accept", time_s: boundary.time_s });
+    },
+    acceptAndGoOn(index) {
+      const unsure = unsureBoundaries(doc()).filter((other) => other !== index);
+      actions.acceptBoundary(index);
+      if (unsure.length) actions.visit(unsure[0]);
+      else store.set({ explained: null });
+    },
+    toggleContact(index = state.current) {
+      const boundary = doc()?.boundaries[index];
+      if (boundary)
+        edit({
+          kind: "contact",
+          time_s: boundary.time_s,
+          contact_change: !boundary.contact_change,
+        });
+    },
+
+    merge() {
+      onSegment((_, index) => {
+        if (index < doc().segments.length - 1) actions.mergeRange(index, index + 1);
+      });
+    },
+    mergeRange(first, last) {
+      const { segments } = doc();
+      edit({ kind: "merge", from_s: middle(segments[first]), to_s: middle(segments[last]) });
+      actions.select(first);
+    },
+    toggleDrop: (index) =>
+      onSegment(
+        (segment) => edit({ kind: "keep", time_s: middle(segment), kept: !segment.kept }),
+        index,
+      ),
+    dropIdle: () => edit({ kind: "drop_idle" }),
+    label: (label, index) =>
+      onSegment((segment) => edit({ kind: "label", time_s: middle(segment), label }), index),
+    labelByNumber(number) {
+      const known = state.labels[number - 1];
+      if (known) actions.label(known.name);
+    },
+    acceptNames: () => edit({ kind: "accept_labels" }),
+    /** Enter: the boundary shown, else the selected segment's proposed name. */
+    accept() {
+      const boundary = doc()?.boundaries[state.explained ?? state.current];
+      if (boundary && !boundary.accepted)
+        return actions.acceptAndGoOn(state.explained ?? state.current);
+      return onSegment((segment) => segment.proposed && actions.label(segment.label));
+    },
+    rename(index = selectedSegment()?.index) {
+      if (index !== undefined && index !== null && !state.readOnly) store.set({ renaming: index });
+    },
+
+    reorder: (order) => edit({ kind: "plan", order }),
+    repeat: () =>
+      onSegment((segment, index) => {
+        const order = doc().plan.map((entry) => entry.time_s);
+        const at = doc().plan.findLastIndex((entry) => entry.segment === index);
+        order.splice(at < 0 ? order.length : at + 1, 0, middle(segment));
+        actions.reorder(order);
+      }),
+    takeOut: () =>
+      onSegment((_, index) => {
+        const at = doc().plan.findLastIndex((entry) => entry.segment === index);
+        if (at >= 0)
+          actions.reorder(
+            doc()
+              .plan.filter((_, k) => k !== at)
+              .map((entry) => entry.time_s),
+          );
+      }),
+    shift: (direction) =>
+      onSegment((_, index) => {
+        const order = doc().plan.map((entry) => entry.time_s);
+        const at = doc().plan.findIndex((entry) => entry.segment === index);
+        const to = at + direction;
+        if (at < 0 || to < 0 || to >= order.length) return;
+        [order[at], order[to]] = [order[to], order[at]];
+        actions.reorder(order);
+      }),
+
+    undo: () => !state.readOnly && send({ type: "undo" }),
+    redo: () => !state.readOnly && send({ type: "redo" }),
+    resetEdits: () => edit({ kind: "reset" }),
+    resetParameters: () => send({ type: "reset" }),
+    setThreshold(value, held, event) {
+      const number = latency.began(event?.timeStamp ?? performance.now(), "line");
+      send({ type: "set", parameter: "force_threshold", value, event: number, held });
+    },
+    automaticThreshold: () =>
+      !state.readOnly &&
+      send({ type: "set", parameter: "force_threshold", value: null, held: false }),
+
+    zoom(factor, anchor = state.clock) {
+      if (!doc()) return;
+      const { view } = state;
+      const inside = anchor >= view.from && anchor <= view.to;
+      store.set({
+        view: zoomView(view, factor, inside ? anchor : (view.from + view.to) / 2, doc()),
+      });
+    },
+    fit: () => doc() && store.set({ view: { from: doc().start_s, to: doc().end_s } }),
+    toggleSnap: () => store.set({ snap: !state.snap }),
+    toggleScale: () => store.set({ logarithmic: !state.logarithmic }),
+    toggleOrder: () => store.set({ leastCertainFirst: !state.leastCertainFirst }),
+    toggleTheme: () => store.set({ dark: !state.dark }),
+
+    forgetLabel: (label) => send({ type: "forget_label", label }),
+    bringBack: (index) => edit({ kind: "bring_back", edit: index }),
+    forget: (index) => edit({ kind: "forget", edit: index }),
+  };
+  return Object.assign(actions, createRecordingActions(store, send, actions));
+}

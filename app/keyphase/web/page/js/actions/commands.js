@@ -1,0 +1,121 @@
+/**
+ * Every command: its name, its key, what it does. Keys, the palette and the sheet of keys all
+ * read this one list, so none of them can be forgotten. W A S D Q E and the arrow keys are left
+ * to the camera.
+ *
+ * @typedef {{name: string, keys: string[], group: string, run: () => void,
+ *   always?: boolean}} Command  keys as `keyOf` writes them; always: also without a recording
+ */
+
+/**
+ * @param {any} actions
+ * @param {import("../lib/store.js").Store} store
+ * @param {{openPalette: (query?: string) => void, openKeys: () => void, chooseFiles: () => void,
+ *   openMenu: () => void}} dialogs
+ * @returns {Command[]}
+ */
+export function createCommands(actions, store, dialogs) {
+  const group = (name, commands) =>
+    commands.map(([text, keys, run, always]) => ({ name: text, keys, run, group: name, always }));
+  const fold = (key) => () => {
+    const next = new Set(store.state.folded);
+    if (!next.delete(key)) next.add(key);
+    store.set({ folded: next });
+  };
+  return [
+    ...group("Playback", [
+      ["Play or pause", ["Space"], actions.togglePlay],
+      ["Previous boundary", [","], () => actions.step(-1)],
+      ["Next boundary", ["."], () => actions.step(1)],
+      ["To the start", ["Home"], actions.toStart],
+      ["To the end", ["End"], actions.toEnd],
+      ["Play again and again", ["O"], actions.toggleLoop],
+      ["Play slower", [], () => actions.changeSpeed(-1)],
+      ["Play faster", [], () => actions.changeSpeed(1)],
+    ]),
+    ...group("Segments", [
+      ["Split at the playhead; while playing, at the nearest evidence", ["T"], actions.split],
+      ["Merge with the next segment", ["M"], actions.merge],
+      ["Drop or keep the segment", ["X"], () => actions.toggleDrop()],
+      ["Drop all idle segments", ["I"], actions.dropIdle],
+      ["Label the segment", ["L"], () => actions.rename()],
+      ["Label by number", ["1 to 9"], () => dialogs.openPalette("label the segment")],
+      ["Accept the proposed name or the boundary", ["Enter"], actions.accept],
+      ["Accept all proposed names", ["Shift Enter"], actions.acceptNames],
+      ["Previous segment", ["["], () => actions.selectNext(-1)],
+      ["Next segment", ["]"], () => actions.selectNext(1)],
+    ]),
+    ...group("Boundaries", [
+      ["Next unsure boundary", ["N"], () => actions.visitUnsure(1)],
+      ["Previous unsure boundary", ["Shift N"], () => actions.visitUnsure(-1)],
+      ["Move the boundary earlier", ["<"], () => actions.nudge(-1)],
+      ["Move the boundary later", [">"], () => actions.nudge(1)],
+      ["Remove the boundary", ["Delete", "Backspace"], () => actions.removeBoundary()],
+      ["Contact change or not", ["C"], () => actions.toggleContact()],
+      ["Snap to evidence while dragging", ["V"], actions.toggleSnap],
+    ]),
+    ...group("Plan", [
+      ["Repeat the segment", ["R"], actions.repeat],
+      ["Earlier in the plan", ["{"], () => actions.shift(-1)],
+      ["Later in the plan", ["}"], () => actions.shift(1)],
+      ["Take out of the plan", ["Shift X"], actions.takeOut],
+    ]),
+    ...group("Replay", [
+      ["Replay the plan", ["P"], actions.replay.run],
+      ["Replay skill by skill", [], actions.replay.next],
+    ]),
+    ...group("View", [
+      ["The whole recording", ["F"], actions.fit],
+      ["Closer", ["+"], () => actions.zoom(1.5)],
+      ["Further", ["-"], () => actions.zoom(1 / 1.5)],
+      ["Linear or logarithmic error", ["Y"], actions.toggleScale],
+      ["Light or dark", [], actions.toggleTheme, true],
+      ["Least certain first in the list", [], actions.toggleOrder, true],
+      ...["Error", "Position", "Speed", "Force", "Torque", "Orientation"].map((title) => [
+        `Fold or open ${title.toLowerCase()}`,
+        [],
+        fold(title.toLowerCase()),
+      ]),
+    ]),
+    ...group("Recordings", [
+      ["Previous recording", ["PageUp"], () => actions.nextRecording(-1), true],
+      ["Next recording", ["PageDown"], () => actions.nextRecording(1), true],
+      ["Least certain recording", ["U"], actions.leastCertain, true],
+      ["Done with this recording, on to the next", ["K"], actions.doneAndOn],
+      ["Done, or not done after all", ["Shift K"], actions.toggleDone],
+      ["Add recordings or segment files…", ["Ctrl O"], dialogs.chooseFiles, true],
+      ["Apply these parameters to all recordings…", [], () => actions.spread("look")],
+      ["Compare with what the program found, or no longer", ["G"], actions.toggleCompare],
+      ["Next difference", ["J"], () => actions.visitDifference(1)],
+      ["Previous difference", ["Shift J"], () => actions.visitDifference(-1)],
+      ["Take over what is compared", [], actions.takeOver],
+      ["Export the segment file", ["Ctrl S"], () => actions.exportAs("json")],
+      ["Export as CSV", [], () => actions.exportAs("csv")],
+      ["Export all recordings", [], () => actions.exportAs("all")],
+    ]),
+    ...group("Everything", [
+      ["Undo", ["Ctrl Z"], actions.undo],
+      ["Redo", ["Ctrl Shift Z", "Ctrl Y"], actions.redo],
+      ["Menu of what is chosen", ["Shift F10", "Menu"], dialogs.openMenu],
+      ["Threshold back to automatic", [], actions.automaticThreshold],
+      ["Parameters back to automatic", [], actions.resetParameters],
+      ["Take back all edits", [], actions.resetEdits],
+      ["Commands", ["Ctrl K"], dialogs.openPalette, true],
+      ["Keys", ["?"], dialogs.openKeys, true],
+    ]),
+  ];
+}
+
+const NAMED = { " ": "Space", ContextMenu: "Menu" };
+
+/**
+ * A key press as commands write it: "Ctrl Shift Z", "Shift N", "?", "Space".
+ * @param {KeyboardEvent} event
+ */
+export function keyOf({ key, ctrlKey, metaKey, shiftKey }) {
+  const letter = key.length === 1 ? key.toUpperCase() : key;
+  const isLetter = /^[A-Z]$/.test(letter);
+  // Shift is part of a sign like "?" already, and told apart only for letters and named keys.
+  const shift = shiftKey && (isLetter || key.length > 1);
+  return `${ctrlKey || metaKey ? "Ctrl " : ""}${shift ? "Shift " : ""}${NAMED[key] ?? letter}`;
+}

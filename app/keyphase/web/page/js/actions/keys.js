@@ -1,0 +1,63 @@
+/** Keys, in our page and in the scene's frame alike. */
+
+import { keyOf } from "./commands.js";
+
+/**
+ * @param {import("../lib/store.js").Store} store
+ * @param {any} actions
+ * @param {import("./commands.js").Command[]} commands
+ * @param {() => boolean} escape gives up whatever is open; false if nothing was
+ * @returns {(event: KeyboardEvent) => void}
+ */
+export function createKeys(store, actions, commands, escape) {
+  const byKey = new Map(commands.flatMap((command) => command.keys.map((key) => [key, command])));
+
+  return function onKey(event) {
+    if (event.defaultPrevented || event.altKey || event.isComposing) return;
+    if (isTyping(event) || document.querySelector("dialog[open]")) return;
+    if (event.key === "Escape") {
+      if (escape()) event.preventDefault();
+      return;
+    }
+    if (isPressable(event)) return;
+    const key = keyOf(event);
+    const { document: doc } = store.state;
+    if (/^[1-9]$/.test(key)) {
+      if (doc) actions.labelByNumber(Number(key));
+      return;
+    }
+    const command = byKey.get(key);
+    if (!command || (!doc && !command.always)) return;
+    event.preventDefault();
+    command.run();
+  };
+}
+
+/**
+ * A button that was clicked gives the focus back, so that Space plays and Enter accepts as the
+ * keys say, and do not press it again. One that was pressed by a key keeps it.
+ * @param {MouseEvent} event
+ * @param {HTMLElement} to
+ */
+export function letGoOfButton({ detail, target }, to) {
+  const button = /** @type {HTMLElement} */ (target)?.closest?.("button");
+  if (detail && button && button === document.activeElement && !button.closest("dialog, form"))
+    to.focus({ preventScroll: true });
+}
+
+/** Whether the key belongs to a text field, ours or the panel's; one just closed has it no more. */
+function isTyping({ target }) {
+  const field = /** @type {HTMLElement} */ (target)?.closest?.(
+    "input, textarea, select, [contenteditable]",
+  );
+  if (!field || field.closest("dialog:not([open]), [hidden]")) return false;
+  return field.getAttribute("type") !== "range";
+}
+
+/** Space and Enter press the button that has the focus. */
+function isPressable({ key, target }) {
+  const node = /** @type {HTMLElement} */ (target);
+  return (
+    (key === " " || key === "Enter") && Boolean(node?.closest?.("button, [role=tab], summary, a"))
+  );
+}

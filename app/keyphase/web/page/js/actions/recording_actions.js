@@ -1,0 +1,88 @@
+/** What a person can do with whole recordings: finish, compare, share, go from one to the next. */
+
+/**
+ * @param {import("../lib/store.js").Store} store
+ * @param {(message: import("../model/types.js").Message) => boolean} send
+ * @param {any} actions those these build on
+ */
+export function createRecordingActions(store, send, actions) {
+  const { state } = store;
+  const doc = () => state.document;
+  const own = {
+    /** Says that a recording is done, or not after all. */
+    setDone(done) {
+      if (doc() && !state.readOnly) send({ type: "done", done });
+    },
+    toggleDone: () => own.setDone(doc().state !== "done"),
+    doneAndOn() {
+      own.setDone(true);
+      const { items, current } = state.recordings;
+      const at = items.findIndex(({ id }) => id === current);
+      const open = [...items.slice(at + 1), ...items.slice(0, at)].find(
+        (item) => item.state !== "done" && !item.error,
+      );
+      if (open) actions.open(open.id);
+    },
+    /** "look" what these parameters would change in the other recordings, "apply" it, or "leave" it. */
+    spread: (step) => !state.readOnly && send({ type: "spread", step }),
+    /** Beside which segmentation this one is shown; null asks which there are. */
+    compare(other) {
+      if (other === null) store.set({ comparison: null });
+      if (doc()) send({ type: "compare", with: other });
+    },
+    toggleCompare: () => own.compare(state.comparison?.with ? null : "automatic"),
+    /** Goes to the next boundary that only one of the two has. */
+    visitDifference(direction) {
+      if (!state.comparison?.with) return;
+      const times = [...state.comparison.only_first_s, ...state.comparison.only_second_s].sort(
+        (a, b) => a - b,
+      );
+      const next =
+        direction > 0
+          ? times.find((time) => time > state.clock + 1e-4)
+          : times.findLast((time) => time < state.clock - 1e-4);
+      if (next === undefined)
+        return store.set({
+          notice: {
+            level: "info",
+            text: times.length ? "No further difference." : "Both have the same boundaries.",
+          },
+        });
+      return actions.goTo(next);
+    },
+    /** Makes the other segmentation this recording's, as one step. */
+    takeOver() {
+      const from = state.comparison?.with;
+      if (from && !state.readOnly) send({ type: "take_over", from });
+    },
+    /** The recording as it now is, without what was made of it as it was. */
+    startOver() {
+      actions.resetEdits();
+      own.keepLabels();
+    },
+    keepLabels: () => send({ type: "keep_labels" }),
+
+    nextRecording(direction) {
+      const { items, current } = state.recordings;
+      const at = items.findIndex(({ id }) => id === current);
+      const next = items[at + direction];
+      if (next) actions.open(next.id);
+    },
+    leastCertain() {
+      const least = leastCertainOf(state.recordings);
+      if (least) actions.open(least.id);
+    },
+  };
+  return own;
+}
+
+/** The recording with the lowest confidence that is not done. */
+export function leastCertainOf({ items }) {
+  const open = items.filter(
+    (item) => item.state !== "done" && item.confidence !== null && !item.error,
+  );
+  return open.reduce(
+    (least, item) => (least && least.confidence <= item.confidence ? least : item),
+    null,
+  );
+}

@@ -1,0 +1,64 @@
+/**
+ * The page's websocket: JSON both ways, signals as binary frames, and a connection that comes
+ * back by itself after it broke.
+ *
+ * @typedef {import("../model/types.js").Message} Message
+ * @typedef {{send: (message: Message) => boolean, sendPiece: (piece: ArrayBuffer) => boolean,
+ *   roomFor: (most: number) => Promise<void>, drop: () => void}} Socket
+ */
+
+const FIRST_RETRY_MS = 250;
+const LAST_RETRY_MS = 5000;
+
+/**
+ * @param {{onMessage: (message: Message) => void, onSignals: (frame: ArrayBuffer) => void,
+ *   onState: (connected: boolean, retryInMs: number) => void}} handlers
+ * @returns {Socket}
+ */
+export function openSocket({ onMessage, onSignals, onState }) {
+  const address = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/app/ws`;
+  /** @type {WebSocket} */
+  let socket;
+  let retryMs = FIRST_RETRY_MS;
+
+  function connect() {
+    socket = new WebSocket(address);
+    socket.binaryType = "arraybuffer";
+    socket.onopen = () => {
+      retryMs = FIRST_RETRY_MS;
+      onState(true, 0);
+    };
+    socket.onmessage = ({ data }) => {
+      if (typeof data === "string") onMessage(JSON.parse(data));
+      else onSignals(data);
+    };
+    socket.onclose = () => {
+      onState(false, retryMs);
+      setTimeout(connect, retryMs);
+      retryMs = Math.min(2 * retryMs, LAST_RETRY_MS);
+    };
+  }
+
+  connect();
+  return {
+    /** One piece of a file. @param {ArrayBuffer} piece */
+    sendPiece(piece) {
+      if (socket.readyState !== WebSocket.OPEN) return false;
+      socket.send(piece);
+      return true;
+    },
+    /** Waits until no more than `most` bytes are still to be sent. */
+    async roomFor(most) {
+      while (socket.readyState === WebSocket.OPEN && socket.bufferedAmount > most) {
+        await new Promise((next) => setTimeout(next, 15));
+      }
+    },
+    /** Breaks the connection, which then comes back by itself. */
+    drop: () => socket.close(),
+    send(message) {
+      if (socket.readyState !== WebSocket.OPEN) return false;
+      socket.send(JSON.stringify(message));
+      return true;
+    },
+  };
+}

@@ -1,0 +1,81 @@
+/** What the server says, put into the page's state. */
+
+/**
+ * @param {import("../lib/store.js").Store} store
+ * @param {{latency: any, playback: any, notices: any, signals: any, replay: any, upload: () => any}} parts
+ * @returns {(message: import("./types.js").Message) => void}
+ */
+export function createReceiver(store, { latency, playback, notices, signals, replay, upload }) {
+  const { state } = store;
+  let client = "";
+
+  const hear = {
+    hello(message) {
+      client = message.client;
+      store.set({ greeted: true, lookingOnly: message.read_only, readOnly: message.read_only });
+    },
+    recordings: (message) =>
+      store.set({ recordings: message, ...(message.items.length ? {} : { document: null }) }),
+    workcell: (message) => store.set({ workcell: message.open }),
+    document(message) {
+      const before = state.document;
+      const other = before?.id !== message.id;
+      store.set({
+        document: message,
+        recording: message.id,
+        selected: message.selected,
+        saving: false,
+        readOnly: state.lookingOnly || Boolean(message.locked),
+        labels: message.labels,
+        ...(other ? fresh(message) : {}),
+      });
+      if (other) signals.refresh();
+      if (!other && message.boundaries.length !== before.boundaries.length)
+        store.set({ hovered: null, explained: null, current: null });
+      latency.arrived(message, (cause) => cause.client === client);
+    },
+    ghost: (message) => store.set({ ghost: message.boundaries }),
+    playhead: (message) => playback.receive(message),
+    selection: (message) => store.set({ selected: message.segment }),
+    progress: (message) => store.set({ progress: message.done ? null : message }),
+    upload_ready: (message) => upload().heard(message),
+    upload_refused: (message) => upload().heard(message),
+    upload_cancelled: (message) => upload().heard(message),
+    uploaded(message) {
+      upload().heard(message);
+      notices.show({ level: "info", text: `${message.name} has arrived.` });
+    },
+    comparison: (message) => store.set({ comparison: message }),
+    spread: (message) => store.set({ spread: state.lookingOnly ? null : message }),
+    replay: (message) => replay.replay(message),
+    replay_samples: (message) => replay.samples(message),
+    trials: (message) => replay.trials(message),
+    notice(message) {
+      store.set({ saving: false });
+      notices.show(message);
+    },
+    saved: (message) => notices.show({ level: "info", text: `Written to ${message.path}` }),
+  };
+
+  return (message) => hear[message.type]?.(message);
+}
+
+/** What belongs to one recording only and begins anew with another. */
+function fresh(doc) {
+  return {
+    view: { from: doc.start_s, to: doc.end_s },
+    whole: null,
+    fine: null,
+    hovered: null,
+    current: null,
+    explained: null,
+    pointer: null,
+    drag: null,
+    range: null,
+    ghost: [],
+    heldThreshold: null,
+    renaming: null,
+    comparison: null,
+    spread: null,
+  };
+}

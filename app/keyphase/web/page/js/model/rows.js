@@ -1,0 +1,102 @@
+/**
+ * Which rows the timeline has, from top to bottom, and how high each is. The first four and a comparison stay
+ * in place; the tracks below them scroll when the pane is lower than they are.
+ *
+ * @typedef {{key: string, y: number, height: number, folded: boolean}} Row
+ * @typedef {{rows: Map<string, Row>, headHeight: number, height: number}} Layout
+ */
+
+/** Below this window width the page takes its small sizes. */
+export const SMALL_BELOW_PX = 1500;
+
+export const FOLDED_PX = 20;
+
+const HEAD = [
+  { key: "overview", large: 26, small: 20 },
+  { key: "ruler", large: 18, small: 18 },
+  { key: "boundaries", large: 20, small: 18 },
+  { key: "segments", large: 42, small: 34 },
+];
+
+/** Every track: what it shows, its heights, the channel it needs. */
+export const TRACKS = [
+  { key: "error", title: "Normalized error", unit: "", channel: "force", large: 112, small: 78 },
+  { key: "position", title: "Position", unit: "mm", channel: "position", large: 86, small: 56 },
+  { key: "speed", title: "Speed", unit: "mm/s", channel: "position", large: 64, small: 46 },
+  { key: "force", title: "Force", unit: "N", channel: "force", large: 96, small: 62 },
+  { key: "torque", title: "Torque", unit: "N m", channel: "torque", large: 86, small: 56 },
+  {
+    key: "orientation",
+    title: "Orientation",
+    unit: "deg",
+    channel: "orientation",
+    large: 86,
+    small: 56,
+  },
+];
+
+const FOLDED_AT_FIRST = ["speed", "torque", "orientation"];
+const HIDDEN_WHEN_SMALL = ["torque", "orientation"];
+
+/** Which tracks are folded and hidden before anyone chose. @param {boolean} small */
+export function firstChoice(small) {
+  return { folded: new Set(FOLDED_AT_FIRST), hidden: new Set(small ? HIDDEN_WHEN_SMALL : []) };
+}
+
+/**
+ * The tracks this recording can show and the person has not hidden.
+ * @param {import("../lib/store.js").State} state
+ */
+export function tracksOf(state) {
+  const channels = state.document?.channels ?? [];
+  return TRACKS.filter(({ key, channel }) => channels.includes(channel) && !state.hidden.has(key));
+}
+
+/**
+ * @param {import("../lib/store.js").State} state
+ * @param {number} [room] height of the pane; open tracks grow to fill what is left of it
+ * @returns {Layout}
+ */
+export function layOut(state, room = 0) {
+  const { small, folded } = state;
+  const rows = new Map();
+  let y = 0;
+  const put = (key, height, isFolded = false) => {
+    rows.set(key, { key, y, height, folded: isFolded });
+    y += height;
+  };
+  for (const { key, large, small: low } of HEAD) {
+    const isFolded = key === "segments" && folded.has(key);
+    put(key, isFolded ? 24 : small ? low : large, folded.has(key));
+  }
+  if (state.comparison?.with) put("comparison", small ? 32 : 36);
+  const headHeight = y;
+  const tracks = tracksOf(state);
+  const natural = tracks.map((track) =>
+    folded.has(track.key) ? FOLDED_PX : small ? track.small : track.large,
+  );
+  const stretch = stretchOf(tracks, natural, folded, room - headHeight);
+  tracks.forEach((track, k) => {
+    const open = !folded.has(track.key);
+    put(track.key, Math.round(natural[k] * (open ? stretch : 1)), !open);
+  });
+  return { rows, headHeight, height: y };
+}
+
+function stretchOf(tracks, natural, folded, room) {
+  const total = natural.reduce((sum, height) => sum + height, 0);
+  const open = natural.filter((_, k) => !folded.has(tracks[k].key)).reduce((sum, h) => sum + h, 0);
+  return open > 0 && room > total ? 1 + (room - total) / open : 1;
+}
+
+/**
+ * Folds a row or opens it, hides a track or shows it.
+ * @param {import("../lib/store.js").Store} store
+ * @param {"folded"|"hidden"} what
+ * @param {string} key
+ */
+export function toggle(store, what, key) {
+  const next = new Set(store.state[what]);
+  if (!next.delete(key)) next.add(key);
+  store.set({ [what]: next });
+}

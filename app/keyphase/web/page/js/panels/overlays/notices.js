@@ -1,0 +1,36 @@
+/** What the server wants to have said, at the lower right; errors stay until closed. */
+
+import { byId, el, icon } from "../../lib/dom.js";
+
+const STAYS_MS = 7000;
+const MOST = 4;
+
+/** @param {import("../../lib/store.js").Store} store */
+export function createNotices(store) {
+  const node = byId("notices");
+
+  function show({ level, text }) {
+    const same = [...node.children].find((notice) => notice.textContent === text);
+    same?.remove();
+    const notice = el("div", { class: `notice ${level}` }, el("span", { text }));
+    const close = el(
+      "button",
+      {
+        type: "button",
+        title: "Close",
+        "aria-label": "Close",
+        on: { click: () => notice.remove() },
+      },
+      icon("close", "small"),
+    );
+    notice.append(close);
+    node.append(notice);
+    while (node.children.length > MOST) node.firstChild.remove();
+    if (level !== "error") setTimeout(() => notice.remove(), STAYS_MS);
+  }
+
+  store.on(["notice"], ({ notice }) => {
+    if (notice) show(notice);
+  });
+  return { show };
+}

@@ -1,0 +1,146 @@
+/** The popover that says why a boundary is there: the evidence, the interval, the confidence. */
+
+import { originColor } from "../../lib/colors.js";
+import { UNSURE_BELOW } from "../../model/unsure.js";
+import { el } from "../../lib/dom.js";
+import { halfWidth, signed, time as timeText } from "../../lib/format.js";
+import { glyphIcon } from "../../timeline/glyphs.js";
+
+const LEVER_M = 0.1;
+/** A torque weaker than this share of the strongest step is not worth a line. */
+const TELLING = 0.2;
+const NAMES = {
+  position: "position",
+  force: "force",
+  both: "position and force",
+  user: "set by hand",
+};
+
+/**
+ * @param {HTMLElement} node the popover
+ * @param {Object<string, (boundary: number) => void>} actions accept, next, remove
+ */
+export function createWhy(node, actions) {
+  let shown = "";
+  return {
+    /** @param {import("../../model/types.js").Doc} doc @param {number} index */
+    show(doc, index, readOnly) {
+      const key = `${doc.revision} ${index} ${document.documentElement.dataset.size}`;
+      node.hidden = false;
+      if (key === shown) return;
+      shown = key;
+      const boundary = doc.boundaries[index];
+      node.replaceChildren(
+        heading(boundary, index),
+        tags(boundary),
+        ...boundary.why.sentences.map((text, k) => (k ? el("p", { text }) : sentence(text))),
+        evidence(boundary),
+        readOnly ? "" : buttons(boundary, index, actions),
+      );
+      node.dataset.boundary = String(index);
+    },
+    hide() {
+      node.hidden = true;
+      shown = "";
+    },
+  };
+}
+
+function heading(boundary, index) {
+  return el(
+    "h4",
+    {},
+    glyphIcon(boundary.origin, boundary.contact_change),
+    `Boundary ${index + 1}`,
+    el("span", { class: "space" }),
+    el("span", { text: `${timeText(boundary.time_s)} s` }),
+  );
+}
+
+function tags({ origin, contact_change: contact, accepted }) {
+  const tag = (text, color) => el("span", { class: "tag", style: { "--tag": color }, text });
+  return el(
+    "p",
+    { class: "tags" },
+    tag(NAMES[origin], originColor(origin)),
+    contact ? tag("contact change", "var(--origin-force)") : "",
+    accepted ? tag("accepted", "var(--good)") : "",
+  );
+}
+
+/** Numbers of the first sentence stand out; everything stays text. */
+function sentence(text) {
+  const parts = text.split(/(\d[\d.,]*(?: ×)?)/);
+  return el("p", {}, ...parts.map((part, k) => (k % 2 ? el("b", { text: part }) : part)));
+}
+
+function evidence(boundary) {
+  const { why, confidence, interval_s: interval, origin } = boundary;
+  const grid = el("div", { class: "evidence" });
+  const largest = Math.max(...why.steps.map(asForce), 1e-9);
+  for (const step of why.steps.filter(
+    (one) => one.unit === "N" || asForce(one) > TELLING * largest,
+  )) {
+    const { name, value, unit, axis } = step;
+    const strongest = asForce(step) === largest;
+    const digits = unit === "N m" ? 3 : 1;
+    grid.append(
+      el("span", { text: name, class: strongest ? "strongest" : "step" }),
+      bar(
+        asForce(step) / largest,
+        axis ? `var(--axis-${axis})` : "var(--curve)",
+        strongest ? "strongest" : "step",
+      ),
+      el("span", {
+        class: `amount ${strongest ? "strongest" : "step"}`,
+        text: `${signed(value, digits)} ${unit}`,
+      }),
+    );
+  }
+  grid.append(
+    el("span", { text: "Interval" }),
+    whiskers(originColor(origin)),
+    el("span", { class: "amount", text: halfWidth(interval) }),
+  );
+  const sure = confidence >= UNSURE_BELOW ? "var(--good)" : "var(--unsure)";
+  grid.append(
+    el("span", { text: "Confidence" }),
+    bar(confidence, sure, ""),
+    el("span", { class: "amount", text: confidence.toFixed(2) }),
+  );
+  return grid;
+}
+
+/** Forces and torques side by side: a torque counts as the force that makes it at LEVER_M. */
+function asForce({ value, unit }) {
+  return Math.abs(value) / (unit === "N" ? 1 : LEVER_M);
+}
+
+function bar(share, color, name) {
+  return el(
+    "div",
+    { class: `bar ${name}` },
+    el("i", { style: { width: `${Math.min(100, 100 * share).toFixed(1)}%`, background: color } }),
+  );
+}
+
+function whiskers(color) {
+  return el("div", { class: "whiskers", style: { color } });
+}
+
+function buttons(boundary, index, actions) {
+  const button = (text, key, run, style = "") =>
+    el(
+      "button",
+      { type: "button", class: style, on: { click: () => run(index) } },
+      text,
+      el("kbd", { text: key }),
+    );
+  return el(
+    "div",
+    { class: "buttons" },
+    boundary.accepted ? "" : button("Accept", "↵", actions.accept, "primary"),
+    button("Next", "N", actions.next),
+    button("Remove", "⌫", actions.remove),
+  );
+}

@@ -1,0 +1,186 @@
+/** The plan: what will run, in which order, how each skill ends. Chips are dragged into order. */
+
+import { segmentFill } from "../lib/colors.js";
+import { byId, el, icon, redraw } from "../lib/dom.js";
+import { plural } from "../lib/format.js";
+import { shortName } from "../model/label_forms.js";
+import { attachChipKeys } from "./plan_keys.js";
+
+const CLICK_PX = 4;
+const MOST_CHIPS = 150;
+
+/**
+ * @param {import("../lib/store.js").Store} store
+ * @param {any} actions
+ */
+export function createPlan(store, actions) {
+  const summary = el("div");
+  const chips = el("div", { class: "chips", role: "list" });
+  const drops = el("div", { class: "plan-drops" });
+  byId("plan").append(
+    el("div", { class: "plan-title" }, el("b", { text: "Plan" }), summary),
+    chips,
+    drops,
+  );
+
+  const keys = attachChipKeys(chips, store, actions);
+  store.on(["document", "selected", "small", "planDrag", "readOnly"], (state) => {
+    const { document: doc, selected, planDrag } = state;
+    if (!doc) return void [summary, chips, drops].forEach((node) => node.replaceChildren());
+    summary.textContent = describe(doc, state.small);
+    const order = planDrag ? planDrag.order : doc.plan.map((_, k) => k);
+    const nodes = order.slice(0, MOST_CHIPS).flatMap((k, place) => {
+      const entry = doc.plan[k];
+      const chip = drawChip(entry, k, doc, selected, state);
+      const dragged = planDrag && place === planDrag.place;
+      if (dragged) chip.classList.add("dragged");
+      return [place ? between(entry, planDrag) : null, chip];
+    });
+    if (order.length > MOST_CHIPS)
+      nodes.push(el("span", { class: "plan-note", text: `and ${order.length - MOST_CHIPS} more` }));
+    redraw(chips, "entry", nodes.filter(Boolean), keys.wanted());
+    if (!doc.plan.length)
+      chips.replaceChildren(
+        el("span", { class: "plan-note", text: "No segment is kept: nothing would run." }),
+      );
+    drops.replaceChildren(...drawDrops(doc, state, actions));
+  });
+  attachDragging(chips, store, actions);
+}
+
+function describe(doc, small) {
+  const skills = plural(doc.plan.length, "skill");
+  const seconds = doc.plan.reduce(
+    (sum, { segment }) => sum + doc.segments[segment].end_s - doc.segments[segment].start_s,
+    0,
+  );
+  return small || !doc.plan.length ? skills : `${skills}, about ${seconds.toFixed(1)} s`;
+}
+
+function drawChip(entry, k, doc, selected, { small }) {
+  const segment = doc.segments[entry.segment];
+  const repeated = doc.plan.slice(0, k).some(({ segment: other }) => other === entry.segment);
+  const times = doc.plan
+    .slice(0, k + 1)
+    .filter(({ segment: other }) => other === entry.segment).length;
+  const contact = segment.end_condition.kind === "contact";
+  const how = repeated
+    ? "repeated"
+    : contact
+      ? `ends at ${segment.end_condition.threshold_N.toFixed(1)} N`
+      : "ends at the pose";
+  const short = shortName(segment.label);
+  const name = small && doc.plan.length > 4 ? short.split(" ")[0] : short;
+  return el(
+    "div",
+    {
+      class: `chip ${entry.segment === selected ? "on" : ""}`,
+      role: "listitem",
+      tabindex: 0,
+      title: `${segment.label}, ${how}. Drag to reorder, Ctrl drag to repeat, Delete takes it out.`,
+      data: { entry: k },
+    },
+    el("div", {
+      class: "chip-number",
+      style: { background: segmentFill(segment) },
+      text: entry.segment + 1,
+    }),
+    el(
+      "div",
+      { class: "chip-text" },
+      el("b", { text: name }),
+      repeated ? el("span", { class: "repeat", text: `×${times}` }) : "",
+      el("small", {}, icon(contact ? "contact" : "goal"), how),
+    ),
+    el("span", { class: "grip" }, icon("grip")),
+  );
+}
+
+/** An arrow, or a dashed connecting move where the next skill starts somewhere else. */
+function between(entry, planDrag) {
+  if (planDrag || entry.connect_mm === null)
+    return el("span", { class: "arrow" }, icon("right", "small"));
+  return el(
+    "div",
+    { class: "connect", title: "A connecting move" },
+    el("span", { text: "connect" }),
+    el("i"),
+    el("span", { text: `${Math.round(entry.connect_mm)} mm` }),
+  );
+}
+
+function drawDrops(doc, { small, readOnly }, actions) {
+  const proposed = doc.proposed_drops;
+  if (!proposed.length || readOnly) return [];
+  const many = proposed.length > (small ? 4 : 8);
+  const chips = many
+    ? []
+    : proposed.map((index) =>
+        el("div", { class: "drop-chip" }, el("b", { text: index + 1 }), small ? "" : "idle"),
+      );
+  const text = small ? `Drop ${proposed.length}` : `Drop all ${proposed.length}`;
+  return [
+    el("span", { class: "wide", text: "Proposed to drop" }),
+    ...chips,
+    el(
+      "button",
+      {
+        type: "button",
+        class: "boxed",
+        id: "drop-idle",
+        title: "Drop all idle segments (I)",
+        on: { click: actions.dropIdle },
+      },
+      text,
+      el("kbd", { text: "I" }),
+    ),
+  ];
+}
+
+/** Drag a chip to reorder; with Ctrl it is repeated; dragged out of the strip it is taken out. */
+function attachDragging(chips, store, actions) {
+  chips.addEventListener("pointerdown", (event) => {
+    const chip = /** @type {HTMLElement} */ (event.target).closest(".chip");
+    const { document: doc, readOnly } = store.state;
+    if (!chip || event.button !== 0) return;
+    const entry = Number(/** @type {HTMLElement} */ (chip).dataset.entry);
+    const start = { x: event.clientX, y: event.clientY };
+    let moved = false;
+    chips.setPointerCapture(event.pointerId);
+
+    const move = (at) => {
+      moved ||= Math.hypot(at.clientX - start.x, at.clientY - start.y) > CLICK_PX;
+      if (!moved || readOnly) return;
+      store.set({ planDrag: dropAt(chips, doc, entry, at) });
+    };
+    const end = (at) => {
+      chips.removeEventListener("pointermove", move);
+      chips.removeEventListener("pointerup", end);
+      chips.removeEventListener("pointercancel", end);
+      const { planDrag } = store.state;
+      store.set({ planDrag: null });
+      if (!moved) return actions.select(doc.plan[entry].segment);
+      if (planDrag && at.type === "pointerup")
+        actions.reorder(planDrag.order.map((k) => doc.plan[k].time_s));
+      return undefined;
+    };
+    chips.addEventListener("pointermove", move);
+    chips.addEventListener("pointerup", end);
+    chips.addEventListener("pointercancel", end);
+  });
+}
+
+function dropAt(chips, doc, entry, { clientX, clientY, ctrlKey, metaKey }) {
+  const repeat = ctrlKey || metaKey;
+  const all = doc.plan.map((_, k) => k);
+  const rest = repeat ? all : all.filter((k) => k !== entry);
+  const box = chips.getBoundingClientRect();
+  if (!repeat && (clientY < box.top - 40 || clientY > box.bottom + 40))
+    return { order: rest, place: -1 };
+  const centres = [...chips.querySelectorAll(".chip:not(.dragged)")].map((chip) => {
+    const { left, width } = chip.getBoundingClientRect();
+    return left + width / 2;
+  });
+  const place = Math.min(centres.filter((centre) => centre < clientX).length, rest.length);
+  return { order: rest.toSpliced(place, 0, entry), place };
+}

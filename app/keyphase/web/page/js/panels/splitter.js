@@ -1,0 +1,65 @@
+/** The bar between scene and timeline: dragged, moved by keys, reset by a double click. */
+
+import { byId } from "../lib/dom.js";
+
+const LEAST_SCENE_PX = 160;
+const LEAST_TIMELINE_PX = 130;
+const STEP_PX = 24;
+
+/**
+ * @param {import("../lib/store.js").Store} store
+ * @param {() => number} naturalHeight height at which all rows of the timeline show
+ */
+export function createSplitter(store, naturalHeight) {
+  const bar = byId("splitter");
+  /** @type {number|null} the height a person chose; null follows the rows */
+  let chosen = null;
+
+  function limit(height) {
+    const others = ["header", "banners", "splitter", "transport", "plan", "status"].reduce(
+      (sum, id) => sum + byId(id).offsetHeight,
+      0,
+    );
+    return Math.round(
+      Math.min(
+        Math.max(height, LEAST_TIMELINE_PX),
+        Math.max(LEAST_TIMELINE_PX, innerHeight - others - LEAST_SCENE_PX),
+      ),
+    );
+  }
+
+  function apply() {
+    const height = limit(chosen ?? naturalHeight());
+    document.documentElement.style.setProperty("--timeline-height", `${height}px`);
+    bar.setAttribute("aria-valuenow", String(height));
+    store.set({ paneHeight: height });
+  }
+
+  function choose(height) {
+    chosen = height === null ? null : limit(height);
+    apply();
+  }
+
+  bar.addEventListener("pointerdown", (event) => {
+    bar.setPointerCapture(event.pointerId);
+    document.body.classList.add("dragging");
+    const start = event.clientY + byId("timeline").offsetHeight;
+    const move = ({ clientY }) => choose(start - clientY);
+    const end = () => {
+      document.body.classList.remove("dragging");
+      bar.removeEventListener("pointermove", move);
+    };
+    bar.addEventListener("pointermove", move);
+    bar.addEventListener("pointerup", end, { once: true });
+    bar.addEventListener("pointercancel", end, { once: true });
+  });
+  bar.addEventListener("dblclick", () => choose(null));
+  bar.addEventListener("keydown", (event) => {
+    const step = { ArrowUp: STEP_PX, ArrowDown: -STEP_PX }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    choose((chosen ?? naturalHeight()) + step);
+  });
+  addEventListener("resize", apply);
+  store.on(["recording", "folded", "hidden", "small", "comparison"], apply);
+}

@@ -1,0 +1,223 @@
+/** Playback and the edits one makes most, between scene and timeline. */
+
+import { unsureBoundaries } from "../model/unsure.js";
+import { byId, el, icon } from "../lib/dom.js";
+import { time as timeText } from "../lib/format.js";
+import { SPEEDS } from "../model/playback.js";
+
+/** The zoom slider's whole way: this many times closer. */
+const CLOSEST = 1000;
+
+/**
+ * @param {import("../lib/store.js").Store} store
+ * @param {any} actions
+ * @param {{tracks: (event: Event) => void}} menus
+ */
+export function createTransport(store, actions, menus) {
+  const tool = (name, title, run, extra = "") =>
+    el(
+      "button",
+      { type: "button", class: `tool ${extra}`, title, "aria-label": title, on: { click: run } },
+      icon(name),
+    );
+  const named = (name, text, key, run) =>
+    el(
+      "button",
+      { type: "button", class: "tool edit", title: `${text} (${key})`, on: { click: run } },
+      icon(name),
+      text,
+      el("kbd", { class: "wide", text: key }),
+    );
+  const play = el(
+    "button",
+    {
+      type: "button",
+      class: "play",
+      title: "Play (Space)",
+      "aria-label": "Play",
+      on: { click: actions.togglePlay },
+    },
+    icon("play"),
+  );
+  const loop = tool("loop", "Play again and again", actions.toggleLoop, "wide");
+  const speedText = el("span", { text: "1×" });
+  const speedSelect = el(
+    "select",
+    {
+      "aria-label": "Speed",
+      on: { change: ({ target }) => actions.setSpeed(Number(target.value)) },
+    },
+    ...SPEEDS.map((speed) => el("option", { value: speed, text: `${speed}×` })),
+  );
+  const now = document.createTextNode("0.000 ");
+  const whole = el("span", { text: "" });
+  const snap = el(
+    "button",
+    {
+      type: "button",
+      class: "tool",
+      title: "Snap to evidence while dragging (V); Alt switches it off",
+      on: { click: actions.toggleSnap },
+    },
+    icon("snap"),
+    el("span", { class: "wide", text: "Snap" }),
+  );
+  const unsure = createUnsure(actions);
+  const zoom = createZoom(store, actions);
+  const edits = [
+    named("split", "Split", "T", actions.split),
+    named("merge", "Merge", "M", actions.merge),
+    named("drop", "Drop", "X", () => actions.toggleDrop()),
+    named("label", "Label", "L", () => actions.rename()),
+  ];
+
+  byId("transport").append(
+    tool("first", "To the start (Home)", actions.toStart),
+    tool("back", "Previous boundary (,)", () => actions.step(-1)),
+    play,
+    tool("forward", "Next boundary (.)", () => actions.step(1)),
+    tool("last", "To the end (End)", actions.toEnd),
+    loop,
+    el("div", { class: "boxed speed wide" }, speedText, icon("down", "small"), speedSelect),
+    el("div", { class: "clock", id: "clock" }, now, whole),
+    el("span", { class: "rule" }),
+    ...edits,
+    el("span", { class: "rule" }),
+    snap,
+    el("span", { class: "space" }),
+    unsure.node,
+    el("span", { class: "rule wide" }),
+    zoom.node,
+    el("button", {
+      type: "button",
+      class: "boxed wide",
+      title: "The whole recording (F)",
+      text: "Fit",
+      on: { click: actions.fit },
+    }),
+    el(
+      "button",
+      {
+        type: "button",
+        class: "boxed",
+        title: "Which tracks to show",
+        "aria-haspopup": "menu",
+        on: { click: menus.tracks },
+      },
+      icon("layers"),
+      el("span", { class: "wide", text: "Tracks" }),
+    ),
+  );
+
+  store.on(["clock"], ({ clock }) => (now.textContent = `${timeText(clock)} `));
+  store.later(["document"], ({ document: doc }) => {
+    whole.textContent = doc ? `/ ${timeText(doc.end_s)} s` : "";
+    for (const button of byId("transport").querySelectorAll("button")) button.disabled = !doc;
+  });
+  store.later(["document", "readOnly"], ({ readOnly, document: doc }) => {
+    for (const button of edits)
+      /** @type {HTMLButtonElement} */ (button).disabled = readOnly || !doc;
+  });
+  store.later(["document", "selected", "clock"], ({ document: doc, selected }) => {
+    const segment = doc?.segments[selected];
+    const text = segment && !segment.kept ? "Keep" : "Drop";
+    if (edits[2].childNodes[1].textContent !== text) edits[2].childNodes[1].textContent = text;
+  });
+  store.on(["playhead"], ({ playhead }) => {
+    play.replaceChildren(icon(playhead.playing ? "pause" : "play"));
+    play.title = playhead.playing ? "Pause (Space)" : "Play (Space)";
+    play.setAttribute("aria-label", playhead.playing ? "Pause" : "Play");
+    loop.classList.toggle("on", playhead.loop);
+    loop.setAttribute("aria-pressed", String(playhead.loop));
+    speedText.textContent = `${playhead.speed}×`;
+    /** @type {HTMLSelectElement} */ (speedSelect).value = String(playhead.speed);
+  });
+  store.on(["snap"], ({ snap: on }) => {
+    snap.classList.toggle("on", on);
+    snap.setAttribute("aria-pressed", String(on));
+  });
+  store.later(["document", "current"], unsure.draw);
+}
+
+/** How many boundaries are unsure, which is the least certain, and the way through them. */
+function createUnsure(actions) {
+  const count = el("span", { class: "low" });
+  const which = el("span", { class: "quiet wide" });
+  const step = (name, title, direction) =>
+    el(
+      "button",
+      {
+        type: "button",
+        class: "tool",
+        title,
+        "aria-label": title,
+        on: { click: () => actions.visitUnsure(direction) },
+      },
+      icon(name),
+    );
+  const node = el(
+    "div",
+    { class: "boxed unsure" },
+    count,
+    which,
+    step("left", "Previous unsure boundary (Shift N)", -1),
+    step("right", "Next unsure boundary (N)", 1),
+  );
+  return {
+    node,
+    draw({ document: doc, current }) {
+      const unsure = unsureBoundaries(doc);
+      node.hidden = unsure.length === 0;
+      if (!unsure.length) return;
+      const index = unsure.includes(current) ? current : unsure[0];
+      count.textContent = `${unsure.length} unsure`;
+      which.textContent = `boundary ${index + 1}, ${doc.boundaries[index].confidence.toFixed(2)}`;
+    },
+  };
+}
+
+/** The zoom slider: logarithmic, from the whole recording to a thousandth of it. */
+function createZoom(store, actions) {
+  const input = /** @type {HTMLInputElement} */ (
+    el("input", { type: "range", min: 0, max: 100, step: 1, value: 0, "aria-label": "Zoom" })
+  );
+  const node = el(
+    "div",
+    { class: "zoom wide" },
+    el(
+      "button",
+      {
+        type: "button",
+        class: "tool",
+        title: "Further (-)",
+        "aria-label": "Zoom out",
+        on: { click: () => actions.zoom(1 / 1.5) },
+      },
+      icon("minus"),
+    ),
+    input,
+    el(
+      "button",
+      {
+        type: "button",
+        class: "tool",
+        title: "Closer (+)",
+        "aria-label": "Zoom in",
+        on: { click: () => actions.zoom(1.5) },
+      },
+      icon("plus"),
+    ),
+  );
+  const closeness = ({ document: doc, view }) => (doc.end_s - doc.start_s) / (view.to - view.from);
+  input.addEventListener("input", () => {
+    if (store.state.document)
+      actions.zoom(CLOSEST ** (Number(input.value) / 100) / closeness(store.state));
+  });
+  store.later(["view", "document"], (state) => {
+    if (!state.document || !state.view) return;
+    const share = Math.min(100, (100 * Math.log(closeness(state))) / Math.log(CLOSEST));
+    if (document.activeElement !== input) input.value = String(share);
+    input.style.setProperty("--share", `${share}%`);
+  });
+  return { node };
+}

@@ -1,0 +1,29 @@
+/**
+ * What the page knows of viser's client. It shows its camera, its nodes and its renderer to tests
+ * under two names of its window; its version is fixed, and a browser test fails if they are gone.
+ * No other file reads them.
+ *
+ * @typedef {{elements: number[]}} Matrix  4x4, column by column
+ * @typedef {{canvas: HTMLCanvasElement|null, camera: {updateMatrixWorld: () => void,
+ *   projectionMatrix: Matrix, matrixWorldInverse: Matrix}|null, cameraControl: any,
+ *   nodeRefFromName: Object<string, ?{visible: boolean, matrixWorld: Matrix}>}} Viser
+ */
+
+import { byId } from "../lib/dom.js";
+
+/** What stands in the frame, once its client has started. @returns {Viser|undefined} */
+export function viserIn(inside) {
+  const viser = /** @type {any} */ (inside)?.__viserMutable;
+  return viser?.camera && viser.canvas ? viser : undefined;
+}
+
+/** How many messages the client has yet to draw. @param {Window} inside */
+export function waitingMessages(inside) {
+  return /** @type {any} */ (inside).__viserMutable?.messageQueue?.length ?? 0;
+}
+
+/** How many frames the scene has drawn so far; undefined before it is there. */
+export function sceneFrames() {
+  const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
+  return /** @type {any} */ (frame.contentWindow)?.__viserTestpoints?.rendererInfo?.render.frame;
+}
