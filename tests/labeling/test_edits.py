@@ -2,7 +2,9 @@
 
 import json
 
+import msgspec
 import pytest
+from handmade import segmentation
 
 from keyphase.errors import LabelingError
 from keyphase.labeling.edits import (
@@ -13,6 +15,7 @@ from keyphase.labeling.edits import (
     BringBack,
     Contact,
     DropIdle,
+    Edit,
     Forget,
     Keep,
     Label,
@@ -21,9 +24,11 @@ from keyphase.labeling.edits import (
     Plan,
     Remove,
     Reset,
+    TakeOver,
     edit_as_json,
     edit_from_json,
 )
+from keyphase.labeling.label import label
 
 EVERY_KIND = [
     Add(1.5),
@@ -44,6 +49,7 @@ EVERY_KIND = [
     BringBack(3),
     Forget(0),
     Reset(),
+    TakeOver("anna.segments.json", (Remove(1.0), Add(2.0, True), Label(1.0, "a"), Keep(1.0, True))),
 ]
 
 
@@ -94,9 +100,33 @@ def test_spaces_around_a_label_are_not_part_of_it():
         {"kind": "bring_back", "edit": -1},
         {"kind": "bring_back", "edit": 1.5},
         {"kind": "reset", "time_s": 1.0},
+        {"kind": "take_over", "source": "a", "edits": [{"kind": "reset"}]},
+        {
+            "kind": "take_over",
+            "source": "a",
+            "edits": [{"kind": "label", "time_s": 1, "label": "a\nb"}],
+        },
+        {"kind": "take_over", "source": "a", "edits": [{"kind": "add", "time_s": float("nan")}]},
     ],
     ids=lambda content: repr(content)[:60],
 )
 def test_anything_else_is_refused_with_a_reason(content):
     with pytest.raises(LabelingError, match=r"\w+ \w+"):
         edit_from_json(content)
+
+
+@pytest.mark.parametrize("edit", EVERY_KIND, ids=repr)
+def test_every_kind_of_edit_has_a_name_that_says_more_than_its_kind(edit):
+    name = edit.step_name(label(segmentation()))
+    assert name[0].isupper()
+    assert " " in name
+
+
+def test_an_edit_inside_a_message_is_parsed_with_the_message():
+    class Message(msgspec.Struct):
+        edit: Edit
+
+    message = msgspec.json.decode(
+        b'{"edit": {"kind": "move", "from_s": 1, "to_s": 2}}', type=Message
+    )
+    assert message.edit == Move(1.0, 2.0)

@@ -5,11 +5,10 @@ from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 from keyphase.demonstration import Demonstration
-from keyphase.labeling.anchored import anchored
 from keyphase.labeling.edits import Edit
 from keyphase.labeling.history import History, ParameterChange, Step
 from keyphase.labeling.labeling import Labeling
-from keyphase.labeling.step_names import edit_name, parameters_name
+from keyphase.labeling.parameter_names import parameters_name
 from keyphase.segmentation.parameters import Parameters
 
 
@@ -65,8 +64,8 @@ class Document:
 
         Raises LabelingError, with the reason, for an edit that cannot be made there.
         """
-        complete = anchored(edit, labeling)
-        return self._with(edit_name(complete, labeling), complete)
+        complete = edit.anchored(labeling)
+        return self._with(complete.step_name(labeling), complete)
 
     def set_parameters(self, parameters: Parameters) -> "Document":
         """With other parameters for this recording; the same document where none differs."""

@@ -3,13 +3,14 @@
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 
+from keyphase.labeling.applying import applied
 from keyphase.labeling.boundary_line import Mark
 from keyphase.labeling.colors import colors_of
 from keyphase.labeling.edits import Edit
 from keyphase.labeling.labeling import Inapplicable, LabeledSegment, Labeling
 from keyphase.labeling.plan import planned
 from keyphase.labeling.spans import Decision, assign
-from keyphase.labeling.walk import Walk, walk
+from keyphase.labeling.walk import Walk
 from keyphase.segmentation.segmentation import Segment, Segmentation
 
 Describe = Callable[[float, float, bool], Segment]
@@ -24,12 +25,12 @@ def label(
 ) -> Labeling:
     """The segmentation with edits applied in order.
 
-    `edits` are anchored edits (see `anchored`) by their number, in the order they were made.
-    Nothing is refused: an edit whose place is gone is listed as inapplicable, and applies again
-    as soon as the parameters bring its place back. `describe` says what a segment with new ends
-    is; where edits come often, pass `segment_between` of the segmenter at hand.
+    `edits` are anchored edits (see `BaseEdit.anchored`) by their number, in the order they were
+    made. Nothing is refused: an edit whose place is gone is listed as inapplicable, and applies
+    again as soon as the parameters bring its place back. `describe` says what a segment with new
+    ends is; where edits come often, pass `segment_between` of the segmenter at hand.
     """
-    done = walk(segmentation, edits)
+    done = applied(segmentation, edits)
     found = _segments(segmentation, done.line.marks, describe)
     middles = [0.5 * (segment.start_s + segment.end_s) for segment in found]
     labels, unlabeled = assign(done.labels, middles)

@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 from keyphase.labeling.boundary_line import BoundaryLine, Mark
-from keyphase.labeling.edits import Span
+
+Span = tuple[float, float]
+"""Start and end of a segment [s]."""
 
 Value = TypeVar("Value")
 

@@ -7,7 +7,7 @@ from keyphase.labeling.document import Document
 from keyphase.labeling.label import Describe, label
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.matching import match_times
-from keyphase.labeling.step_names import parameter_text
+from keyphase.labeling.parameter_names import parameter_text
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import Segmentation
 

@@ -7,13 +7,13 @@ from keyphase.labeling.edits import (
     LONGEST_LABEL,
     Add,
     Contact,
-    Edit,
     Keep,
     Label,
     Plan,
     Remove,
     TakeOver,
 )
+from keyphase.labeling.edits.take_over import Part
 from keyphase.labeling.segment_file import FiledBoundary, FiledSegment, SegmentFile
 from keyphase.segmentation.segmentation import Boundary, Segmentation
 
@@ -52,7 +52,7 @@ def _plain(name: str) -> str:
 
 def _boundary_edits(
     wanted: tuple[FiledBoundary, ...], found: tuple[Boundary, ...]
-) -> Iterator[Edit]:
+) -> Iterator[Part]:
     """Removals first: a boundary added near one of the program's would take its place."""
     there = {boundary.time_s: _at(boundary.time_s, found) for boundary in wanted}
     stays = {boundary.time_s for boundary in there.values() if boundary is not None}

@@ -1,31 +1,11 @@
-"""Edits applied one after another to the boundaries of a segmentation, and what they leave."""
+"""What edits leave while they are applied one after another: boundaries, decisions, the plan."""
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from keyphase.labeling.boundary_line import BoundaryLine, Mark
-from keyphase.labeling.edits import (
-    Accept,
-    AcceptLabels,
-    Add,
-    BringBack,
-    Contact,
-    DropIdle,
-    Edit,
-    Forget,
-    Keep,
-    Label,
-    Merge,
-    Move,
-    Plan,
-    Remove,
-    Reset,
-    Span,
-    TakeOver,
-)
 from keyphase.labeling.labeling import Inapplicable
-from keyphase.labeling.spans import Decision, HeldSpan, hold
-from keyphase.segmentation.segmentation import Segmentation
+from keyphase.labeling.spans import Decision, HeldSpan, Span, hold
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,79 +36,48 @@ class Walk:
         """Edits of boundaries that found no boundary, and that no later edit made moot."""
         return list(self._missed.values())
 
-    def add(self, number: int, edit: Add) -> None:
-        """Put a boundary where there is none."""
-        obstacle = self.line.obstacle(edit.time_s)
-        if obstacle is None:
-            self.line.place(Mark(edit.time_s, bool(edit.contact_change)), edit.time_s)
-        else:
-            self._miss(
-                number, edit.time_s, edit.time_s, f"Boundary at {edit.time_s:.3f} s: {obstacle}."
-            )
+    def miss(self, number: int, from_s: float, to_s: float, text: str) -> None:
+        """Note an edit that found no boundary at `from_s`, wanted at `to_s`.
 
-    def move(self, number: int, edit: Move, insisted: bool) -> None:
-        """Move a boundary; a person's `insisted` adds one where it is gone."""
-        mark = self.line.find(edit.from_s)
-        what = f"Boundary moved from {edit.from_s:.3f} to {edit.to_s:.3f} s"
-        obstacle = self.line.obstacle(edit.to_s, moving=mark)
-        if mark is None and not insisted:
-            self._miss(number, edit.from_s, edit.to_s, f"{what}: it is no longer found.")
-        elif obstacle is not None:
-            self._miss(number, edit.from_s, edit.to_s, f"{what}: {obstacle}.")
-        else:
-            mark = mark or Mark(edit.from_s, contact_change=False)
-            if not mark.by_hand and mark.automatic is not None:
-                mark.was_s = mark.automatic.time_s
-            self.line.place(mark, edit.to_s)
+        Of edits that follow one another on one boundary, the last says where it was wanted.
+        """
+        self._missed.pop(from_s, None)
+        self._missed[to_s] = Inapplicable(number, text)
 
-    def remove(self, edit: Remove) -> None:
-        """Take a boundary away; where it is not found there is nothing to do."""
-        self._missed.pop(edit.time_s, None)
-        mark = self.line.find(edit.time_s)
-        if mark is not None:
-            self.line.take_away(mark)
+    def settle(self, time_s: float) -> None:
+        """What was missed at a time is moot."""
+        self._missed.pop(time_s, None)
 
-    def merge(self, edit: Merge) -> None:
-        """Take all boundaries between two times away."""
-        for time in [time for time in self._missed if edit.from_s < time < edit.to_s]:
+    def settle_between(self, from_s: float, to_s: float) -> None:
+        """What was missed between two times is moot."""
+        for time in [time for time in self._missed if from_s < time < to_s]:
             del self._missed[time]
-        for mark in self.line.between(edit.from_s, edit.to_s):
-            self.line.take_away(mark)
 
-    def judge(self, number: int, edit: Contact | Accept, insisted: bool) -> None:
-        """Say something about a boundary."""
-        mark = self.line.find(edit.time_s)
-        if mark is None and insisted and self.line.obstacle(edit.time_s) is None:
-            mark = Mark(edit.time_s, contact_change=False)
-            self.line.place(mark, edit.time_s)
-        if mark is None:
-            text = f"Boundary at {edit.time_s:.3f} s: it is no longer found."
-            self._miss(number, edit.time_s, edit.time_s, text)
-        elif isinstance(edit, Contact):
-            mark.contact_change = edit.contact_change
-        else:
-            mark.accepted = True
+    def decide_label(self, number: int, span: HeldSpan, label: str) -> None:
+        """Edit `number` gave the segments of a span their label."""
+        self.labels.append(Decision(number, span, label))
 
-    def name(self, number: int, edit: Label, insisted: bool) -> None:
-        """Give a segment its label."""
-        span = self._held(edit.time_s, edit.span_s, insisted)
-        self.labels.append(Decision(number, span, edit.label))
+    def decide_kept(self, number: int, span: HeldSpan, kept: bool) -> None:
+        """Edit `number` kept or dropped the segments of a span."""
+        self.keeps.append(Decision(number, span, kept))
 
-    def keep(self, number: int, edit: Keep, insisted: bool) -> None:
-        """Keep or drop a segment."""
-        span = self._held(edit.time_s, edit.span_s, insisted)
-        self.keeps.append(Decision(number, span, edit.kept))
+    def drop_idle(self) -> None:
+        """From here on idle segments are dropped, whatever was decided before."""
+        self.decided_before_idle = len(self.keeps)
 
-    def order(self, edit: Plan) -> None:
-        """Replace the plan."""
-        spans = edit.spans_s or tuple(self._around(time) for time in edit.order)
-        held = {span: hold(span, self.line) for span in {*spans, *edit.left_out_s}}
+    def set_plan(self, order: Sequence[Span], left_out: Sequence[Span]) -> None:
+        """Replace the plan by these spans."""
+        held = {span: hold(span, self.line) for span in {*order, *left_out}}
         self.plan = HeldPlan(
-            tuple(held[span] for span in spans), tuple(held[span] for span in edit.left_out_s)
+            tuple(held[span] for span in order), tuple(held[span] for span in left_out)
         )
 
-    def _held(self, time_s: float, span_s: Span | None, insisted: bool) -> HeldSpan:
-        span = span_s or self._around(time_s)
+    def held(self, time_s: float, span_s: Span | None, insisted: bool) -> HeldSpan:
+        """The span an edit was made on, held by the marks at its sides.
+
+        Insisted on, its sides are added where they are gone.
+        """
+        span = span_s or self.around(time_s)
         for side in span if insisted else ():
             if self.line.find(side) is None and self.line.obstacle(side) is None:
                 self.line.place(Mark(side, contact_change=False), side)
@@ -141,78 +90,8 @@ class Walk:
         """Marks have come, gone or moved: the sides of spans have to be found anew."""
         self._holds.clear()
 
-    def _around(self, time_s: float) -> Span:
+    def around(self, time_s: float) -> Span:
+        """The span of the segment around a time, as boundaries are now."""
         times = [self.line.start_s, *(m.time_s for m in self.line.marks), self.line.end_s]
         after = next((i for i in range(1, len(times)) if time_s < times[i]), len(times) - 1)
         return times[after - 1], times[after]
-
-    def _miss(self, number: int, from_s: float, to_s: float, text: str) -> None:
-        # Of edits that follow one another on one boundary, the last says where it was wanted.
-        self._missed.pop(from_s, None)
-        self._missed[to_s] = Inapplicable(number, text)
-
-
-def walk(segmentation: Segmentation, edits: Mapping[int, Edit]) -> Walk:
-    """Apply edits, by their number and in order, to the boundaries of a segmentation."""
-    demonstration = segmentation.demonstration
-    line = BoundaryLine(
-        demonstration.start_s,
-        demonstration.end_s,
-        1.0 / demonstration.rate_hz,
-        segmentation.boundaries,
-    )
-    done = Walk(line)
-    in_force = _in_force(edits)
-    insisted = {edit.edit for edit in in_force.values() if isinstance(edit, BringBack)}
-    last_plan = max((n for n, edit in in_force.items() if isinstance(edit, Plan)), default=None)
-    for number, edit in in_force.items():
-        if not isinstance(edit, Plan) or number == last_plan:
-            _apply(done, number, edit, number in insisted)
-    return done
-
-
-def _in_force(edits: Mapping[int, Edit]) -> dict[int, Edit]:
-    """Edits since the last reset that were not forgotten."""
-    since: dict[int, Edit] = {}
-    for number, edit in edits.items():
-        if isinstance(edit, Reset):
-            since.clear()
-        elif isinstance(edit, Forget):
-            since.pop(edit.edit, None)
-        elif isinstance(edit, TakeOver):
-            since = {number: edit}
-        else:
-            since[number] = edit
-    return since
-
-
-def _apply(done: Walk, number: int, edit: Edit, insisted: bool) -> None:
-    if isinstance(edit, Add | Move | Remove | Merge | Contact | Accept):
-        done.forget_holds()
-    match edit:
-        case Add():
-            done.add(number, edit)
-        case Move():
-            done.move(number, edit, insisted)
-        case Remove():
-            done.remove(edit)
-        case Merge():
-            done.merge(edit)
-        case Contact() | Accept():
-            done.judge(number, edit, insisted)
-        case Label():
-            done.name(number, edit, insisted)
-        case AcceptLabels(labels):
-            for each in labels or ():
-                done.name(number, each, insisted)
-        case Keep():
-            done.keep(number, edit, insisted)
-        case DropIdle():
-            done.decided_before_idle = len(done.keeps)
-        case Plan():
-            done.order(edit)
-        case TakeOver(_, edits):
-            for each in edits:
-                _apply(done, number, each, insisted)
-        case _:
-            pass

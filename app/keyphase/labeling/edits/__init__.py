@@ -1,0 +1,43 @@
+"""Edits: what a person did to a segmentation, anchored in time; one module for each kind."""
+
+from keyphase.labeling.edits.accept import Accept
+from keyphase.labeling.edits.accept_labels import AcceptLabels
+from keyphase.labeling.edits.add import Add
+from keyphase.labeling.edits.base import kind_of
+from keyphase.labeling.edits.contact import Contact
+from keyphase.labeling.edits.drop_idle import DropIdle
+from keyphase.labeling.edits.keep import Keep
+from keyphase.labeling.edits.label import LONGEST_LABEL, Label, check_label
+from keyphase.labeling.edits.lost_edits import BringBack, Forget
+from keyphase.labeling.edits.merge import Merge
+from keyphase.labeling.edits.move import Move
+from keyphase.labeling.edits.parsing import Edit, edit_as_json, edit_from_json
+from keyphase.labeling.edits.plan import LONGEST_PLAN, Plan
+from keyphase.labeling.edits.remove import Remove
+from keyphase.labeling.edits.reset import Reset
+from keyphase.labeling.edits.take_over import TakeOver
+
+__all__ = [
+    "LONGEST_LABEL",
+    "LONGEST_PLAN",
+    "Accept",
+    "AcceptLabels",
+    "Add",
+    "BringBack",
+    "Contact",
+    "DropIdle",
+    "Edit",
+    "Forget",
+    "Keep",
+    "Label",
+    "Merge",
+    "Move",
+    "Plan",
+    "Remove",
+    "Reset",
+    "TakeOver",
+    "check_label",
+    "edit_as_json",
+    "edit_from_json",
+    "kind_of",
+]

@@ -1,0 +1,72 @@
+"""Naming a segment, and what may stand in a name."""
+
+import unicodedata
+
+import msgspec
+
+from keyphase.errors import LabelingError
+from keyphase.labeling.edits.base import BaseEdit
+from keyphase.labeling.edits.places import segment_at, segment_number, span_of
+from keyphase.labeling.labeling import Labeling
+from keyphase.labeling.spans import Span
+from keyphase.labeling.walk import Walk
+
+LONGEST_LABEL = 200
+"""Characters."""
+
+_LONGEST_SHOWN = 24
+_NOT_TEXT = frozenset({"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"})
+
+
+class Label(BaseEdit, frozen=True, tag="label"):
+    """Name the segment around `time_s`; an empty label gives it back the proposed one."""
+
+    time_s: float
+    label: str
+    span_s: Span | None = None
+
+    def checked(self) -> "Label":
+        """With a label that is plain text."""
+        return msgspec.structs.replace(super().checked(), label=check_label(self.label))
+
+    def anchored(self, labeling: Labeling) -> "Label":
+        """At the middle of its segment, with the segment's span."""
+        segment = segment_at(self.time_s, labeling)
+        return Label(segment.middle_s, check_label(self.label), span_of(segment))
+
+    def apply(self, number: int, walk: Walk, insisted: bool) -> None:
+        """The latest label of a segment wins."""
+        walk.decide_label(number, walk.held(self.time_s, self.span_s, insisted), self.label)
+
+    def step_name(self, labeling: Labeling) -> str:
+        """With the label as it was given."""
+        segment = segment_number(self.time_s, labeling)
+        if not self.label:
+            return f"Give segment {segment} its proposed label"
+        return f"Label segment {segment} “{shortened(self.label)}”"
+
+
+def check_label(label: str) -> str:
+    """The label without surrounding spaces.
+
+    Raises LabelingError where it is too long or holds anything but text, such as line breaks and
+    marks that turn the writing direction.
+    """
+    label = label.strip()
+    if len(label) > LONGEST_LABEL:
+        raise LabelingError(
+            f"A label has at most {LONGEST_LABEL} characters, but this one has {len(label)}; "
+            "shorten it."
+        )
+    strange = next((c for c in label if unicodedata.category(c) in _NOT_TEXT), None)
+    if strange is not None:
+        raise LabelingError(
+            f"A label must be plain text in one line, but this one holds U+{ord(strange):04X}; "
+            "leave that character out."
+        )
+    return label
+
+
+def shortened(text: str) -> str:
+    """A label as the name of a step shows it."""
+    return text if len(text) <= _LONGEST_SHOWN else f"{text[: _LONGEST_SHOWN - 1]}…"

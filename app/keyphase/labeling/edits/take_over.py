@@ -1,0 +1,50 @@
+"""Taking over another's segmentation of the recording as one step."""
+
+from typing import Annotated
+
+import msgspec
+
+from keyphase.labeling.edits.add import Add
+from keyphase.labeling.edits.base import BaseEdit, InForce
+from keyphase.labeling.edits.contact import Contact
+from keyphase.labeling.edits.keep import Keep
+from keyphase.labeling.edits.label import Label, check_label, shortened
+from keyphase.labeling.edits.plan import Plan
+from keyphase.labeling.edits.remove import Remove
+from keyphase.labeling.labeling import Labeling
+from keyphase.labeling.walk import Walk
+
+MOST_TAKEN_OVER = 100_000
+"""Edits of which one taking over consists at most."""
+
+Part = Remove | Add | Contact | Label | Keep | Plan
+"""What taking over consists of."""
+
+
+class TakeOver(BaseEdit, frozen=True, tag="take_over"):
+    """Take over another's segmentation of this recording; edits before count no more.
+
+    source  where it came from, for people
+    edits   what makes it of the automatic segmentation, in order; see `taking_over`
+    """
+
+    source: str
+    edits: Annotated[tuple[Part, ...], msgspec.Meta(max_length=MOST_TAKEN_OVER)]
+
+    def checked(self) -> "TakeOver":
+        """With each part checked, and a source that is plain text."""
+        return TakeOver(check_label(self.source), tuple(each.checked() for each in self.edits))
+
+    def enter(self, number: int, in_force: InForce) -> None:
+        """All edits before count no more."""
+        in_force.begin_again()
+        in_force.edits[number] = self
+
+    def apply(self, number: int, walk: Walk, insisted: bool) -> None:
+        """Its parts one after another."""
+        for each in self.edits:
+            each.apply(number, walk, insisted)
+
+    def step_name(self, labeling: Labeling) -> str:
+        """With where it came from."""
+        return f"Take over “{shortened(self.source)}”"
