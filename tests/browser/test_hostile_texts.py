@@ -62,7 +62,7 @@ MESSAGES: list[dict[str, object]] = [
     {"type": "seek", "time_s": HOSTILE[0]},
     {"type": "compare", "with": "../../../etc/passwd"},
     {"type": "take_over", "from": HOSTILE[0]},
-    {"type": "export", "format": "../../x"},
+    {"type": "export", "kind": "../../x"},
     {"type": "show", "what": HOSTILE[0], "visible": True},
 ]
 

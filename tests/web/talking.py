@@ -96,7 +96,7 @@ class PageClient:
     def close(self) -> None:
         self._socket.close()
 
-    def send(self, kind: str, **fields: object) -> None:
+    def send(self, kind: str, /, **fields: object) -> None:
         self.send_raw(json.dumps({"type": kind, **fields}))
 
     def send_raw(self, data: str | bytes) -> None:

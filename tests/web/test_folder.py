@@ -159,7 +159,7 @@ def test_a_labeling_is_compared_with_the_automatic_one(page: PageClient) -> None
 def test_a_labeling_is_compared_with_a_segment_file_of_the_same_recording(
     page: PageClient,
 ) -> None:
-    page.send("export", format="json")
+    page.send("export", kind="json")
     page.wait_for("saved")
     page.send("compare")
     options = page.wait_for("comparison")["options"]
@@ -171,7 +171,7 @@ def test_a_labeling_is_compared_with_a_segment_file_of_the_same_recording(
 def test_anothers_segment_file_is_taken_over_in_one_step(page: PageClient) -> None:
     page.send("edit", edit={"kind": "add", "time_s": 0.4})
     theirs = page.wait_for("document", lambda m: m["edits"] == 1)
-    page.send("export", format="json")
+    page.send("export", kind="json")
     name = Path(page.wait_for("saved")["path"]).name
     page.send("undo")
     page.wait_for("document", lambda m: m["edits"] == 0)
@@ -200,7 +200,7 @@ def test_only_what_is_offered_is_taken_over(page: PageClient) -> None:
 
 
 def test_a_segment_file_of_another_recording_is_refused(page: PageClient, own_copy: Path) -> None:
-    page.send("export", format="json")
+    page.send("export", kind="json")
     path = Path(page.wait_for("saved")["path"])
     content = json.loads(path.read_text())
     content["demonstration"]["sha256"] = "0" * 64

@@ -160,7 +160,7 @@ def test_a_segment_file_for_each_that_can_be_read(
 ) -> None:
     with PageClient(start_server(*three)) as page:
         page.wait_for("document")
-        page.send("export", format="all")
+        page.send("export", kind="all")
         notice = page.wait_for("notice", lambda m: m["level"] == "info")
 
     assert notice["text"] == "2 of 3 segment files were written."

@@ -229,9 +229,9 @@ def test_parts_of_the_scene_are_shown_and_hidden(page: PageClient) -> None:
 
 
 def test_a_segment_file_is_written_beside_the_recording(page: PageClient, own_copy: Path) -> None:
-    page.send("export", format="json")
+    page.send("export", kind="json")
     saved = Path(page.wait_for("saved")["path"])
-    page.send("export", format="csv")
+    page.send("export", kind="csv")
     table = Path(page.wait_for("saved")["path"])
 
     assert saved == own_copy.with_name("synthetic_setup1.segments.json")

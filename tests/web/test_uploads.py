@@ -161,7 +161,7 @@ def test_a_piece_of_nothing_is_refused(page: PageClient) -> None:
 
 
 def _exported(page: PageClient) -> tuple[Path, Message]:
-    page.send("export", format="json")
+    page.send("export", kind="json")
     path = Path(page.wait_for("saved")["path"])
     return path, json.loads(path.read_text())
 

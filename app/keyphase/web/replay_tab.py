@@ -13,6 +13,7 @@ from keyphase.web.scene.views import View
 from keyphase.workbench.opened import Opened
 from keyphase.workbench.replay_session import ReplaySession
 from keyphase.workbench.replay_settings import SPEEDS, WORKCELLS, EndBy, ReplaySettings
+from keyphase.workbench.replay_trials import TrialsRun
 from keyphase.workbench.telling import Telling
 
 STEP, STOP = "Step", "Stop"
@@ -117,15 +118,11 @@ class ReplayTab(ReplayView):
 
     # -- hearing what a person does
 
-    def show_trials_run(self, done: int, count: int) -> None:
-        """How many worlds of the trials are done."""
-        _put(self._cancel, "visible", True)
-        _put(self._trials, "content", f"{done} of {count} worlds")
-
-    def show_trials(self, outcome: str) -> None:
-        """What came of the trials, in one line."""
-        _put(self._cancel, "visible", False)
-        _put(self._trials, "content", outcome)
+    def show_trials(self, trials: TrialsRun) -> None:
+        """How many worlds of the trials are done, or what came of them in one line."""
+        _put(self._cancel, "visible", not trials.over)
+        on_the_way = f"{trials.done} of {trials.count} worlds"
+        _put(self._trials, "content", trials.outcome or "" if trials.over else on_the_way)
 
     def _steered(self) -> None:
         {

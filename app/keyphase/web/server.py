@@ -17,6 +17,7 @@ from keyphase.robot.description import RobotDescription
 from keyphase.segmentation.parameters import RANGES
 from keyphase.simulation.demonstrating.recorder import recover
 from keyphase.web.panel import Panel
+from keyphase.web.protocol.controls import Controls, RecordTeller
 from keyphase.web.protocol.dispatch import hear
 from keyphase.web.record_tab import RecordTab
 from keyphase.web.replay_tab import ReplayCloser, ReplayTab
@@ -85,6 +86,7 @@ class PageServer:
             RobotFolder(self.viser, self.robot, self.session.telling)
         self._offer_recording()
         self._offer_replay()
+        self._offer_controls()
         self.session.queue.open_first()
 
     @property
@@ -114,6 +116,15 @@ class PageServer:
         def _(_client: viser.ClientHandle) -> None:
             if not self.viser.get_clients():
                 lead.close()
+
+    def _offer_controls(self) -> None:
+        replay = self.session.replay
+        controls = Controls(
+            self.session.telling.all, self.lead_through, replay, self._replay_scene, self.robot
+        )
+        self.lead_through.add(RecordTeller(self.session.telling.all))
+        replay.add(controls)
+        self.session.controls = controls
 
     def _offer_replay(self) -> None:
         """The scene first: what follows in the panel may take its time."""

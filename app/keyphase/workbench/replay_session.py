@@ -41,9 +41,7 @@ class ReplaySession:
         self._lock = threading.RLock()
         self._worker = Worker(telling.report)
         self._trials = ReplayTrials(
-            telling,
-            lambda done, count: self._each(lambda view: view.show_trials_run(done, count)),
-            lambda outcome: self._each(lambda view: view.show_trials(outcome)),
+            telling, lambda trials: self._each(lambda view: view.show_trials(trials))
         )
         self._streamed: Streamed | None = None
         self._count = 0

@@ -2,6 +2,7 @@
 
 import threading
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from keyphase.simulation.replay.report import trials_outcome
 from keyphase.simulation.replay.spread import Spread
@@ -22,25 +23,34 @@ WORLDS = Worlds(
 """Parts ±10 mm in height and ±5 mm aside, friction 0.2 to 0.6, sensor noise doubled."""
 
 
+@dataclass(frozen=True)
+class TrialsRun:
+    """Trials on the way, or what came of them.
+
+    outcome    in one line, once they are over
+    svg        their picture; None on the way, and where they were given up
+    succeeded  in how many worlds the plan did; None likewise
+    """
+
+    count: int
+    done: int = 0
+    over: bool = False
+    title: str = ""
+    outcome: str | None = None
+    svg: str | None = None
+    succeeded: int | None = None
+
+
 class _CancelledError(Exception):
     """A person gave the trials up."""
 
 
 class ReplayTrials:
-    """Runs trials one after another; pages get progress, then the picture.
+    """Runs trials one after another; `show` is told how they go and what came of them."""
 
-    `show_progress` is told how many worlds are done and how many there are, `show_outcome` what
-    came of them in one line.
-    """
-
-    def __init__(
-        self,
-        telling: Telling,
-        show_progress: Callable[[int, int], None],
-        show_outcome: Callable[[str], None],
-    ) -> None:
+    def __init__(self, telling: Telling, show: Callable[[TrialsRun], None]) -> None:
         self._telling = telling
-        self._show_progress, self._show_outcome = show_progress, show_outcome
+        self._show = show
         self._worker = Worker(telling.report)
         self._cancelled = threading.Event()
 
@@ -62,9 +72,9 @@ class ReplayTrials:
         try:
             self._run_and_tell(opened, settings, count)
         except _CancelledError:
-            self._show_outcome("Cancelled.")
+            self._show(TrialsRun(count, over=True, outcome="Cancelled."))
         except Exception:
-            self._show_outcome("")
+            self._show(TrialsRun(count, over=True))
             raise
         finally:
             self._telling.progress_done()
@@ -78,7 +88,7 @@ class ReplayTrials:
             if self._cancelled.is_set():
                 raise _CancelledError
             self._telling.progress(what, done / total)
-            self._show_progress(done, total)
+            self._show(TrialsRun(total, done))
 
         progress(0, count)
         trials = run_trials(
@@ -86,5 +96,6 @@ class ReplayTrials:
         )
         title = f"{opened.recording.name} in {settings.workcell}, {settings.end_by} end conditions"
         outcome, picture = trials_outcome(trials), trials_svg(trials, title)
-        self._show_outcome(outcome)
+        succeeded = sum(trial.succeeded for trial in trials.trials)
+        self._show(TrialsRun(count, count, True, title, outcome, picture, succeeded))
         self._telling.all({"type": "trials", "title": title, "outcome": outcome, "svg": picture})

@@ -10,7 +10,7 @@ from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from keyphase.errors import KeyphaseError, RequestError
 from keyphase.segmentation.parameters import Parameters
@@ -37,6 +37,14 @@ graphics card asks for them."""
 
 SETTLE_S = 0.4
 """A slider in the panel never says that it was let go; after this long without a change it was."""
+
+
+class Controlling(Protocol):
+    """Recording, replay, trials and robot, as pages control them."""
+
+    def greet(self, tell: Callable[[Any], None]) -> None:
+        """Tell a page that has come how all of it stands."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -67,6 +75,7 @@ class Session:
         self.views = Views(self.telling.report)
         self.queue = RecordingQueue(paths, library, self.telling, self._opened, self._emptied)
         self.replay = ReplaySession(self.current, self.queue, self.telling)
+        self.controls: Controlling | None = None
         self.opened: Opened | None = None
         self.playhead = Playhead()
         self.selected: int | None = None
@@ -143,9 +152,11 @@ class Session:
             self._settling.start()
 
     def export(self, kind: str) -> None:
-        """Write the segment file: `json` or `csv` of the current recording, or of `all`."""
+        """Write the segment file (`json`, `csv`, or of `all` recordings), or the plan."""
         if kind == "all":
             self.queue.export_all()
+        elif kind not in ("json", "csv"):
+            self._worker.submit(lambda: self.replay.export(kind), f"export {kind}")
         else:
             self._worker.submit(lambda: self._export(kind), f"export {kind}")
 
@@ -307,6 +318,8 @@ class Session:
                 page.send(self.telling.under_way)
             self.sockets.add(page)
             self.replay.greet(page)
+            if self.controls is not None:
+                self.controls.greet(page.send)
 
     def _document_message(self, opened: Opened, cause: Cause | None) -> dict[str, Any]:
         return {

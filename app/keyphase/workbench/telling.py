@@ -4,6 +4,8 @@ import logging
 from collections.abc import Callable, Mapping
 from typing import Any, Literal
 
+import msgspec
+
 from keyphase.errors import KeyphaseError
 from keyphase.web.transport.page_sockets import PageSockets
 
@@ -20,7 +22,7 @@ class Telling:
         self._sockets = sockets
         self.under_way: Mapping[str, Any] | None = None
 
-    def all(self, message: Mapping[str, Any], may_drop: bool = False) -> None:
+    def all(self, message: Mapping[str, Any] | msgspec.Struct, may_drop: bool = False) -> None:
         """A message to every page; `may_drop` where a newer one will follow."""
         self._sockets.broadcast(message, may_drop)
 

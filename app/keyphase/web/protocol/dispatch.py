@@ -7,6 +7,7 @@ from keyphase.errors import KeyphaseError, RequestError
 from keyphase.labeling.edits import edit_from_json
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web.protocol import requests as ask
+from keyphase.web.protocol.controls import Controls
 from keyphase.web.transport.page_sockets import Page
 from keyphase.workbench.comparing import comparison_message, take_over
 from keyphase.workbench.opened import Opened
@@ -58,7 +59,7 @@ def _do(session: Session, request: ask.Request, page: Page) -> None:
         case ask.ForgetLabel():
             change(lambda opened: opened.folder.forget(request.label))
         case ask.Export():
-            session.export(request.format)
+            _export(session, request.kind)
         case ask.Spread():
             _spread(session, request.step)
         case ask.Compare():
@@ -92,8 +93,41 @@ def _show(session: Session, request: ask.Request, page: Page) -> None:
             session.set_theme(request.dark)
         case ask.Replay():
             _replay(session, request)
+        case ask.Trials():
+            session.replay.run_trials(request.count)
+        case ask.TrialsCancel():
+            session.replay.cancel_trials()
+        case ask.ReplaySettings() | ask.Push() | ask.Record() | ask.Robot():
+            _control(_controls(session), request)
         case ask.Latency():
             session.latencies_ms.append(request.milliseconds)
+
+
+def _control(
+    controls: Controls, request: ask.ReplaySettings | ask.Push | ask.Record | ask.Robot
+) -> None:
+    match request:
+        case ask.ReplaySettings():
+            controls.choose(request)
+        case ask.Push():
+            controls.push(request.offered)
+        case ask.Record():
+            controls.record(request)
+        case ask.Robot():
+            controls.move_robot(request)
+
+
+def _controls(session: Session) -> Controls:
+    if not isinstance(session.controls, Controls):
+        raise RequestError("The server is still starting; try again in a moment.")
+    return session.controls
+
+
+def _export(session: Session, kind: str) -> None:
+    if kind == "page":
+        _controls(session).share()
+    else:
+        session.export(kind)
 
 
 def _replay(session: Session, request: ask.Replay) -> None:

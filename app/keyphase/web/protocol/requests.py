@@ -7,10 +7,10 @@ are not finite or far out of range and texts that are too long are refused with 
 from typing import Annotated, Any, Literal
 
 import msgspec
-from msgspec import Meta, Struct
+from msgspec import UNSET, Meta, Struct, UnsetType
 
 from keyphase.errors import RequestError
-from keyphase.workbench.replay_settings import SPEEDS, Action
+from keyphase.workbench.replay_settings import SPEEDS, Action, EndBy
 
 _Time = Annotated[float, Meta(ge=-1e9, le=1e10)]
 _Value = Annotated[float, Meta(ge=-1e12, le=1e12)]
@@ -135,9 +135,13 @@ class Signals(_Request, tag="signals", frozen=True):
 
 
 class Export(_Request, tag="export", frozen=True):
-    """Write the segment file, as JSON or CSV, or of all recordings."""
+    """Write a file.
 
-    format: Literal["json", "csv", "all"]
+    The segment file as `json` or `csv`, or those of `all` recordings; the plan as `skills`,
+    `behavior tree` or `program`; the replay that is over as a `page` that needs no server.
+    """
+
+    kind: Literal["json", "csv", "all", "skills", "behavior tree", "program", "page"]
 
 
 class Show(_Request, tag="show", frozen=True):
@@ -158,6 +162,53 @@ class Replay(_Request, tag="replay", frozen=True):
 
     do: Action
     speed: Annotated[float, Meta(ge=SPEEDS[0], le=SPEEDS[1])] | None = None
+
+
+class ReplaySettings(_Request, tag="replay_settings", frozen=True):
+    """Choose the world of the next replay; what is left out stays as it is."""
+
+    workcell: _Name | UnsetType = UNSET
+    part_height_m: _Value | UnsetType = UNSET
+    part_aside_m: _Value | UnsetType = UNSET
+    friction: _Value | UnsetType = UNSET
+    sensor_noise: _Value | UnsetType = UNSET
+    end_by: EndBy | UnsetType = UNSET
+    speed: _Value | UnsetType = UNSET
+    seed: Annotated[int, Meta(ge=0, le=2**31)] | UnsetType = UNSET
+
+
+class Push(_Request, tag="push", frozen=True):
+    """Show or hide what pushes the tool while a replay runs."""
+
+    offered: bool
+
+
+class Trials(_Request, tag="trials", frozen=True):
+    """Run the plan in so many disturbed worlds."""
+
+    count: Annotated[int, Meta(ge=1, le=1000)]
+
+
+class TrialsCancel(_Request, tag="trials_cancel", frozen=True):
+    """Give up the trials that run."""
+
+
+class Record(_Request, tag="record", frozen=True):
+    """Open or close a workcell to be led by hand, start or stop a take, take one back.
+
+    `open` and `start` name the workcell.
+    """
+
+    do: Literal["open", "close", "start", "stop", "reset", "undo_take", "redo_take"]
+    workcell: _Name | None = None
+
+
+class Robot(_Request, tag="robot", frozen=True):
+    """Which arm follows the recording, whether the robot can be moved, where it stands."""
+
+    arm: _Name | None = None
+    moving: bool | None = None
+    place: Literal["automatically"] | None = None
 
 
 class Latency(_Request, tag="latency", frozen=True):
@@ -190,6 +241,12 @@ Request = (
     | Show
     | Theme
     | Replay
+    | ReplaySettings
+    | Push
+    | Trials
+    | TrialsCancel
+    | Record
+    | Robot
     | Latency
 )
 

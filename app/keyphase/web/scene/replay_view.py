@@ -8,6 +8,7 @@ from keyphase.workbench.opened import Opened
 from keyphase.workbench.replay_plan import ReplayPlan
 from keyphase.workbench.replay_run import Phase, ReplayRun, Tick
 from keyphase.workbench.replay_settings import ReplaySettings
+from keyphase.workbench.replay_trials import TrialsRun
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,8 +52,5 @@ class ReplayView:
     def show_closed(self) -> None:
         """It is not shown any more."""
 
-    def show_trials_run(self, done: int, count: int) -> None:
-        """Trials run: of `count` worlds so many are done."""
-
-    def show_trials(self, outcome: str) -> None:
-        """Trials are over, with this outcome in one line."""
+    def show_trials(self, trials: TrialsRun) -> None:
+        """Trials are on the way, or over."""

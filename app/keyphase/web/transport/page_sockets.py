@@ -45,7 +45,7 @@ class Page:
         """Whether it was opened by the link for looking only."""
         return self.grant is Grant.LOOKING
 
-    def send(self, message: Mapping[str, Any] | bytes) -> None:
+    def send(self, message: Mapping[str, Any] | msgspec.Struct | bytes) -> None:
         """Send a message from any thread."""
         data = message if isinstance(message, bytes) else encode(message)
         call_soon(self.loop, lambda: _push(self, data, may_drop=False))
@@ -100,7 +100,9 @@ class PageSockets:
         """Include a page in broadcasts, once it has been told how things stand."""
         self._pages.add(page)
 
-    def broadcast(self, message: Mapping[str, Any], may_drop: bool = False) -> None:
+    def broadcast(
+        self, message: Mapping[str, Any] | msgspec.Struct, may_drop: bool = False
+    ) -> None:
         """Send to every page, from any thread; `may_drop` spares pages that lag behind."""
         pages = tuple(self._pages)
         if pages:
@@ -112,7 +114,7 @@ class PageSockets:
         self._pool.shutdown(wait=False, cancel_futures=True)
 
 
-def encode(message: Mapping[str, Any]) -> str:
+def encode(message: Mapping[str, Any] | msgspec.Struct) -> str:
     """A message as JSON text."""
     return msgspec.json.encode(message).decode()
 

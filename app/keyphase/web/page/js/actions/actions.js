@@ -59,7 +59,7 @@ export function createActions(store, send, latency) {
   const actions = {
     send,
     open: (id) => send({ type: "open", id }),
-    exportAs: (format) => send({ type: "export", format }),
+    exportAs: (kind) => send({ type: "export", kind }),
 
     seek(time) {
       if (!doc()) return;

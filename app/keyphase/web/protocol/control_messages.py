@@ -1,0 +1,124 @@
+"""What the page draws as controls: recording by hand, the world of a replay, trials, the robot."""
+
+import functools
+from typing import get_args
+
+import numpy as np
+from msgspec import Struct
+
+from keyphase.simulation.workcells.workcell import workcell
+from keyphase.workbench.lead_through_session import LeadThroughStatus
+from keyphase.workbench.replay_settings import RANGES, WORKCELLS, EndBy, ReplaySettings
+
+FULL_FORCE_N = 20.0
+"""The force at which the bar beside a recording is full."""
+
+
+class WorkcellChoice(Struct, frozen=True):
+    """A workcell that can be chosen."""
+
+    name: str
+    title: str
+
+
+class RecordMessage(Struct, frozen=True, tag_field="type", tag="record"):
+    """Recording by hand: which workcell is open, and how its take goes.
+
+    workcell    name of the open one; null where none is
+    recorded_s  length of the take so far; null where none is recorded
+    force_N     what the wrist measures; null where no workcell is open
+    """
+
+    workcell: str | None
+    choices: tuple[WorkcellChoice, ...]
+    recording: bool
+    recorded_s: float | None
+    force_N: float | None
+    full_force_N: float
+    can_undo: bool
+    can_redo: bool
+
+
+class ReplaySettingsMessage(Struct, frozen=True, tag_field="type", tag="replay_settings"):
+    """The world of the next replay, and what can be chosen."""
+
+    workcell: str
+    part_height_m: float
+    part_aside_m: float
+    friction: float
+    sensor_noise: float
+    end_by: EndBy
+    speed: float
+    seed: int
+    choices: tuple[WorkcellChoice, ...]
+    ends: tuple[str, ...]
+    ranges: dict[str, tuple[float, float]]
+
+
+class PushMessage(Struct, frozen=True, tag_field="type", tag="push"):
+    """Whether the gizmo that pushes the tool is shown while a replay runs."""
+
+    offered: bool
+
+
+class TrialsMessage(Struct, frozen=True, tag_field="type", tag="trials_run"):
+    """Trials on the way, or what came of them.
+
+    outcome    in one line, once they are over
+    svg        their picture; null on the way, and where they were cancelled
+    succeeded  in how many worlds the plan did; null likewise
+    """
+
+    count: int
+    done: int
+    over: bool = False
+    title: str = ""
+    outcome: str | None = None
+    svg: str | None = None
+    succeeded: int | None = None
+
+
+class RobotMessage(Struct, frozen=True, tag_field="type", tag="robot"):
+    """Which arm follows the recording, of which that could, and whether it can be moved."""
+
+    arms: tuple[str, ...]
+    arm: str
+    moving: bool
+
+
+def record_message(status: LeadThroughStatus) -> RecordMessage:
+    """How recording by hand stands."""
+    state = status.running
+    return RecordMessage(
+        workcell=None if state is None else status.workcell,
+        choices=workcell_choices(),
+        recording=status.recording,
+        recorded_s=None if state is None else state.recorded_s,
+        force_N=None if state is None else float(np.linalg.norm(state.sample.force_N)),
+        full_force_N=FULL_FORCE_N,
+        can_undo=status.can_undo,
+        can_redo=status.can_redo,
+    )
+
+
+def replay_settings_message(settings: ReplaySettings) -> ReplaySettingsMessage:
+    """What was chosen for the next replay."""
+    return ReplaySettingsMessage(
+        workcell=settings.workcell,
+        part_height_m=settings.part_height_m,
+        part_aside_m=settings.part_aside_m,
+        friction=settings.friction,
+        sensor_noise=settings.sensor_noise,
+        end_by=settings.end_by,
+        speed=settings.speed,
+        seed=settings.seed,
+        choices=workcell_choices(),
+        ends=get_args(EndBy),
+        ranges=dict(RANGES),
+    )
+
+
+@functools.cache
+def workcell_choices() -> tuple[WorkcellChoice, ...]:
+    """The workcells there are."""
+    return tuple(WorkcellChoice(name, workcell(name).title) for name in WORKCELLS)
