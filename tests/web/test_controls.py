@@ -92,13 +92,3 @@ def test_another_arm_and_the_gizmo_of_the_robot_are_told(page: PageClient) -> No
 
     assert told["arm"] == arms[-1]
     assert "no other" in page.wait_for("notice")["text"]
-
-
-def test_trials_tell_how_far_they_are_and_can_be_given_up(page: PageClient) -> None:
-    page.send("trials", count=200)
-    under_way = page.wait_for("trials_run")
-    page.send("trials_cancel")
-    over = page.wait_for("trials_run", lambda m: m["over"])
-
-    assert (under_way["done"], under_way["count"]) == (0, 200)
-    assert over["outcome"] == "Cancelled."
