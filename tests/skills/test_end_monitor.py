@@ -31,7 +31,7 @@ def phases(skill, times_s):
 
 def outcome_of(skill, force_at, shift_m=(0.0, 0.0, 0.0), run_s=None, position_at=None):
     """Outcome and time when the skill follows its own rollout under `force_at(time, height)`."""
-    run_s = 1.1 * skill.timeout_s if run_s is None else run_s
+    run_s = skill.primitive.duration_s + 1.1 * skill.timeout_s if run_s is None else run_s
     motion = rollout(skill.primitive, H, run_s=run_s)
     phase = phases(skill, motion.time_s)
     monitor = start_monitor(skill, force_at(0.0, 0.3 + shift_m[2]), shift_m)
@@ -107,10 +107,24 @@ def test_a_large_force_from_anywhere_is_unexpected(until_contact, until_configur
         assert time_s == pytest.approx(0.42, abs=0.01)
 
 
-def test_without_contact_it_times_out_after_three_durations(until_contact):
+def test_without_contact_it_times_out_some_time_after_it_last_got_on(until_contact):
     outcome, time_s = outcome_of(until_contact, free)
     assert outcome == "timeout"
-    assert time_s == pytest.approx(3.0 * until_contact.primitive.duration_s, abs=0.01)
+    done_s = until_contact.primitive.duration_s
+    assert time_s == pytest.approx(done_s + until_contact.timeout_s, abs=0.05 * done_s)
+
+
+def test_a_skill_that_is_slow_but_gets_on_does_not_time_out(until_contact):
+    """Ten times as slow: longer than duration and timeout together."""
+    monitor, outcome = start_monitor(until_contact, NO_FORCE), None
+    slow_s = 10.0 * until_contact.primitive.duration_s
+    for time in np.arange(0.0, slow_s, H):
+        phase = float(phases(until_contact, time / 10.0))
+        monitor, outcome = monitor.step(
+            until_contact.primitive.start_position_m, UPRIGHT, NO_FORCE, phase, H
+        )
+        assert outcome is None
+    assert slow_s > until_contact.primitive.duration_s + until_contact.timeout_s
 
 
 def test_further_than_offset_and_margin_is_too_far(until_contact):

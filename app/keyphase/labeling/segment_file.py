@@ -183,12 +183,11 @@ def _boundary(item: Mapping[str, Any]) -> FiledBoundary:
 
 
 def _segment(item: Mapping[str, Any]) -> FiledSegment:
-    end = item["end_condition"]
-    if end["kind"] == "contact":
-        x, y, z = end["direction"]
-        condition: EndCondition = ContactEnd((x, y, z), end["threshold_N"])
+    values = {key: value for key, value in item["end_condition"].items() if key != "kind"}
+    if item["end_condition"]["kind"] == "contact":
+        condition: EndCondition = ContactEnd(**{**values, "direction": tuple(values["direction"])})
     else:
-        condition = ConfigurationEnd(end["position_tolerance_m"], end["rotation_tolerance_rad"])
+        condition = ConfigurationEnd(**values)
     return FiledSegment(**{**item, "end_condition": condition})
 
 

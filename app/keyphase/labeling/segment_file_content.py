@@ -123,17 +123,23 @@ def _segment(number: int, segment: LabeledSegment) -> dict[str, Any]:
 
 
 def _end_condition(end: EndCondition) -> dict[str, Any]:
+    """What a reader of the first version needs, then what differs from its defaults."""
     if isinstance(end, ContactEnd):
-        return {
+        values: dict[str, Any] = {
             "kind": "contact",
             "direction": list(end.direction),
             "threshold_N": end.threshold_N,
         }
-    return {
-        "kind": "configuration",
-        "position_tolerance_m": end.position_tolerance_m,
-        "rotation_tolerance_rad": end.rotation_tolerance_rad,
-    }
+        values |= {"release": True} if end.release else {}
+        values |= {"agrees": end.agrees} if end.agrees is not None else {}
+        values |= {"offset_m": end.offset_m} if end.offset_m is not None else {}
+    else:
+        values = {
+            "kind": "configuration",
+            "position_tolerance_m": end.position_tolerance_m,
+            "rotation_tolerance_rad": end.rotation_tolerance_rad,
+        }
+    return values | ({"timeout_s": end.timeout_s} if end.timeout_s is not None else {})
 
 
 def _rounded(value: Any) -> Any:

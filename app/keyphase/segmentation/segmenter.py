@@ -5,11 +5,12 @@ from functools import cached_property
 
 import numpy as np
 
-from keyphase.demonstration import Demonstration
+from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.combine import NONE, Combination, combine
 from keyphase.segmentation.confidence import joint_confidence
 from keyphase.segmentation.end_condition import end_condition_at, ends_in_contact
+from keyphase.segmentation.free_force import free_force
 from keyphase.segmentation.labels import Evidence, proposed_label
 from keyphase.segmentation.motion import Motion, motion_of
 from keyphase.segmentation.parameters import Parameters
@@ -130,9 +131,13 @@ class _Segments(dict[tuple[float, float, bool], Segment]):
         """What labels are made from."""
         return Evidence.of(self._demonstration, self._motion())
 
+    @cached_property
+    def _free_force(self) -> Array:
+        return free_force(self._demonstration)
+
     def __missing__(self, span: tuple[float, float, bool]) -> Segment:
         label, idle = proposed_label(self.evidence, *span)
-        end = end_condition_at(self._demonstration, *span)
+        end = end_condition_at(self._demonstration, *span, self._free_force)
         self[span] = Segment(span[0], span[1], label, idle, end)
         return self[span]
 

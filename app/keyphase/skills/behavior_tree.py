@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from xml.etree import ElementTree
 
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
-from keyphase.skills.end_monitor import DEBOUNCE_S
 from keyphase.skills.skill import Skill
 
 _PORTS = {
@@ -64,7 +63,7 @@ def _condition(skill: Skill, number: int) -> tuple[str, dict[str, str]]:
         return "ForceRose", {
             "direction": _numbers(end.direction),
             "threshold_N": _number(end.threshold_N),
-            "debounce_s": _number(DEBOUNCE_S),
+            "debounce_s": _number(skill.debounce_s),
         }
     return "PoseWithin", {
         "position_m": _numbers(skill.end_position_m.tolist()),

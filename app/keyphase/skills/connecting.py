@@ -15,6 +15,9 @@ PEAK_SPEED_M_S = 0.15
 PEAK_TURN_RAD_S = 1.0
 SHORTEST_S = 0.5
 
+LEAST_TIMEOUT_S = 2.0
+"""A connecting move may stand still so long before it has failed."""
+
 MINIMUM_JERK_PEAK = 1.875
 """Peak over mean speed of a minimum-jerk move."""
 
@@ -69,7 +72,7 @@ def connecting_skill(
         travel_direction=None,
         offset_m=0.0,
         travel_limit_m=0.0,
-        timeout_s=3.0 * float(time[-1]),
+        timeout_s=max(2.0 * float(time[-1]), LEAST_TIMEOUT_S),
         force_limit_N=force_limit_N,
     )
 

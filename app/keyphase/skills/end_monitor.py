@@ -1,13 +1,14 @@
 """Watch a skill while it runs and say when, and how, it is over."""
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
+from keyphase.segmentation.end_condition.watch import Arming
 from keyphase.skills import quaternions
 from keyphase.skills.changed import changed
 from keyphase.skills.primitive import progress
@@ -15,17 +16,11 @@ from keyphase.skills.skill import Skill
 
 Outcome = Literal["reached", "contact", "timeout", "too far", "unexpected contact"]
 
-DEBOUNCE_S = 0.02
-"""How long a force must stay beyond its threshold."""
-
-LEVEL_S = 0.1
-"""Time constant with which the level before the contact follows the force."""
-
-ARMED_WITHIN_M = 0.03
-"""A contact counts from this far before the demonstrated one, or from half the way to it."""
-
 REACHED_AFTER = 0.8
 """A configuration counts from this fraction of the motion on; a closed path starts at its goal."""
+
+PROGRESS_FRACTION, PROGRESS_M = 0.01, 0.001
+"""A skill gets on while its motion, or the tool towards the contact, gains this much."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +33,8 @@ class EndMonitor:
                       friction that starts with the motion included, until the tool comes near
     armed             whether the tool is near enough for a contact to count
     time_s            since the start
+    stalled_s         since the skill last got on: its motion, or the tool towards its contact
+    fraction, beyond_m  how far it had got by then
     over_s, beyond_s  how long the force has been over the threshold, and beyond the limit
     """
 
@@ -47,6 +44,9 @@ class EndMonitor:
     level_N: float
     armed: bool = False
     time_s: float = 0.0
+    stalled_s: float = 0.0
+    fraction: float = 0.0
+    beyond_m: float = -np.inf
     over_s: float = 0.0
     beyond_s: float = 0.0
 
@@ -60,36 +60,48 @@ class EndMonitor:
         at_m = position_m - self.shift_m
         change = force_N - self.start_force_N
         beyond = float(change.dot(change)) > self.skill.force_limit_N**2
+        done = progress(self.skill.primitive, phase)
         following = changed(
             self,
             time_s=self.time_s + h,
             beyond_s=self.beyond_s + h if beyond else 0.0,
-            **self._taken_in(at_m, force_N, h),
+            **self._got_on(at_m, min(done, 1.0), h),
+            **self._taken_in(at_m, force_N, done, h),
         )
-        return following, following._outcome(at_m, orientation_wxyz, phase)
+        return following, following._outcome(at_m, orientation_wxyz, done)
 
-    def _taken_in(self, at_m: Array, force_N: Array, h: float) -> dict[str, float]:
+    def _got_on(self, at_m: Array, fraction: float, h: float) -> dict[str, Any]:
+        """The fields that say since when nothing has been gained."""
+        beyond_m = _beyond_contact(self.skill, at_m)
+        gained = beyond_m >= self.beyond_m + PROGRESS_M
+        if gained or fraction >= self.fraction + PROGRESS_FRACTION:
+            furthest = max(beyond_m, self.beyond_m)
+            return {"stalled_s": 0.0, "fraction": fraction, "beyond_m": furthest}
+        return {"stalled_s": self.stalled_s + h}
+
+    def _taken_in(self, at_m: Array, force_N: Array, done: float, h: float) -> dict[str, Any]:
         """The fields that a force changes in a skill that ends at a contact."""
-        end = self.skill.end_condition
-        if not isinstance(end, ContactEnd):
+        end, arming = self.skill.end_condition, self.skill.arming
+        if not isinstance(end, ContactEnd) or arming is None:
             return {}
         along = _along(force_N, end.direction)
-        if not (self.armed or _is_near(self.skill, at_m)):
-            following = min(h / LEVEL_S, 1.0)
+        if not (self.armed or _is_near(self.skill, arming, at_m, done)):
+            following = min(h / arming.level_s, 1.0)
             return {"level_N": self.level_N + following * (along - self.level_N)}
         over = along - self.level_N > end.threshold_N
         return {"armed": True, "over_s": self.over_s + h if over else 0.0}
 
-    def _outcome(self, at_m: Array, wxyz: Array, phase: float) -> Outcome | None:
-        if _lasts(self.over_s):
+    def _outcome(self, at_m: Array, wxyz: Array, done: float) -> Outcome | None:
+        debounce_s = self.skill.debounce_s
+        if _lasts(self.over_s, debounce_s):
             return "contact"
-        if _lasts(self.beyond_s):
+        if _lasts(self.beyond_s, debounce_s):
             return "unexpected contact"
         if _beyond_contact(self.skill, at_m) > self.skill.travel_limit_m:
             return "too far"
-        if _is_reached(self.skill, at_m, wxyz, phase):
+        if _is_reached(self.skill, at_m, wxyz, done):
             return "reached"
-        return "timeout" if self.time_s >= self.skill.timeout_s else None
+        return "timeout" if self.stalled_s >= self.skill.timeout_s else None
 
 
 def start_monitor(
@@ -105,8 +117,8 @@ def start_monitor(
     return EndMonitor(skill, np.asarray(shift_m, float), force, level)
 
 
-def _lasts(duration_s: float) -> bool:
-    return duration_s >= DEBOUNCE_S - 1e-9
+def _lasts(duration_s: float, debounce_s: float) -> bool:
+    return duration_s >= debounce_s - 1e-9
 
 
 def _beyond_contact(skill: Skill, at_m: Array) -> float:
@@ -123,14 +135,15 @@ def _along(vector: Array, direction: tuple[float, float, float]) -> float:
     return a * x + b * y + c * z
 
 
-def _is_near(skill: Skill, at_m: Array) -> bool:
-    way = -_beyond_contact(skill, skill.primitive.start_position_m)
-    return _beyond_contact(skill, at_m) >= -min(ARMED_WITHIN_M, 0.5 * max(way, 0.0))
+def _is_near(skill: Skill, arming: Arming, at_m: Array, done: float) -> bool:
+    if done * skill.primitive.duration_s < arming.after_s - 1e-6:
+        return False
+    return _beyond_contact(skill, at_m) >= -arming.within_m
 
 
-def _is_reached(skill: Skill, at_m: Array, wxyz: Array, phase: float) -> bool:
+def _is_reached(skill: Skill, at_m: Array, wxyz: Array, done: float) -> bool:
     end = skill.end_condition
-    if not isinstance(end, ConfigurationEnd) or progress(skill.primitive, phase) < REACHED_AFTER:
+    if not isinstance(end, ConfigurationEnd) or done < REACHED_AFTER:
         return False
     way = at_m - skill.end_position_m
     if float(way.dot(way)) > end.position_tolerance_m**2:

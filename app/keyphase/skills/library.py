@@ -10,6 +10,9 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import ParameterError
 from keyphase.segmentation.end_condition import AFTER_S, ContactEnd, EndCondition
+from keyphase.segmentation.end_condition.derived import ALONG_THE_WAY
+from keyphase.segmentation.end_condition.watch import Arming, arming_for
+from keyphase.skills.agreement import agrees_with
 from keyphase.skills.connecting import connecting_skill, is_apart
 from keyphase.skills.fitting import Fit, fit_primitive
 from keyphase.skills.path import Path, direction_of_travel, extended, path_of
@@ -25,8 +28,11 @@ OFFSET_M = 0.02
 TRAVEL_MARGIN_M = 0.01
 """How much further than that it may be pushed before it has failed."""
 
-TIMEOUT_FACTOR = 3.0
-"""A skill has failed after this many of its durations."""
+TIMEOUT_S = (2.0, 5.0)
+"""A skill has failed if it does not get on for two of its durations, but so long at least and at
+most."""
+
+_TIMEOUT_DURATIONS = 2.0
 
 LEAST_FORCE_LIMIT_N = 15.0
 FORCE_LIMIT_FACTOR = 2.0
@@ -82,18 +88,19 @@ def skill_of(
 ) -> Skill:
     """The skill of one segment.
 
-    A contact-terminated one goes on `offset_m` beyond its contact: either the demonstration is
-    extended before it is fitted, or, as in the paper, only the goal is shifted.
+    A contact-terminated one goes on `offset_m` beyond its contact, unless its end condition says
+    how far: either the demonstration is extended before it is fitted, or, as in the paper, only
+    the goal is shifted. It is tried on its own demonstration and says whether that ends it.
 
     Raises SkillError for a segment that cannot be made executable.
     """
     path = path_of(demonstration, segment.start_s, segment.end_s)
     end = segment.end_condition
-    is_contact = isinstance(end, ContactEnd)
     direction = direction_of_travel(path, end)[0] if isinstance(end, ContactEnd) else None
+    offset_m = beyond_m(end, direction, offset_m)
     primitive = _primitive(path, end, offset_m, beyond_contact, fit)
     wxyz = path.orientation_wxyz
-    return Skill(
+    skill = Skill(
         label=segment.label,
         connecting=False,
         primitive=primitive,
@@ -101,12 +108,38 @@ def skill_of(
         end_position_m=path.position_m[-1].copy(),
         end_orientation_wxyz=(primitive.goal_orientation_wxyz if wxyz is None else wxyz[-1].copy()),
         travel_direction=None if direction is None else _triple(direction),
-        offset_m=offset_m if is_contact else 0.0,
-        travel_limit_m=offset_m + TRAVEL_MARGIN_M if is_contact else 0.0,
-        timeout_s=TIMEOUT_FACTOR * primitive.duration_s,
+        offset_m=offset_m,
+        travel_limit_m=0.0 if direction is None else _travel_limit(path, direction, offset_m),
+        timeout_s=end.timeout_s or timeout_for(primitive.duration_s),
         force_limit_N=force_limit(demonstration, segment.start_s, segment.end_s),
         demonstrated_s=(float(segment.start_s), float(segment.end_s)),
+        arming=None if direction is None else _arming(path, direction),
     )
+    return replace(skill, agrees=agrees_with(skill, demonstration))
+
+
+def beyond_m(end: EndCondition, travel: Array | None, offset_m: float) -> float:
+    """How far a skill goes on beyond where the demonstration ended [m].
+
+    Only beyond a contact that stands in its way: a force that falls, or that pulls along, is not
+    looked for where the demonstration never was.
+
+    Raises ParameterError for an offset below zero.
+    """
+    if not (np.isfinite(offset_m) and offset_m >= 0.0):
+        raise ParameterError(f"The offset beyond a contact must not be below zero: {offset_m} m.")
+    if not isinstance(end, ContactEnd) or travel is None:
+        return 0.0
+    if end.offset_m is not None:
+        return end.offset_m
+    pulled = float(travel @ np.asarray(end.direction)) > ALONG_THE_WAY
+    return 0.0 if end.release or pulled else offset_m
+
+
+def timeout_for(duration_s: float) -> float:
+    """How long a skill of this duration may go without progress [s]."""
+    least_s, most_s = TIMEOUT_S
+    return min(max(_TIMEOUT_DURATIONS * duration_s, least_s), most_s)
 
 
 def connected(skills: Sequence[Skill]) -> tuple[Skill, ...]:
@@ -144,8 +177,6 @@ def force_limit(demonstration: Demonstration, start_s: float, end_s: float) -> f
 def _primitive(
     path: Path, end: EndCondition, offset_m: float, beyond_contact: BeyondContact, fit: Fit
 ) -> Primitive:
-    if not (np.isfinite(offset_m) and offset_m >= 0.0):
-        raise ParameterError(f"The offset beyond a contact must not be below zero: {offset_m} m.")
     if not isinstance(end, ContactEnd):
         return _fitted(path, fit)
     direction, speed = direction_of_travel(path, end)
@@ -157,6 +188,17 @@ def _primitive(
 
 def _fitted(path: Path, fit: Fit) -> Primitive:
     return fit_primitive(path.time_s, path.position_m, path.orientation_wxyz, fit=fit)
+
+
+def _arming(path: Path, travel: Array) -> Arming:
+    way = float((path.position_m[-1] - path.position_m[0]) @ travel)
+    return arming_for(way, path.duration_s)
+
+
+def _travel_limit(path: Path, travel: Array, offset_m: float) -> float:
+    """How far beyond the contact is too far: further than the path itself ever was, or goes on."""
+    own = float(((path.position_m - path.position_m[-1]) @ travel).max())
+    return max(offset_m, OFFSET_M) + TRAVEL_MARGIN_M + max(own, 0.0)
 
 
 def _triple(vector: Array) -> tuple[float, float, float]:

@@ -10,6 +10,7 @@ from scipy.signal import savgol_filter
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import SkillError
 from keyphase.segmentation.end_condition import ContactEnd
+from keyphase.segmentation.end_condition.travel import last_way
 from keyphase.skills import quaternions
 from keyphase.skills.fitting import LEAST_SAMPLES, angular_velocity_of
 
@@ -23,7 +24,7 @@ END_WINDOW_S = 0.1
 """The velocity at the end is judged over this time."""
 
 LEAST_SPEED_M_S = 0.02
-"""The least speed with which a path is extended; a slower tool is sent against the force."""
+"""The least speed with which a path is extended."""
 
 MOST_OF_MEAN = 1.5
 """The speed at the end is taken as this many times the mean of the last 100 ms at most."""
@@ -76,19 +77,20 @@ def path_of(demonstration: Demonstration, start_s: float, end_s: float) -> Path:
 def direction_of_travel(path: Path, end: ContactEnd) -> tuple[Array, float]:
     """Unit vector (3,) and speed [m/s] with which a contact-terminated path meets its contact.
 
-    The direction is that of the mean velocity of the last 100 ms, the speed that of a parabola
-    through them at its end; of a tool slower than 20 mm/s, 20 mm/s against the demonstrated force
-    change.
+    The direction is that of the last 10 mm of the way, however slow they were; of a tool that
+    moved less than 3 mm, against the demonstrated force change. The speed along it is that of a
+    parabola through the last 100 ms at its end, 20 mm/s at least.
     """
+    way = last_way(path.position_m)
+    if way is None:
+        return -np.asarray(end.direction), LEAST_SPEED_M_S
+    direction = way[0]
     first = int(np.searchsorted(path.time_s, path.duration_s - END_WINDOW_S - 1e-9))
     time = path.time_s[first:] - path.duration_s
-    way = path.position_m[-1] - path.position_m[first]
-    mean_speed = float(np.linalg.norm(way) / -time[0])
-    if mean_speed < LEAST_SPEED_M_S:
-        return -np.asarray(end.direction), LEAST_SPEED_M_S
-    direction = way / np.linalg.norm(way)
+    mean_speed = float((path.position_m[-1] - path.position_m[first]) @ direction / -time[0])
     speed = float(np.polyfit(time, path.position_m[first:] @ direction, 2)[1])
-    return direction, float(np.clip(speed, LEAST_SPEED_M_S, MOST_OF_MEAN * mean_speed))
+    fastest = max(MOST_OF_MEAN * mean_speed, LEAST_SPEED_M_S)
+    return direction, float(np.clip(speed, LEAST_SPEED_M_S, fastest))
 
 
 def extended(path: Path, direction: Array, speed_m_s: float, offset_m: float) -> Path:

@@ -6,8 +6,12 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
+from keyphase.segmentation.end_condition.watch import DEBOUNCE_S, Arming
 from keyphase.skills.primitive import Primitive
 from keyphase.skills.rollout import Rollout, rollout
+
+DISAGREES = "its own demonstration does not end so"
+"""What a skill says whose condition was fed its demonstration and did not end it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,9 +27,12 @@ class Skill:
     travel_direction      unit vector towards the contact, None without a contact
     offset_m              how far the goal lies beyond the contact
     travel_limit_m        how far beyond `end_position_m` it may go before it has failed
-    timeout_s             after which it has failed
+    timeout_s             how long without progress until it has failed
     force_limit_N         change of the force against its start that no end condition expects
     demonstrated_s        (start, end) in the demonstration, None for a connecting move
+    arming                from where on, and how, a force is taken for its contact; None without one
+    agrees                whether its own demonstration ends it as planned, within 0.25 s of where
+                          it did; None where there was nothing to ask
     """
 
     label: str
@@ -40,6 +47,13 @@ class Skill:
     timeout_s: float
     force_limit_N: float
     demonstrated_s: tuple[float, float] | None = None
+    arming: Arming | None = None
+    agrees: bool | None = None
+
+    @property
+    def debounce_s(self) -> float:
+        """How long a force must last to count."""
+        return DEBOUNCE_S if self.arming is None else self.arming.debounce_s
 
 
 def drawn(skill: Skill, points: int = 100) -> Rollout:
@@ -50,15 +64,20 @@ def drawn(skill: Skill, points: int = 100) -> Rollout:
 
 def describe(skill: Skill) -> str:
     """The skill in one line: what, how long, and until when."""
-    return f"{skill.label}, {skill.primitive.duration_s:.2f} s, {until(skill)}"
+    doubt = f" ({DISAGREES})" if skill.agrees is False else ""
+    return f"{skill.label}, {skill.primitive.duration_s:.2f} s, {until(skill)}{doubt}"
 
 
 def until(skill: Skill) -> str:
     """The end condition in words."""
     end = skill.end_condition
     if isinstance(end, ContactEnd):
-        direction = ", ".join(f"{c:.2f}" for c in end.direction)
-        return f"until the force along ({direction}) rises by {end.threshold_N:.2f} N"
+        x, y, z = end.direction
+        if end.release:
+            x, y, z = -x, -y, -z
+        changes = "falls" if end.release else "rises"
+        along = f"the force along ({x:.2f}, {y:.2f}, {z:.2f})"
+        return f"until {along} {changes} by {end.threshold_N:.2f} N"
     return (
         f"until within {1e3 * end.position_tolerance_m:.3g} mm and "
         f"{np.degrees(end.rotation_tolerance_rad):.3g} deg of {_millimetres(skill.end_position_m)}"

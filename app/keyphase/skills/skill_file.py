@@ -102,11 +102,14 @@ def _skill_values(skill: Skill) -> dict[str, Any]:
 
 
 def _end_values(end: EndCondition) -> dict[str, Any]:
-    kind = "contact" if isinstance(end, ContactEnd) else "configuration"
-    values: dict[str, Any] = {"kind": kind, **asdict(end)}
     if isinstance(end, ContactEnd):
-        values["direction"] = [float(c) for c in end.direction]
-    return values
+        direction = [float(c) for c in end.direction]
+        return {"kind": "contact", "direction": direction, "threshold_N": end.threshold_N}
+    return {
+        "kind": "configuration",
+        "position_tolerance_m": end.position_tolerance_m,
+        "rotation_tolerance_rad": end.rotation_tolerance_rad,
+    }
 
 
 def _primitive_values(primitive: Primitive) -> dict[str, Any]:

@@ -186,11 +186,16 @@ def _end_condition(condition: EndCondition) -> dict[str, Any]:
             "kind": "contact",
             "direction": condition.direction,
             "threshold_N": condition.threshold_N,
+            "release": condition.release,
+            "agrees": condition.agrees,
+            "offset_m": condition.offset_m,
+            "timeout_s": condition.timeout_s,
         }
     return {
         "kind": "configuration",
         "position_tolerance_m": condition.position_tolerance_m,
         "rotation_tolerance_rad": condition.rotation_tolerance_rad,
+        "timeout_s": condition.timeout_s,
     }
 
 

@@ -1,0 +1,34 @@
+"""What the force sensor shows in free space: a constant that is no contact."""
+
+import numpy as np
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.segmentation.bins import bin_means, bin_starts
+
+LEAST_N = 0.5
+"""No force below this above the free level counts as contact."""
+
+_SHARE_OF_STRONGEST = 0.08
+_REST_S = 0.5
+
+
+def free_force(demonstration: Demonstration) -> Array:
+    """The force (3,) that the sensor shows in free space [N]; zero where none was recorded.
+
+    A recording with moments of next to no force has no offset. In others the tool's weight was
+    not taken out, and the level at their beginning is what free space shows.
+    """
+    if demonstration.force_N is None:
+        return np.zeros(3)
+    starts = bin_starts(demonstration.time_s)
+    force = bin_means(demonstration.force_N, starts)
+    size = np.linalg.norm(force, axis=1)
+    if np.quantile(size, 0.05) <= least_contact(size):
+        return np.zeros(3)
+    time = bin_means(demonstration.time_s, starts)
+    return np.median(force[time <= time[0] + _REST_S], axis=0)
+
+
+def least_contact(size_N: Array) -> float:
+    """The least force that counts as contact beside the sizes (n,) that were recorded [N]."""
+    return max(LEAST_N, _SHARE_OF_STRONGEST * float(np.quantile(size_N, 0.95)))
