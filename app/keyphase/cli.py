@@ -12,6 +12,7 @@ from typing import Annotated
 import tyro
 
 from keyphase import __version__
+from keyphase.commands.make_demonstrations import MakeDemonstrations
 from keyphase.commands.replay import ReplaySegments
 from keyphase.errors import KeyphaseError
 from keyphase.segmentation.parameters import Parameters
@@ -155,6 +156,7 @@ COMMANDS = {
     "segment": SegmentRecordings,
     "score": ScoreSegments,
     "record": Record,
+    "make-demonstrations": MakeDemonstrations,
     "replay": ReplaySegments,
 }
 """Every command by its name."""
@@ -164,6 +166,7 @@ _Command = (
     | Annotated[SegmentRecordings, tyro.conf.subcommand("segment")]
     | Annotated[ScoreSegments, tyro.conf.subcommand("score")]
     | Annotated[Record, tyro.conf.subcommand("record")]
+    | Annotated[MakeDemonstrations, tyro.conf.subcommand("make-demonstrations")]
     | Annotated[ReplaySegments, tyro.conf.subcommand("replay")]
 )
 

@@ -11,6 +11,7 @@ KeyphaseError
 ├── SkillError              a segment that cannot be made executable
 ├── SimulationError         a workcell, recording or replay that cannot run
 ├── ScoreError              a reference that cannot be scored against
+├── MakingError             demonstrations that cannot be made as asked
 └── RequestError            a message from a browser that is refused
 
 Each message says what was expected, what came, and how to mend it, in one sentence.
@@ -59,6 +60,10 @@ class SimulationError(KeyphaseError):
 
 class ScoreError(KeyphaseError):
     """A reference that cannot be scored against."""
+
+
+class MakingError(KeyphaseError):
+    """Demonstrations that cannot be made as asked."""
 
 
 class RequestError(KeyphaseError):

@@ -1,0 +1,35 @@
+"""`keyphase make-demonstrations`: recordings with exact truth, to try a segmentation on."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class MakeDemonstrations:
+    """Make demonstrations with exact truth: recordings and one truth.json that can be scored."""
+
+    output: Path
+    """Folder to write to: FAMILY/SEED.npz and truth.json."""
+    families: tuple[str, ...] = ()
+    """Which kinds of demonstrations; without any, all of them."""
+    count: int = 10
+    """How many of each family."""
+    seed: int = 0
+    """Seed of the first; the others follow. The same seed gives the same bytes."""
+
+    def run(self) -> int:
+        """Make and write."""
+        from tqdm import tqdm
+
+        from keyphase.making import FAMILIES, make_folder
+
+        families = self.families or tuple(FAMILIES)
+        with tqdm(unit="demonstration", disable=None) as bar:
+
+            def progress(done: int, total: int) -> None:
+                bar.total = total
+                bar.update(done - bar.n)
+
+            truth = make_folder(families, self.count, self.seed, self.output, progress)
+        print(f"{self.count * len(families)} demonstrations and {truth}")
+        return 0

@@ -1,0 +1,44 @@
+"""What is demonstrated: each family writes a script, another one for each seed."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from keyphase.making.families.assembling import hand_over, insert, screw, snap, two_handed
+from keyphase.making.families.carrying import pick_and_place, push
+from keyphase.making.families.free import carry, long_path, reach
+from keyphase.making.families.mixed import mixed
+from keyphase.making.families.surfaces import peel, press, slide, wipe
+from keyphase.making.script import Script
+
+
+@dataclass(frozen=True)
+class Family:
+    """How a family writes its script, and what is recorded of it.
+
+    wrench      share of its recordings that have a wrench
+    estimated   share of those whose wrench is estimated from the joints
+    """
+
+    write: Callable[[Script], None]
+    wrench: float = 1.0
+    estimated: float = 0.1
+
+
+FAMILIES: Mapping[str, Family] = {
+    "reach": Family(reach, wrench=0.0),
+    "long-path": Family(long_path, wrench=0.3, estimated=0.3),
+    "carry": Family(carry, estimated=0.5),
+    "press": Family(press, estimated=0.25),
+    "wipe": Family(wipe, estimated=0.1),
+    "slide": Family(slide),
+    "peel": Family(peel),
+    "insert": Family(insert),
+    "snap": Family(snap, estimated=0.0),
+    "screw": Family(screw),
+    "push": Family(push, estimated=0.2),
+    "pick-and-place": Family(pick_and_place, wrench=0.5, estimated=0.2),
+    "hand-over": Family(hand_over),
+    "two-handed": Family(two_handed, estimated=0.0),
+    "mixed": Family(mixed, estimated=0.15),
+}
+"""Every family by its name."""

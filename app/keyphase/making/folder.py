@@ -1,0 +1,55 @@
+"""A folder of made demonstrations: recordings by family, and one truth.json for all of them."""
+
+import json
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from keyphase.errors import MakingError
+from keyphase.files.writing import write_whole
+from keyphase.making.families import FAMILIES
+from keyphase.making.making import make
+from keyphase.readers import save_npz
+
+TRUTH = "truth.json"
+
+
+def make_folder(
+    families: Sequence[str],
+    count: int,
+    seed: int,
+    output: Path,
+    progress: Callable[[int, int], None] | None = None,
+) -> Path:
+    """Write `count` demonstrations of each family, seeded from `seed` on, and their truth.json.
+
+    A recording is FAMILY/SEED.npz below `output`. Returns the path of the truth. Raises MakingError
+    for an unknown family, a count below one, or a folder that takes no files.
+    """
+    unknown = [family for family in families if family not in FAMILIES]
+    if unknown or not families:
+        came = ", ".join(unknown) or "none"
+        raise MakingError(f"Expected families among {', '.join(FAMILIES)}, but got {came}.")
+    if count < 1 or seed < 0:
+        raise MakingError(f"Expected a count from 1 and a seed from 0, but got {count} and {seed}.")
+    truth = {}
+    jobs = [(family, seed + k) for family in families for k in range(count)]
+    for done, (family, number) in enumerate(jobs, start=1):
+        made = make(family, number)
+        path = output / family / f"{number}.npz"
+        _make_folder(path.parent)
+        save_npz(made.demonstration, path)
+        truth[f"{family}/{number}"] = made.truth()
+        if progress:
+            progress(done, len(jobs))
+    target = output / TRUTH
+    write_whole(target, f"{json.dumps(truth, indent=1)}\n".encode(), MakingError)
+    return target
+
+
+def _make_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise MakingError(
+            f"{folder}: expected a folder that takes files, but {error.strerror}; name another."
+        ) from error

@@ -1,0 +1,148 @@
+"""Making one demonstration: a family's script, a hand, sensors, and the truth of all of it."""
+
+import zlib
+from collections.abc import Iterable
+
+import numpy as np
+from scipy.signal import butter, sosfilt, sosfiltfilt
+from scipy.spatial.transform import Rotation
+
+from keyphase.demonstration import Demonstration
+from keyphase.errors import MakingError
+from keyphase.making import path as paths
+from keyphase.making.contact import Change, Contact, levels, rings, rubbing
+from keyphase.making.draws import Array, Rows, chance, log_uniform
+from keyphase.making.families import FAMILIES, Family
+from keyphase.making.hand import Hand
+from keyphase.making.made import TOLERANCE_S, Event, Made
+from keyphase.making.path import MotionEvent
+from keyphase.making.sampling import Sampling
+from keyphase.making.script import Script
+from keyphase.making.sensing import Moving, estimated, wrist_sensor
+
+SERVED_S = 0.4
+"""Motion that begins, ends or turns within this of a contact change has no boundary of its own."""
+
+END_S = 0.25
+"""What happens nearer than this to either end of a recording is not judged."""
+
+RAMP_SHARE = 0.3
+"""Share of a ramp within which its beginning (or, where contact is lost, its end) may be put."""
+
+
+def make(family: str, seed: int) -> Made:
+    """A demonstration of one of `FAMILIES` with its truth; the same seed gives the same bytes.
+
+    Raises MakingError for a family that does not exist.
+    """
+    if family not in FAMILIES:
+        raise MakingError(
+            f"Expected one of the families {', '.join(FAMILIES)}, but got {family!r}."
+        )
+    rng = np.random.default_rng([zlib.crc32(family.encode()), seed])
+    kind = FAMILIES[family]
+    hand, sampling = Hand.drawn(rng), Sampling.drawn(rng)
+    script = Script(rng, hand, sampling.fine_hz)
+    kind.write(script)
+    ideal, rotation = script.path.poses()
+    speed = paths.speed(ideal, rotation, sampling.fine_hz)
+    motion = paths.motion_events(script.path.stretches, speed, sampling.fine_hz)
+    has_wrench = chance(rng, kind.wrench)
+    moving = Moving(*hand.unsteady(rng, ideal, rotation, sampling.fine_hz), sampling.fine_hz)
+    wrench = _wrench(rng, kind, script.contact, moving) if has_wrench else None
+    stamps, pose_rows, wrench_rows = sampling.rows(rng, len(ideal))
+    position = _measured_position(rng, moving)[pose_rows]
+    turned = has_wrench or chance(rng, 0.4)
+    with_torque = chance(rng, 0.85)
+    demonstration = Demonstration(
+        f"{family}_{seed}",
+        stamps,
+        position,
+        _quaternions(moving.rotation, pose_rows) if turned and chance(rng, 0.95) else None,
+        None if wrench is None else wrench[wrench_rows, :3],
+        wrench[wrench_rows, 3:] if wrench is not None and with_torque else None,
+    )
+    changes = script.contact.changes if has_wrench else []
+    span = (float(stamps[0]), float(stamps[-1]))
+    return _with_truth(family, demonstration, changes, motion, script.reversals_s, span)
+
+
+def _wrench(rng: np.random.Generator, kind: Family, contact: Contact, moving: Moving) -> Array:
+    time = np.arange(len(moving.position_m)) / moving.rate_hz
+    level = levels(contact, time)
+    touching = level + rubbing(rng, level, moving.velocity_m_s, moving.rate_hz)
+    touching += rings(contact, time)
+    sense = estimated if chance(rng, kind.estimated) else wrist_sensor
+    return sense(rng, touching, moving, _least_newton(contact))
+
+
+def _least_newton(contact: Contact) -> float:
+    """The smallest step of force among the events; where nothing is touched, a usual one."""
+    steps, before = [], np.zeros(6)
+    for change in contact.changes:
+        if change.label is not None:
+            steps.append(float(np.linalg.norm((change.level - before)[:3])))
+        before = change.level
+    return max(min(steps), 0.2) if steps else 3.0
+
+
+def _measured_position(rng: np.random.Generator, moving: Moving) -> Array:
+    rate, position = moving.rate_hz, moving.position_m
+    if chance(rng, 0.25):
+        sos = butter(2, min(log_uniform(rng, 6.0, 20.0), 0.4 * rate), fs=rate, output="sos")
+        position = np.asarray(sosfilt(sos, position - position[0], axis=0)) + position[0]
+    elif chance(rng, 0.25):
+        sos = butter(2, min(log_uniform(rng, 3.0, 12.0), 0.4 * rate), fs=rate, output="sos")
+        position = np.asarray(sosfiltfilt(sos, position, axis=0))
+    noise = log_uniform(rng, 1e-6, 2e-4)
+    return position + rng.uniform(-0.5, 0.5, 3) + rng.normal(0.0, noise, position.shape)
+
+
+def _quaternions(rotation: Rotation, rows: Rows) -> Array:
+    return np.asarray(rotation.as_quat(scalar_first=True))[rows]
+
+
+def _with_truth(
+    family: str,
+    demonstration: Demonstration,
+    changes: Iterable[Change],
+    motion: Iterable[MotionEvent],
+    reversals_s: Iterable[float],
+    span_s: tuple[float, float],
+) -> Made:
+    """Contact changes first; motion beside one is served by its boundary, the rest are events."""
+    contacts = [_contact_event(change) for change in changes if change.label is not None]
+    has_wrench = demonstration.force_N is not None
+    moved: list[Event] = []
+    served: list[tuple[float, float]] = []
+    for each in motion:
+        event = _motion_event(each)
+        beside = any(abs(each.time_s - contact.time_s) <= SERVED_S for contact in contacts)
+        if beside or (has_wrench and each.label == "motion turned"):
+            served.append(_around(event))
+        else:
+            moved.append(event)
+    served += [(time - TOLERANCE_S, time + TOLERANCE_S) for time in reversals_s]
+    start, end = span_s
+    inside = [e for e in [*contacts, *moved] if start + END_S <= e.time_s <= end - END_S]
+    inside.sort(key=lambda event: event.time_s)
+    edges = ((start, start + END_S), (end - END_S, end))
+    return Made(family, demonstration, tuple(inside), edges, tuple(sorted(served)))
+
+
+def _contact_event(change: Change) -> Event:
+    more = RAMP_SHARE * change.rise_s
+    label = change.label or ""
+    if label == "contact lost":
+        window = (TOLERANCE_S + more, TOLERANCE_S)
+        return Event(change.time_s + change.rise_s, label, "contact", window)
+    return Event(change.time_s, label, "contact", (TOLERANCE_S, TOLERANCE_S + more))
+
+
+def _motion_event(event: MotionEvent) -> Event:
+    half = TOLERANCE_S + 0.5 * event.standing_s
+    return Event(event.time_s, event.label, "motion", (half, half))
+
+
+def _around(event: Event) -> tuple[float, float]:
+    return event.time_s - event.window_s[0], event.time_s + event.window_s[1]
