@@ -1,5 +1,6 @@
 """A page without a browser: plain requests, and the page's websocket."""
 
+import asyncio
 import json
 import struct
 from collections.abc import Callable, Mapping
@@ -21,6 +22,9 @@ StartServer = Callable[..., PageServer]
 WAIT_S = 10.0
 """A test that waits longer than this has failed."""
 
+
+PAGE = "0123456789abcdef" * 2
+"""What a page calls itself where it does not matter."""
 
 CAMERA = {
     "type": "ViewerCameraMessage",
@@ -64,14 +68,21 @@ def control(server: PageServer, label: str) -> str:
     return next(uuid for uuid, handle in handles.items() if getattr(handle, "label", None) == label)
 
 
-def visers_socket(server: PageServer) -> async_connect:
-    """The websocket that viser's client opens."""
+def visers_socket(server: PageServer, page: str = PAGE) -> async_connect:
+    """The websocket that viser's client opens in the frame of a page."""
     return async_connect(
-        f"ws://127.0.0.1:{server.port}/viser",
+        f"ws://127.0.0.1:{server.port}/viser/{page}",
         subprotocols=[Subprotocol(f"viser-v{viser.__version__}")],
         additional_headers=cookie(server),
         max_size=None,
     )
+
+
+async def wait_until(holds: Callable[[], bool]) -> None:
+    """Wait until `holds`, which must come true soon."""
+    async with asyncio.timeout(WAIT_S):
+        while not holds():
+            await asyncio.sleep(0.01)
 
 
 class PageClient:

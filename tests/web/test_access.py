@@ -6,7 +6,7 @@ import pytest
 import viser
 from hypothesis import given
 from hypothesis import strategies as st
-from talking import PageClient, StartServer, cookie, get
+from talking import PAGE, PageClient, StartServer, cookie, get
 from websockets.asyncio.client import connect
 from websockets.exceptions import InvalidStatus
 from websockets.typing import Subprotocol
@@ -15,7 +15,8 @@ from keyphase.errors import KeyphaseError, RequestError
 from keyphase.web.server import PageServer
 from keyphase.web.transport.access import Access, Grant, cookie_name
 
-SOCKETS = ("/app/ws", "/viser")
+FRAME = f"/viser/{PAGE}"
+SOCKETS = ("/app/ws", f"/app/ws?page={PAGE}", FRAME)
 ROUTES = (
     "/",
     "/?token=no",
@@ -23,7 +24,7 @@ ROUTES = (
     "/app/static/js/main.js",
     "/app/static/css/theme.css",
     "/app/static/uPlot.iife.js",
-    "/viser/",
+    f"{FRAME}/",
     "/viser/index.html",
     "/nothing",
     *SOCKETS,
@@ -102,8 +103,9 @@ def test_both_websockets_ask_for_the_same(server: PageServer, path: str) -> None
 def test_no_websocket_opens_with_a_token_that_is_missing_or_wrong(
     server: PageServer, path: str, query: str
 ) -> None:
-    assert get(server, path + query, UPGRADE)[0].status == 403
-    assert get(server, path + query, {**UPGRADE, **cookie(server, "wrong")})[0].status == 403
+    path += query.replace("?", "&") if "?" in path else query
+    assert get(server, path, UPGRADE)[0].status == 403
+    assert get(server, path, {**UPGRADE, **cookie(server, "wrong")})[0].status == 403
 
 
 @pytest.mark.parametrize("path", SOCKETS)
@@ -119,8 +121,18 @@ def test_no_websocket_opens_for_a_wrong_host_or_a_page_from_elsewhere(
 
 
 def test_a_websocket_anywhere_else_does_not_open(server: PageServer) -> None:
-    assert _socket_status(server, "/viser?x=1", cookie(server)) == 404
-    assert _socket_status(server, "/", cookie(server)) == 404
+    for path in (
+        "/",
+        "/viser",
+        "/viser?x=1",
+        f"{FRAME}/",
+        f"{FRAME}?x=1",
+        "/viser/xyz",
+        "/app/ws?page=xyz",
+        "/app/ws?x=1",
+        f"/app/ws?token={server.access.token}",
+    ):
+        assert _socket_status(server, path, cookie(server)) == 404
 
 
 def test_the_link_turns_the_token_into_a_cookie_no_script_and_no_other_site_gets(
@@ -143,6 +155,77 @@ def test_the_cookie_of_another_port_opens_nothing(server: PageServer) -> None:
     other = {"Cookie": f"{cookie_name(server.port + 1)}={server.access.token}"}
 
     assert get(server, "/", other)[0].status == 403
+
+
+@pytest.mark.parametrize(
+    "foreign",
+    [
+        'prefs={"theme":"dark","n":[1]}',
+        "bare",
+        "=no name",
+        'quoted="a; b=c"',
+        'unclosed="',
+        "umlaut=\u00fc\u00e4",
+        "keyphase-1=x; keyphase-1=y",
+        "; ;; ",
+        "long=" + "x" * 100_000,
+        "; ".join(f"c{k}={'v' * 400}" for k in range(170)),
+    ],
+    ids=range(10),
+)
+def test_cookies_of_other_programs_on_this_host_change_nothing(
+    server: PageServer, foreign: str
+) -> None:
+    """Browsers send cookies to every port of a host, of whatever form their programs like."""
+    (ours,) = cookie(server).values()
+    for both in (f"{foreign}; {ours}", f"{ours}; {foreign}"):
+        assert get(server, "/app/static/js/main.js", {"Cookie": both})[0].status == 200
+        assert get(server, FRAME, {**UPGRADE, "Cookie": both})[0].status == 101
+    assert get(server, "/", {"Cookie": foreign})[0].status == 403
+
+
+def test_a_cookie_of_our_name_that_another_program_has_set_shuts_nobody_out(
+    server: PageServer,
+) -> None:
+    (ours,) = cookie(server).values()
+    forged = f"{cookie_name(server.port)}=forged"
+
+    assert get(server, "/", {"Cookie": f"{forged}; {ours}"})[0].status == 200
+    assert get(server, "/", {"Cookie": forged})[0].status == 403
+
+
+def test_a_link_for_once_opens_the_page_once(server: PageServer) -> None:
+    link = server.access.link_for_once(server.port, Grant.EVERYTHING).partition(str(server.port))[2]
+
+    first, _ = get(server, link)
+    second, _ = get(server, link)
+
+    assert first.status == 200
+    assert (first.getheader("Set-Cookie") or "").startswith(
+        f"{cookie_name(server.port)}={server.access.token};"
+    )
+    assert second.status == 403
+    assert get(server, link, cookie(server))[0].status == 200
+
+
+def test_a_link_for_once_opens_nothing_but_the_page(server: PageServer) -> None:
+    ticket = server.access.link_for_once(server.port, Grant.EVERYTHING).partition("?")[2]
+
+    assert get(server, f"/app/static/js/main.js?{ticket}")[0].status == 403
+    assert get(server, f"{FRAME}?{ticket}", UPGRADE)[0].status == 403
+    assert get(server, f"/?{ticket}", {"Host": "evil.example"})[0].status == 403
+    assert get(server, f"/?{ticket}")[0].status == 200
+
+
+def test_who_may_only_look_cannot_take_the_place_of_another_page(server: PageServer) -> None:
+    page = "5" * 32
+    looking = cookie(server, server.access.looking_token)
+
+    assert _socket_status(server, f"/app/ws?page={page}", cookie(server)) == 101
+    assert _socket_status(server, f"/viser/{page}", cookie(server)) == 101
+    assert _socket_status(server, f"/viser/{page}", looking) == 403
+    assert _socket_status(server, f"/app/ws?page={page}", looking) == 403
+    assert _socket_status(server, f"/viser/{'6' * 32}", looking) == 101
 
 
 def test_the_link_for_looking_sees_everything_and_changes_nothing(server: PageServer) -> None:

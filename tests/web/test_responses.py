@@ -5,12 +5,12 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from talking import cookie, get
+from talking import PAGE, cookie, get
 
 from keyphase.web.server import PageServer
 from keyphase.web.transport.responses import StaticFiles, page_files
 
-PATHS = ("/", "/app/static/js/main.js", "/viser/", "/nothing")
+PATHS = ("/", "/app/static/js/main.js", f"/viser/{PAGE}/", "/nothing")
 
 
 @pytest.mark.parametrize("path", PATHS)
@@ -36,7 +36,9 @@ def test_our_page_may_run_its_own_scripts_only(server: PageServer) -> None:
 
 
 def test_visers_client_gets_what_it_needs_and_stays_on_this_server(server: PageServer) -> None:
-    policy = get(server, "/viser/", cookie(server))[0].getheader("Content-Security-Policy") or ""
+    policy = (
+        get(server, f"/viser/{PAGE}/", cookie(server))[0].getheader("Content-Security-Policy") or ""
+    )
 
     assert "'unsafe-eval'" in policy
     assert "frame-ancestors 'self'" in policy

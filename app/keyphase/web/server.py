@@ -3,7 +3,6 @@
 import signal
 import sys
 import threading
-import webbrowser
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -29,7 +28,10 @@ from keyphase.web.scene.robot_view import RobotView
 from keyphase.web.scene.scene import Scene
 from keyphase.web.scene.workcell_scene import WorkcellCloser, WorkcellScene
 from keyphase.web.transport.access import Access, Grant
-from keyphase.web.transport.one_port import control_of, serve, silent
+from keyphase.web.transport.lasting_keys import LastingKeys
+from keyphase.web.transport.one_port import control_of, serve, silent, usable_port
+from keyphase.web.transport.opening import BrowserFile, open_in_browser
+from keyphase.web.transport.proving import prove
 from keyphase.web.transport.site import OurSite
 from keyphase.web.transport.viser_controls import takes
 from keyphase.workbench.lead_through_session import LeadThroughSession
@@ -56,15 +58,14 @@ class PageServer:
         library = Library(recipe, read_only=read_only)
         self.session = Session(paths, library, _hello(), hear)
         self.session.upload_limit_bytes = upload_limit_bytes
-        self.access = Access(host)
+        self._browser_file: BrowserFile | None = None
+        self._folder = folder or recording_folder(paths)
         self._grant = Grant.LOOKING if read_only else Grant.EVERYTHING
-        site = OurSite(self.access, self.session.sockets, self.accepts)
         try:
-            self.viser = serve(site, host, port)
+            self._listen(host, port)
         except KeyphaseError:
             self.session.close()
             raise
-        self.port = self.viser.get_port()
         arms = arms or yumi_arms()
         self.robot = RobotView(self.viser, self.session.telling, arms)
         self.scene = Scene(
@@ -80,7 +81,7 @@ class PageServer:
         self.session.views.add(self.parts)
         self.session.views.add(self.panel)
         self.lead_through = LeadThroughSession(
-            folder or recording_folder(paths), self.session.queue, self.session.telling
+            self._folder, self.session.queue, self.session.telling
         )
         with self.panel.segment_tab:
             RobotFolder(self.viser, self.robot, self.session.telling)
@@ -89,10 +90,31 @@ class PageServer:
         self._offer_controls()
         self.session.queue.open_first()
 
+    def _listen(self, host: str, port: int) -> None:
+        """Listen on the port that this folder's server had before, where none is asked for."""
+        self._keys = LastingKeys(self._folder)
+        self.port = usable_port(host, port, self._keys.ports())
+        keys = self._keys.of(self.port)
+        self.access = Access(host, keys.token, keys.looking_token)
+        site = OurSite(self.access, self.session.sockets, self.accepts)
+        self.viser = serve(site, host, self.port)
+        try:
+            prove(host, self.port)
+        except KeyphaseError:
+            with silent():
+                self.viser.stop()
+            raise
+
     @property
     def link(self) -> str:
         """The link that opens the page."""
         return self.access.link(self.port, self._grant)
+
+    def open_browser(self) -> bool:
+        """Start the browser on the page; whether that was done."""
+        link = self.access.link_for_once(self.port, self._grant)
+        self._browser_file = open_in_browser(link, self._keys.folder)
+        return self._browser_file is not None
 
     def accepts(self, uuid: str, value: object) -> bool:
         """Whether a browser may set the control it calls `uuid` to `value`."""
@@ -140,6 +162,8 @@ class PageServer:
 
     def stop(self) -> None:
         """Stop serving and close the recordings."""
+        if self._browser_file is not None:
+            self._browser_file.close()
         self.lead_through.close()
         self.session.close()
         self._replay_scene.close()
@@ -184,8 +208,8 @@ def open_page(
     )
     told = _told_to_stop()
     print(server.link, flush=True)
-    if open_browser:
-        webbrowser.open(server.link)
+    if open_browser and not server.open_browser():
+        print("Follow this link: the browser cannot be opened from here.", file=sys.stderr)
     try:
         while not told.wait(0.5):
             continue

@@ -70,6 +70,9 @@ class Worker:
                 job()
             except Exception as error:
                 self._on_error(error)
+            except BaseException as panic:
+                # What panics in an extension is no Exception; the thread must outlive it.
+                self._on_error(RuntimeError(f"{type(panic).__name__}: {panic}"))
             over.set()
             with self._changed:
                 self._running = None

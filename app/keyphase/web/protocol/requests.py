@@ -17,7 +17,8 @@ _Value = Annotated[float, Meta(ge=-1e12, le=1e12)]
 _Id = Annotated[str, Meta(max_length=4096)]
 _Name = Annotated[str, Meta(max_length=100)]
 _Counter = Annotated[int, Meta(ge=0, le=2**53)]
-_Width = Annotated[int, Meta(ge=1, le=20_000)]
+_Width = Annotated[int, Meta(ge=2, le=20_000)]
+"""Fewer than two pixels is no curve, and the decimation panics."""
 _Speed = Annotated[float, Meta(ge=0.01, le=100.0)]
 
 

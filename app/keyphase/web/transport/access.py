@@ -7,13 +7,23 @@ gated by the same lines. See docs/security.md for what this protects against.
 import hmac
 import ipaddress
 import secrets
+import threading
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
-from http.cookies import CookieError, SimpleCookie
 from urllib.parse import parse_qs, urlsplit
 
 from keyphase.errors import RequestError
+
+COOKIE_LASTS_S = 30 * 24 * 3600
+"""A browser that has followed the link need not do so again for this long."""
+
+_MOST_COOKIES = 16
+
+
+def new_token() -> str:
+    """256 random bits as 43 letters."""
+    return secrets.token_urlsafe(32)
 
 
 class Grant(Enum):
@@ -21,6 +31,34 @@ class Grant(Enum):
 
     EVERYTHING = "everything"
     LOOKING = "looking"
+
+
+class Tickets:
+    """Links that open the page once: what a browser is started with may be seen by others."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._open: dict[str, Grant] = {}
+
+    def new(self, grant: Grant) -> str:
+        """A ticket that is taken once."""
+        ticket = new_token()
+        with self._lock:
+            self._open[ticket] = grant
+        return ticket
+
+    def take(self, ticket: str) -> Grant | None:
+        """What the ticket grants, for the first who comes with it."""
+        with self._lock:
+            return self._open.pop(ticket, None)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """What a request is granted, and whether its browser is to remember it by a cookie."""
+
+    grant: Grant
+    remember: bool = False
 
 
 @dataclass(frozen=True)
@@ -33,14 +71,29 @@ class Access:
     """
 
     host: str
-    token: str = field(default_factory=lambda: secrets.token_urlsafe(32))
-    looking_token: str = field(default_factory=lambda: secrets.token_urlsafe(32))
+    token: str = field(default_factory=new_token)
+    looking_token: str = field(default_factory=new_token)
+    tickets: Tickets = field(default_factory=Tickets)
 
     def link(self, port: int, grant: Grant) -> str:
         """The link that opens the page with `grant`."""
-        host = "127.0.0.1" if self.host in ("0.0.0.0", "::", "") else self.host
-        name = f"[{host}]" if ":" in host else host
-        return f"http://{name}:{port}/?token={self._token_of(grant)}"
+        return f"{self._address(port)}/?token={self._token_of(grant)}"
+
+    def link_for_once(self, port: int, grant: Grant) -> str:
+        """A link that does so once."""
+        return f"{self._address(port)}/?once={self.tickets.new(grant)}"
+
+    def enter(self, path: str, headers: Mapping[str, str], port: int) -> Entry:
+        """What the sender of a plain request for `path` may do; a ticket in it is used up.
+
+        Raises RequestError as `grant` does.
+        """
+        self._check_sender(headers)
+        ticket = in_link(path, "once")
+        taken = self.tickets.take(ticket) if ticket and urlsplit(path).path == "/" else None
+        if taken is not None:
+            return Entry(taken, remember=True)
+        return Entry(self.grant(path, headers, port), remember=bool(in_link(path, "token")))
 
     def grant(self, path: str, headers: Mapping[str, str], port: int) -> Grant:
         """What the sender of a request for `path` may do.
@@ -48,33 +101,45 @@ class Access:
         Raises RequestError for a Host that is not this machine's, an Origin that is not the page
         itself, and a token that is missing or wrong.
         """
+        self._check_sender(headers)
+        given = in_link(path, "token")
+        tokens = [given] if given else _tokens_in_cookies(headers.get("Cookie", ""), port)
+        grants = {self._grant_of(token) for token in tokens}
+        for grant in (Grant.EVERYTHING, Grant.LOOKING):
+            if grant in grants:
+                return grant
+        raise RequestError("Open the page by the link keyphase printed: it carries the token.")
+
+    def cookie(self, port: int, grant: Grant) -> str:
+        """The Set-Cookie value that remembers `grant`; cookies ignore ports, so its name has it."""
+        return (
+            f"{cookie_name(port)}={self._token_of(grant)}; Path=/; HttpOnly; SameSite=Strict; "
+            f"Max-Age={COOKIE_LASTS_S}"
+        )
+
+    def _address(self, port: int) -> str:
+        host = "127.0.0.1" if self.host in ("0.0.0.0", "::", "") else self.host
+        name = f"[{host}]" if ":" in host else host
+        return f"http://{name}:{port}"
+
+    def _check_sender(self, headers: Mapping[str, str]) -> None:
         host = headers.get("Host", "")
         if not self._is_ours(host):
             raise RequestError(f"The Host header must name this server, but is {host!r}.")
         origin = headers.get("Origin")
         if origin is not None and origin != f"http://{host}":
             raise RequestError(f"The Origin must be http://{host}, but is {origin!r}.")
-        return self._grant_of(
-            token_in_link(path) or _token_in_cookie(headers.get("Cookie", ""), port)
-        )
-
-    def cookie(self, port: int, grant: Grant) -> str:
-        """The Set-Cookie value that remembers `grant`; cookies ignore ports, so its name has it."""
-        return (
-            f"{cookie_name(port)}={self._token_of(grant)}; Path=/; HttpOnly; SameSite=Strict; "
-            "Max-Age=2592000"
-        )
 
     def _token_of(self, grant: Grant) -> str:
         return self.token if grant is Grant.EVERYTHING else self.looking_token
 
-    def _grant_of(self, token: str) -> Grant:
+    def _grant_of(self, token: str) -> Grant | None:
         given = token.encode("utf-8", "surrogateescape")
         if hmac.compare_digest(given, self.token.encode()):
             return Grant.EVERYTHING
         if hmac.compare_digest(given, self.looking_token.encode()):
             return Grant.LOOKING
-        raise RequestError("Open the page by the link keyphase printed: it carries the token.")
+        return None
 
     def _is_ours(self, host: str) -> bool:
         """A name is ours if no DNS answer could have put it there: loopback, or as configured.
@@ -93,20 +158,22 @@ def cookie_name(port: int) -> str:
     return f"keyphase-{port}"
 
 
-def token_in_link(path: str) -> str:
-    """The token in a request's query, or nothing."""
+def in_link(path: str, name: str) -> str:
+    """The value of that name in a request's query, or nothing."""
     try:
-        return parse_qs(urlsplit(path).query).get("token", [""])[0]
+        return parse_qs(urlsplit(path).query).get(name, [""])[0]
     except ValueError:
         return ""
 
 
-def _token_in_cookie(header: str, port: int) -> str:
-    try:
-        morsel = SimpleCookie(header).get(cookie_name(port))
-    except CookieError:
-        return ""
-    return morsel.value if morsel else ""
+def _tokens_in_cookies(header: str, port: int) -> list[str]:
+    """The values of our cookie, whatever other programs on this host have set beside it.
+
+    There may be several: another program can set one of the same name for a longer path.
+    """
+    pairs = (pair.partition("=") for pair in header.split(";"))
+    name = cookie_name(port)
+    return [value.strip() for key, _, value in pairs if key.strip() == name][:_MOST_COOKIES]
 
 
 def _host_name(host: str) -> str:

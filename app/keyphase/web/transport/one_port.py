@@ -8,45 +8,48 @@ stops holding with another viser.
 
 import asyncio
 import contextlib
-import dataclasses
 import io
 import logging
 import socket
 from collections.abc import Awaitable, Callable, Iterator
+from http import HTTPStatus
 from typing import Any, Protocol
 
 import viser
 import websockets.asyncio.server as websockets_server
-from viser import _messages
 from websockets.asyncio.server import ServerConnection
+from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
 
 from keyphase.errors import KeyphaseError
+from keyphase.web.transport.addresses import PAGE, page_of_frame_socket, page_of_socket
 from keyphase.web.transport.budget import Budget
+from keyphase.web.transport.head import JudgedConnection
+from keyphase.web.transport.responses import text
 
-VISER_PREFIX = "/viser"
-"""viser's client lies below this path and its websocket at exactly this path."""
+PAGE_MESSAGE_BYTES = 1 << 20
+VISER_MESSAGE_BYTES = 8 << 20
+MAX_QUEUE = 16
+"""So many messages of a connection are read ahead; then its sender waits."""
+
+BROKEN = "Something is wrong inside keyphase; its log says what."
+"""Why a conversation ends that a defect has broken."""
+
+_log = logging.getLogger(__name__)
 
 _Handler = Callable[[ServerConnection], Awaitable[None]]
 _Process = Callable[[ServerConnection, Request], Response | None]
-
-_PAGE_MESSAGE_BYTES = 1 << 20
-_VISER_MESSAGE_BYTES = 8 << 20
 
 
 class Site(Protocol):
     """What answers in front of viser."""
 
+    def response(self, request: Request, port: int) -> Response:
+        """The answer to a plain request: 403 for whoever may not ask."""
+        ...
+
     def refusal(self, request: Request, port: int) -> Response | None:
-        """403 for a request that may not pass, whatever its path; None to let it pass."""
-        ...
-
-    def response(self, request: Request, port: int) -> Response | None:
-        """Our answer to a plain request; None for paths that are viser's."""
-        ...
-
-    def finish(self, request: Request, response: Response) -> Response:
-        """Put our headers on an answer of viser's."""
+        """403 for a websocket that may not be opened; None to let it pass."""
         ...
 
     async def page_socket(self, connection: ServerConnection) -> None:
@@ -78,15 +81,35 @@ class _Guarded:
 
 
 def serve(site: Site, host: str, port: int) -> viser.ViserServer:
-    """A running viser server on `host` and `port` (0: a free one) with `site` in front of it.
+    """A running viser server on `host` and `port`, with `site` in front of it.
 
     Raises KeyphaseError if nothing can listen there.
     """
     _refuse_unusable(host, port)
     with _in_front_of_viser(site), silent():
         server = viser.ViserServer(host=host, port=port, label="keyphase", verbose=False)
-    _close_tunnel(server)
+    if server.get_port() != port:
+        with silent():
+            server.stop()
+        raise KeyphaseError(_taken(host, port, "something else has just taken it"))
     return server
+
+
+def usable_port(host: str, wanted: int, preferred: Iterator[int] | list[int]) -> int:
+    """`wanted`, or where that is 0 the first of `preferred` that is free, or a free one.
+
+    Raises KeyphaseError if nothing can listen on `host`.
+    """
+    if wanted != 0:
+        return wanted
+    for port in preferred:
+        with contextlib.suppress(OSError, OverflowError), _listening(host, port):
+            return port
+    try:
+        with _listening(host, 0) as listener:
+            return listener.getsockname()[1]
+    except (OSError, OverflowError) as error:
+        raise KeyphaseError(_taken(host, wanted, str(error))) from error
 
 
 def control_of(server: viser.ViserServer, uuid: str) -> Any:
@@ -101,27 +124,24 @@ def silent() -> Iterator[None]:
         yield
 
 
-def _close_tunnel(server: viser.ViserServer) -> None:
-    """No browser may ask for a public tunnel or push a file past our checks."""
-    for message in (
-        _messages.ShareUrlRequest,
-        _messages.ShareUrlDisconnect,
-        _messages.FileTransferStartUpload,
-        _messages.FileTransferPart,
-    ):
-        server._websock_server._incoming_handlers.pop(message)  # type: ignore[reportPrivateUsage]
-
-
 def _refuse_unusable(host: str, port: int) -> None:
     """viser tries a thousand ports and then waits for ever; say at once what is wrong."""
     try:
-        with socket.create_server((host, port), family=_family(host)):
+        with _listening(host, port):
             pass
     except (OSError, OverflowError) as error:
-        raise KeyphaseError(
-            f"Nothing can listen on {host} port {port} ({error}); choose another with "
-            "--host or --port, or leave the port out."
-        ) from error
+        raise KeyphaseError(_taken(host, port, str(error))) from error
+
+
+def _listening(host: str, port: int) -> socket.socket:
+    return socket.create_server((host, port), family=_family(host))
+
+
+def _taken(host: str, port: int, why: str) -> str:
+    return (
+        f"Nothing can listen on {host} port {port} ({why}); choose another with "
+        "--host or --port, or leave the port out."
+    )
 
 
 def _family(host: str) -> socket.AddressFamily:
@@ -133,10 +153,13 @@ def _in_front_of_viser(site: Site) -> Iterator[None]:
     original = websockets_server.serve
 
     def serve(handler: _Handler, *address: Any, process_request: _Process, **options: Any) -> Any:
+        del process_request  # viser's own answers are ours now
+        options |= {"max_size": PAGE_MESSAGE_BYTES, "max_queue": MAX_QUEUE}
         return original(
             _dispatch(site, handler),
             *address,
-            process_request=_gate(site, process_request),  # type: ignore[reportArgumentType]
+            process_request=_gate(site),
+            create_connection=JudgedConnection,
             logger=_quiet_logger(),
             **options,
         )
@@ -148,43 +171,52 @@ def _in_front_of_viser(site: Site) -> Iterator[None]:
         websockets_server.serve = original
 
 
-def _gate(site: Site, viser_answers: _Process) -> _Process:
+def _gate(site: Site) -> _Process:
     def process(connection: ServerConnection, request: Request) -> Response | None:
         port = connection.local_address[1]
-        refusal = site.refusal(request, port)
-        if refusal is not None:
-            return refusal
-        if request.headers.get("Upgrade", "").lower() == "websocket":
-            return _websocket_at(connection, request, site, port)
-        ours = site.response(request, port)
-        if ours is not None:
-            return ours
-        below = request.path.partition("?")[0].removeprefix(VISER_PREFIX)
-        theirs = viser_answers(connection, dataclasses.replace(request, path=below))
-        assert theirs is not None
-        return site.finish(request, theirs)
+        if request.headers.get("Upgrade", "").lower() != "websocket":
+            return site.response(request, port)
+        return site.refusal(request, port) or _bounded(connection, request)
 
     return process
 
 
-def _websocket_at(
-    connection: ServerConnection, request: Request, site: Site, port: int
-) -> Response | None:
-    """Let a websocket through at the two paths that have one, with a bound on its messages."""
-    bounds = {"/app/ws": _PAGE_MESSAGE_BYTES, VISER_PREFIX: _VISER_MESSAGE_BYTES}
-    if request.path not in bounds:
-        return site.response(dataclasses.replace(request, path="/no-such-websocket"), port)
-    connection.protocol.max_message_size = bounds[request.path]
+def _bounded(connection: ServerConnection, request: Request) -> Response | None:
+    """Let a websocket through where there is one, with a bound on its messages."""
+    if page_of_socket(request.path) is not None:
+        most = PAGE_MESSAGE_BYTES
+    elif page_of_frame_socket(request.path) is not None:
+        most = VISER_MESSAGE_BYTES
+    else:
+        return text(HTTPStatus.NOT_FOUND, "There is no websocket here.")
+    bound(connection, most)
     return None
+
+
+def bound(connection: ServerConnection, most_bytes: int) -> None:
+    """Bound a connection's messages; raises where websockets does not know these bounds."""
+    limits = (connection.protocol.max_message_size, connection.max_queue_high)
+    if limits != (PAGE_MESSAGE_BYTES, MAX_QUEUE):
+        raise RuntimeError(f"websockets took the limits {limits} for those that were asked for.")
+    connection.protocol.max_message_size = most_bytes
 
 
 def _dispatch(site: Site, viser_handler: _Handler) -> _Handler:
     async def handle(connection: ServerConnection) -> None:
         assert connection.request is not None
-        if connection.request.path == "/app/ws":
-            await site.page_socket(connection)
-        else:
-            await viser_handler(_Guarded(connection, site))  # type: ignore[reportArgumentType]
+        page = page_of_frame_socket(connection.request.path)
+        PAGE.set(page)
+        try:
+            if page is None:
+                await site.page_socket(connection)
+            else:
+                await viser_handler(_Guarded(connection, site))  # type: ignore[reportArgumentType]
+        except (ConnectionClosed, asyncio.CancelledError):
+            raise
+        except BaseException as defect:
+            # A panic in an extension is no Exception; nobody else would end the conversation.
+            _log.error("A conversation with a page broke.", exc_info=defect)
+            await connection.close(1011, BROKEN)
 
     return handle
 

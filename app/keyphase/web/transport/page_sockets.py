@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+import secrets
 import threading
 from collections import deque
 from collections.abc import Callable, Mapping
@@ -69,20 +70,23 @@ class PageSockets:
         self._on_open = on_open
         self._on_message = on_message
         self._pages: set[Page] = set()
-        self._count = 0
         self._pool = ThreadPoolExecutor(max_workers=8, thread_name_prefix="page")
 
     def __len__(self) -> int:
         return len(self._pages)
 
-    async def serve(self, connection: ServerConnection, grant: Grant) -> None:
-        """Greet a page, then hear its messages one after another until it leaves."""
+    async def serve(
+        self, connection: ServerConnection, grant: Grant, id: str | None = None
+    ) -> None:
+        """Greet a page, then hear its messages one after another until it leaves.
+
+        `id` is what the page calls itself, as its 3D frame does; without one it gets one.
+        """
         if len(self._pages) >= MOST_PAGES:
             await connection.close(1013, f"No more than {MOST_PAGES} pages at once.")
             return
-        self._count += 1
         loop = asyncio.get_running_loop()
-        page = Page(f"page-{self._count}", grant, connection, loop)
+        page = Page(id or secrets.token_hex(16), grant, connection, loop)
         budget = Budget()
         try:
             await loop.run_in_executor(self._pool, self._on_open, page)

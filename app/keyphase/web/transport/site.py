@@ -6,19 +6,26 @@ from websockets.asyncio.server import ServerConnection
 from websockets.http11 import Request, Response
 
 from keyphase.errors import RequestError
-from keyphase.web.transport.access import Access, Grant, token_in_link
+from keyphase.web.transport.access import Access, Entry, Grant
+from keyphase.web.transport.addresses import (
+    PageOwners,
+    is_frame,
+    page_of_frame_socket,
+    page_of_socket,
+)
 from keyphase.web.transport.page_sockets import PageSockets
+from keyphase.web.transport.refused import refused
 from keyphase.web.transport.responses import (
     StaticFiles,
     page_files,
     page_policy,
     text,
     viser_policy,
-    with_headers,
 )
 from keyphase.web.transport.viser_messages import Accepts, admits
+from keyphase.web.transport.viser_page import ViserPage, viser_page
 
-PAGE = "/app/static/index.html"
+INDEX = "/app/static/index.html"
 """The file behind `/`."""
 
 
@@ -29,37 +36,47 @@ class OurSite:
         self._access = access
         self._sockets = sockets
         self._accepts = accepts
+        self._owners = PageOwners()
         self._files: StaticFiles = page_files()
+        self._viser: ViserPage = viser_page()
 
-    def refusal(self, request: Request, port: int) -> Response | None:
-        """403 for whoever has no right to be here, whatever they ask for."""
+    def response(self, request: Request, port: int) -> Response:
+        """Our page and its files, viser's client for a frame, 404 for what is nobody's.
+
+        403 for whoever has no right to be here, whatever they ask for.
+        """
         try:
-            self._access.grant(request.path, request.headers, port)
+            entry = self._access.enter(request.path, request.headers, port)
         except RequestError as error:
-            return text(HTTPStatus.FORBIDDEN, str(error))
-        return None
-
-    def response(self, request: Request, port: int) -> Response | None:
-        """Our page and its files; None for what is viser's, 404 for what is nobody's."""
+            return refused(str(error), request.headers.get("Accept", ""))
         path = request.path.partition("?")[0]
-        host = request.headers["Host"]
+        policy = page_policy(request.headers["Host"])
         tag = request.headers.get("If-None-Match")
         if path == "/":
-            answer = self._files.response(PAGE, page_policy(host), tag)
-            return self._remembered(request, answer, port)
+            return self._remembered(entry, self._files.response(INDEX, policy, tag), port)
         if path.startswith(self._files.prefix):
-            return self._files.response(path, page_policy(host), tag)
-        if path.startswith("/viser/"):
-            return None
+            return self._files.response(path, policy, tag)
+        if is_frame(path):
+            policy = viser_policy(request.headers["Host"])
+            return self._viser.response(policy, request.headers.get("Accept-Encoding", ""), tag)
         return text(HTTPStatus.NOT_FOUND, "There is no such page.")
 
-    def finish(self, request: Request, response: Response) -> Response:
-        """viser's client with our headers."""
-        return with_headers(response, viser_policy(request.headers["Host"]))
+    def refusal(self, request: Request, port: int) -> Response | None:
+        """403 for a websocket of somebody who has no right to it."""
+        try:
+            grant = self._access.grant(request.path, request.headers, port)
+        except RequestError as error:
+            return text(HTTPStatus.FORBIDDEN, str(error))
+        page = page_of_socket(request.path) or page_of_frame_socket(request.path)
+        if page and not self._owners.admits(page, grant):
+            return text(HTTPStatus.FORBIDDEN, "This page belongs to somebody else; open another.")
+        return None
 
     async def page_socket(self, connection: ServerConnection) -> None:
         """One page's conversation."""
-        await self._sockets.serve(connection, self._grant(connection))
+        assert connection.request is not None
+        page = page_of_socket(connection.request.path)
+        await self._sockets.serve(connection, self._grant(connection), page or None)
 
     def admits(self, connection: ServerConnection, message: bytes) -> bool:
         """Whether viser may hear a message from its client."""
@@ -70,9 +87,8 @@ class OurSite:
         request, port = connection.request, connection.local_address[1]
         return self._access.grant(request.path, request.headers, port)
 
-    def _remembered(self, request: Request, answer: Response, port: int) -> Response:
+    def _remembered(self, entry: Entry, answer: Response, port: int) -> Response:
         """Turn the token of the link into the cookie that takes its place."""
-        if token_in_link(request.path):
-            grant = self._access.grant(request.path, request.headers, port)
-            answer.headers["Set-Cookie"] = self._access.cookie(port, grant)
+        if entry.remember:
+            answer.headers["Set-Cookie"] = self._access.cookie(port, entry.grant)
         return answer

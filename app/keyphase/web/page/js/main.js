@@ -41,6 +41,10 @@ import { createUpload } from "./actions/upload.js";
 
 const isSmall = () => innerWidth <= SMALL_BELOW_PX;
 
+/** Kept in memory only: a tab that is duplicated is another page. */
+const pageId = Array.from(crypto.getRandomValues(new Uint8Array(16)), (one) =>
+  one.toString(16).padStart(2, "0"),
+).join("");
 const store = createStore(firstState(isSmall()));
 
 /** @type {import("./lib/socket.js").Socket|null} */
@@ -135,7 +139,8 @@ const receive = createReceiver(store, {
   replay,
   upload: () => upload,
 });
-socket = openSocket({
+socket = openSocket(pageId, {
+  onBroken: (why) => receive({ type: "notice", level: "error", text: why }),
   onMessage: receive,
   onSignals: (frame) => signals.receive(frame),
   onState(connected) {
@@ -148,7 +153,7 @@ socket = openSocket({
   },
 });
 const upload = createUpload(store, socket, actions);
-const sceneFrame = createScene(store, { onKey, onSlide: latency.slid });
+const sceneFrame = createScene(store, pageId, { onKey, onSlide: latency.slid });
 createNames(store, actions, () => sceneFrame.contentWindow);
 askForShadows(store, send, () => sceneFrame.contentWindow);
 store.set({ dark: firstDark(), snap: true });

@@ -9,14 +9,19 @@
 
 const FIRST_RETRY_MS = 250;
 const LAST_RETRY_MS = 5000;
+/** The server closes with this code where a defect has broken the conversation. */
+const DEFECT = 1011;
 
 /**
+ * @param {string} page what this page calls itself
  * @param {{onMessage: (message: Message) => void, onSignals: (frame: ArrayBuffer) => void,
- *   onState: (connected: boolean, retryInMs: number) => void}} handlers
+ *   onState: (connected: boolean, retryInMs: number) => void,
+ *   onBroken: (why: string) => void}} handlers
  * @returns {Socket}
  */
-export function openSocket({ onMessage, onSignals, onState }) {
-  const address = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/app/ws`;
+export function openSocket(page, { onMessage, onSignals, onState, onBroken }) {
+  const scheme = location.protocol === "https:" ? "wss" : "ws";
+  const address = `${scheme}://${location.host}/app/ws?page=${page}`;
   /** @type {WebSocket} */
   let socket;
   let retryMs = FIRST_RETRY_MS;
@@ -32,7 +37,8 @@ export function openSocket({ onMessage, onSignals, onState }) {
       if (typeof data === "string") onMessage(JSON.parse(data));
       else onSignals(data);
     };
-    socket.onclose = () => {
+    socket.onclose = ({ code, reason }) => {
+      if (code === DEFECT) onBroken(reason);
       onState(false, retryMs);
       setTimeout(connect, retryMs);
       retryMs = Math.min(2 * retryMs, LAST_RETRY_MS);

@@ -7,10 +7,11 @@ import { time as timeText } from "../lib/format.js";
 
 /**
  * @param {import("../lib/store.js").Store} store
+ * @param {string} page what this page calls itself
  * @param {{onKey: (event: KeyboardEvent) => void, onSlide: (value: number, at: number) => void}} handlers
  * @returns {HTMLIFrameElement} viser's frame
  */
-export function createScene(store, { onKey, onSlide }) {
+export function createScene(store, page, { onKey, onSlide }) {
   const calm = createCalmScene(sceneFrames);
   let segments = "";
   store.on(["clock", "selected", "dark", "recording"], calm.changed);
@@ -30,7 +31,7 @@ export function createScene(store, { onKey, onSlide }) {
     watchHolding(inside, store);
     calm.watch(inside);
   });
-  frame.src = "/viser/";
+  frame.src = `/viser/${page}/`;
 
   const hud = byId("hud");
   store.later(["clock", "document"], ({ clock, document: doc }) => {

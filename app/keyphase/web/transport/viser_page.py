@@ -1,0 +1,66 @@
+"""viser's client as a page's frame gets it: one file, with a head of ours put into it.
+
+It is read, changed and packed once. What the head does is told in docs/page.md.
+"""
+
+import gzip
+import hashlib
+from dataclasses import dataclass
+from http import HTTPStatus
+from pathlib import Path
+
+import viser
+from websockets.http11 import Response
+
+from keyphase.errors import KeyphaseError
+from keyphase.web.transport.responses import answer
+
+INDEX = Path("client", "build", "index.html")
+"""Where viser keeps its client, below its package."""
+
+HEAD = """<script>document.hasFocus = () => true;</script>
+"""
+"""viser's client tries to connect again only while its frame has the focus, which the page has."""
+
+_AFTER = "<head>"
+_HTML = "text/html; charset=utf-8"
+
+
+@dataclass(frozen=True)
+class ViserPage:
+    """viser's client with our head: the file, the same packed, and what tells it from others."""
+
+    plain: bytes
+    packed: bytes
+    tag: str
+
+    def response(self, policy: str, accepted: str, known_tag: str | None) -> Response:
+        """The file, packed where `accepted` says so, 304 where the browser has it."""
+        if known_tag == self.tag:
+            response = answer(HTTPStatus.NOT_MODIFIED, b"", _HTML, policy)
+        elif "gzip" in accepted:
+            response = answer(HTTPStatus.OK, self.packed, _HTML, policy)
+            response.headers["Content-Encoding"] = "gzip"
+        else:
+            response = answer(HTTPStatus.OK, self.plain, _HTML, policy)
+        response.headers["ETag"] = self.tag
+        response.headers["Vary"] = "Accept-Encoding"
+        return response
+
+
+def viser_page(head: str = HEAD) -> ViserPage:
+    """Read viser's client out of its package and put `head` into it, before its own scripts.
+
+    Raises KeyphaseError where the client is not as it was in the version this was written for.
+    """
+    assert viser.__file__ is not None
+    path = Path(viser.__file__).parent / INDEX
+    try:
+        text = path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise KeyphaseError(f"viser's client is missing at {path}; install viser again.") from error
+    if text.count(_AFTER) != 1:
+        raise KeyphaseError(f"{path} has no head; install viser as constraints.txt has it.")
+    plain = text.replace(_AFTER, _AFTER + head).encode()
+    tag = f'"{hashlib.sha256(plain).hexdigest()[:32]}"'
+    return ViserPage(plain, gzip.compress(plain, mtime=0), tag)
