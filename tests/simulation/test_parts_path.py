@@ -8,6 +8,7 @@ import pytest
 from keyphase.files.shipped import shipped
 from keyphase.readers import read
 from keyphase.simulation.workcells.parts_path import parts_path
+from keyphase.simulation.workcells.rim import OUTER_M
 from keyphase.simulation.workcells.setup1 import HOUSING_POSITION_M, WALL_FACE_Y_M
 
 
@@ -23,7 +24,7 @@ def test_the_parts_end_together_at_the_wall(setup1) -> None:
     assert first["housing"][0][:2] == pytest.approx(HOUSING_POSITION_M, abs=1e-3)
     gap = last["held"][0] - last["housing"][0]
     assert gap[:2] == pytest.approx([0.0, 0.0], abs=1.5e-3)
-    assert last["housing"][0][1] == pytest.approx(WALL_FACE_Y_M - 0.03, abs=2e-3)
+    assert last["housing"][0][1] == pytest.approx(WALL_FACE_Y_M - OUTER_M / 2, abs=2e-3)
 
 
 def test_the_held_part_stays_at_the_recorded_tool(setup1) -> None:

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from keyphase.errors import SimulationError
-from keyphase.simulation import Disturbance, Reference, Simulation, workcell
+from keyphase.simulation import Disturbance, Reference, Simulation
 from keyphase.simulation.shapes import shapes_of
+from keyphase.simulation.workcells.course import Course
 from keyphase.simulation.workcells.seating import seat_gap_m
 from keyphase.simulation.workcells.setup1 import SETUP1
 from keyphase.simulation.workcells.setup2 import BUTTONS, SETUP2
@@ -37,9 +38,12 @@ def test_parts_and_tool_rest_where_they_are_put(cell) -> None:
 @both
 def test_an_untouched_workcell_is_no_success(cell) -> None:
     simulation = cell.build()
-    rest(simulation, 0.1)
-    assert not cell.succeeded(simulation)
-    assert not any(cell.checks(simulation).values())
+    course = Course(cell)
+    for _ in range(25):
+        simulation.step(simulation.here())
+        course.watch(simulation)
+    assert tuple(course.checks(simulation)) == cell.goals(simulation)
+    assert not any(course.checks(simulation).values())
 
 
 @both
@@ -93,6 +97,10 @@ def test_sensor_noise_grows_with_its_factor(cell) -> None:
         {"friction": -0.1},
         {"sensor_noise": -1.0},
         {"tilt_rad": 1.0},
+        {"part_turn_rad": 2.0},
+        {"mass": 0.0},
+        {"sensor_bias_N": -1.0},
+        {"sensor_drift": float("inf")},
     ],
 )
 def test_disturbances_nobody_built_for_are_refused(wrong) -> None:
@@ -100,9 +108,29 @@ def test_disturbances_nobody_built_for_are_refused(wrong) -> None:
         Disturbance(**wrong)
 
 
-def test_an_unknown_workcell_is_refused_with_those_there_are() -> None:
-    with pytest.raises(SimulationError, match="setup1, setup2, but is 'setup3'"):
-        workcell("setup3")
+@both
+def test_a_turned_part_is_turned_about_the_vertical(cell) -> None:
+    turned = cell.build(Disturbance(part_turn_rad=0.1)).part_poses()["housing"][1]
+    assert turned == pytest.approx([np.cos(0.05), 0.0, 0.0, np.sin(0.05)])
+
+
+@both
+def test_heavier_parts_weigh_more_and_the_held_one_does_not(cell) -> None:
+    nominal, heavy = cell.build().model, cell.build(Disturbance(mass=10.0)).model
+    assert heavy.body("housing").mass == pytest.approx(10.0 * nominal.body("housing").mass)
+    assert heavy.body("held").mass == pytest.approx(nominal.body("held").mass)
+
+
+def test_a_sensor_that_is_off_reads_too_much_by_that_and_another_seed_elsewhere() -> None:
+    def mean(seed: int, bias_N: float) -> np.ndarray:
+        simulation = SETUP1.build(Disturbance(sensor_bias_N=bias_N), seed)
+        here = simulation.here()
+        return np.mean([simulation.step(here).force_N for _ in range(25)], axis=0)
+
+    offsets = [mean(seed, 1.0) - mean(seed, 0.0) for seed in (0, 1)]
+    for offset in offsets:
+        assert np.linalg.norm(offset) == pytest.approx(1.0, abs=0.02)
+    assert np.linalg.norm(offsets[0] - offsets[1]) > 0.1
 
 
 def lower(simulation: Simulation, by_m: float, seconds: float = 1.5) -> None:
@@ -115,13 +143,15 @@ def lower(simulation: Simulation, by_m: float, seconds: float = 1.5) -> None:
         simulation.step(rest_at)
 
 
-def move_over_housing(simulation: Simulation) -> None:
+def move_over_housing(simulation: Simulation, aside_m: float = 0.0) -> None:
     start = simulation.here()
-    over = place(simulation, "housing") - place(simulation, "held")
+    over = place(simulation, "housing") - place(simulation, "held") + [aside_m, 0.0, 0.0]
     over[2] = 0.0
     for fraction in np.linspace(0.0, 1.0, 375):
         goal = start.position_m + over * fraction
         simulation.step(Reference(goal, start.orientation_wxyz))
+    for _ in range(150):
+        simulation.step(Reference(start.position_m + over, start.orientation_wxyz))
 
 
 def test_the_cap_snaps_onto_the_housing_and_stays_down_by_itself() -> None:
@@ -138,6 +168,21 @@ def test_a_light_touch_does_not_snap() -> None:
     lower(simulation, seat_gap_m(simulation) - 0.0009)
     assert simulation.contact_forces()["touch"] > 0.5
     assert not SETUP1.checks(simulation)["seated"]
+
+
+@pytest.mark.parametrize("aside_m", [0.006, 0.02])
+def test_a_cap_beside_its_rim_is_not_seated_however_hard_it_is_pressed(aside_m) -> None:
+    simulation = SETUP1.build()
+    move_over_housing(simulation, aside_m)
+    lower(simulation, seat_gap_m(simulation) + 0.004)
+    assert not SETUP1.checks(simulation)["seated"]
+
+
+def test_the_chamfer_takes_in_a_cap_that_is_two_millimetres_aside() -> None:
+    simulation = SETUP1.build()
+    move_over_housing(simulation, 0.002)
+    lower(simulation, seat_gap_m(simulation) + 0.003)
+    assert SETUP1.checks(simulation)["seated"]
 
 
 def test_a_cap_that_is_not_turned_rests_on_the_rails() -> None:

@@ -122,7 +122,7 @@ class ReplaySegments:
         from keyphase.readers import save_npz
         from keyphase.simulation.replay.replay import ReplayOptions, run
         from keyphase.simulation.replay.report import as_json, replay_text, replay_values
-        from keyphase.simulation.workcells.workcell import workcell
+        from keyphase.simulation.workcells.registry import workcell
 
         simulation = workcell(cell).build(self._disturbance(), self.seed)
         result = run(simulation, skills, demonstration, ReplayOptions(self.coupling))

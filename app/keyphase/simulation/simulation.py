@@ -78,11 +78,11 @@ class Simulation:
         self._links = tuple(name for name in bodies if name not in workcell.parts)
         self.controller = CartesianImpedance(model, self._tool, joints, Gains())
         self.contacts = Contacts(model, workcell.pairs)
-        self.sensor = WristSensor(
-            SensorModel().noisier(disturbance.sensor_noise), 1.0 / RATE_HZ, seed
-        )
+        sensor = SensorModel().worse(disturbance.sensor_noise, disturbance.sensor_drift)
+        self.sensor = WristSensor(sensor, 1.0 / RATE_HZ, seed)
         self.posture_rad = np.array(workcell.start_joints_rad)
         self.load = self._calibrated()
+        self.sensor.be_off_by(disturbance.sensor_bias_N)
         self.reset()
 
     def reset(self) -> None:

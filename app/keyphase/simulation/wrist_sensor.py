@@ -33,12 +33,13 @@ class SensorModel:
     resolution: tuple[float, float] = (0.02, 0.0005)
     cutoff_hz: float = 70.0
 
-    def noisier(self, factor: float) -> "SensorModel":
-        """The same sensor with `factor` times the noise."""
+    def worse(self, noise: float, drift: float) -> "SensorModel":
+        """The same sensor with `noise` times the noise, its bias `drift` times as restless."""
         force, torque = self.noise
+        force_walk, torque_walk = self.bias_walk
         return SensorModel(
-            (factor * force, factor * torque),
-            self.bias_walk,
+            (noise * force, noise * torque),
+            (drift * force_walk, drift * torque_walk),
             self.first_bias,
             self.resolution,
             self.cutoff_hz,
@@ -56,13 +57,20 @@ class WristSensor:
         self._gain = 1.0 - float(np.exp(-2.0 * np.pi * model.cutoff_hz * step_s))
         self._first_bias = _six(model.first_bias) * self._random.standard_normal(6)
         self._passed: Array | None = None
+        self._offset = np.zeros(6)
+        self._seed = seed
         self._errors = self._drawn_errors()
 
     def read(self, wrench: Array) -> Array:
         """One reading of the true `wrench` (6,)."""
         before = wrench if self._passed is None else self._passed
         passed = self._passed = before + self._gain * (wrench - before)
-        return quantised(passed + next(self._errors), self._resolution)
+        return quantised(passed + self._offset + next(self._errors), self._resolution)
+
+    def be_off_by(self, force_N: float) -> None:
+        """Read `force_N` too much from now on, in a direction that the seed chooses."""
+        drawn = np.random.default_rng([self._seed, _OFFSETS]).standard_normal(3)
+        self._offset[:3] = force_N * drawn / np.linalg.norm(drawn)
 
     def settle(self) -> None:
         """Forget the low-pass filter's past, as after a jump of the simulation."""
@@ -154,6 +162,8 @@ def about_tool(wrench: Array, rotation: Array, sensor_m: Array, tool_m: Array) -
 
 _DOWN = np.array([0.0, 0.0, -1.0])
 _DRAWN_AT_ONCE = 256
+_OFFSETS = 1
+"""Offsets are drawn apart, so that a sensor without one reads what it always did."""
 
 
 def _six(pair: tuple[float, float]) -> Array:

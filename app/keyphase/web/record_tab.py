@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import viser
 
-from keyphase.simulation.workcells.workcell import workcell
+from keyphase.simulation.workcells.registry import workcell
 from keyphase.workbench.lead_through_session import (
     LeadThroughSession,
     LeadThroughStatus,

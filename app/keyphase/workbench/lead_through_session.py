@@ -14,7 +14,7 @@ from keyphase.errors import SimulationError
 from keyphase.simulation.demonstrating.follow import FURTHEST_AHEAD_M
 from keyphase.simulation.demonstrating.lead_through import LeadThrough, LeadThroughState
 from keyphase.simulation.shapes import Shape
-from keyphase.simulation.workcells.workcell import workcell
+from keyphase.simulation.workcells.registry import workcell
 from keyphase.workbench.recording_queue import RecordingQueue
 from keyphase.workbench.takes import Takes
 from keyphase.workbench.telling import Telling

@@ -12,7 +12,7 @@ from keyphase.readers import save_npz
 from keyphase.simulation.replay.replay import Replay
 from keyphase.simulation.replay.result import ReplayResult
 from keyphase.simulation.shapes import shapes_of
-from keyphase.simulation.workcells.workcell import workcell
+from keyphase.simulation.workcells.registry import workcell
 from keyphase.web.protocol.replay_messages import Streamed, replay_message
 from keyphase.web.scene.replay_view import ReplayView, Running
 from keyphase.web.transport.page_sockets import Page
@@ -230,7 +230,7 @@ class ReplaySession:
                 replay_, settings.speed, self._ticked, self._changed, self._telling.report
             )
             simulation = replay_.simulation
-            shapes, goals = shapes_of(simulation), tuple(simulation.workcell.checks(simulation))
+            shapes, goals = shapes_of(simulation), simulation.workcell.goals(simulation)
             self.running = Running(number, opened, settings, plan, run, shapes, goals)
             self._streamed = Streamed(number, plan)
             running = self.running

@@ -29,6 +29,7 @@ def hand_path(simulation: Simulation, start: Reference, random: np.random.Genera
 
 
 def _setup1(path: HandPath, simulation: Simulation, random: np.random.Generator) -> None:
+    from keyphase.simulation.workcells.rim import OUTER_M
     from keyphase.simulation.workcells.setup1 import WALL_FACE_Y_M
 
     mating = _mating_pose(simulation)
@@ -40,7 +41,7 @@ def _setup1(path: HandPath, simulation: Simulation, random: np.random.Generator)
     path.stroke("down until contact", mating + seen - pressed * Z, random.uniform(1.3, 1.9))
     eased = random.uniform(0.45, 0.6) * pressed
     path.pause("idle", random.uniform(0.7, 1.2), eased * Z)
-    gap = WALL_FACE_Y_M - HOUSING_M[1] / 2 - simulation.part_poses()["housing"][0][1]
+    gap = WALL_FACE_Y_M - OUTER_M / 2 - simulation.part_poses()["housing"][0][1]
     beyond = path.here_m + (gap + random.uniform(4e-3, 6e-3)) * Y
     path.stroke("sideways until contact", beyond, random.uniform(1.8, 2.6), on_table=True)
 

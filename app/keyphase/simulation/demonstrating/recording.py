@@ -1,6 +1,6 @@
 """Record a demonstration: a scripted operator leads the robot through a workcell's task."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,9 @@ from keyphase.simulation.samples import (
     provenance,
 )
 from keyphase.simulation.simulation import Sample, Simulation
-from keyphase.simulation.workcells.workcell import Workcell, workcell
+from keyphase.simulation.workcells.course import Course
+from keyphase.simulation.workcells.registry import workcell
+from keyphase.simulation.workcells.workcell import Workcell
 
 _SETTLING_TICKS = 200
 _START_SPREAD_M = 0.008
@@ -40,8 +42,9 @@ def record(
     random = np.random.default_rng(hand_seed)
     simulation = cell.build(disturbance, seed=int(sensor_seed))
     path = hand_path(simulation, settle(simulation, random), random)
-    samples = lead(simulation, path)
-    _refuse_unless_done(simulation, seed)
+    course = Course(cell)
+    samples = lead(simulation, path, course)
+    _refuse_unless_done(course.checks(simulation), cell.name, seed)
     return as_demonstration(samples, cell.name, _metadata(simulation, samples, path, seed))
 
 
@@ -55,13 +58,14 @@ def settle(simulation: Simulation, random: np.random.Generator) -> Reference:
     return start
 
 
-def lead(simulation: Simulation, path: HandPath) -> list[Sample]:
+def lead(simulation: Simulation, path: HandPath, course: Course) -> list[Sample]:
     """Lead the tool along a hand's path; a task that ends at a contact is over soon after it."""
     last = simulation.contacts.names.index(simulation.workcell.onsets[-1])
     samples: list[Sample] = []
     end_s = np.inf
     for reference in path.references():
         sample = simulation.step(reference)
+        course.watch(simulation)
         samples.append(sample)
         if simulation.workcell.ends_at_contact and sample.contact_N[last] > ONSET_FORCE_N:
             end_s = min(end_s, sample.time_s + _AFTER_LAST_CONTACT_S)
@@ -70,11 +74,11 @@ def lead(simulation: Simulation, path: HandPath) -> list[Sample]:
     return samples
 
 
-def _refuse_unless_done(simulation: Simulation, seed: int) -> None:
-    failed = [name for name, holds in simulation.workcell.checks(simulation).items() if not holds]
+def _refuse_unless_done(checks: Mapping[str, bool], name: str, seed: int) -> None:
+    failed = [goal for goal, holds in checks.items() if not holds]
     if failed:
         raise SimulationError(
-            f"The scripted operator must accomplish {simulation.workcell.name}, but with seed "
+            f"The scripted operator must accomplish {name}, but with seed "
             f"{seed} and this disturbance it ended without: {', '.join(failed)}; try another seed "
             "or a smaller disturbance."
         )

@@ -28,11 +28,13 @@ from keyphase.simulation.replay.result import (
     ReplayState,
     SkillResult,
     Stage,
+    greatest_force,
     went_on,
 )
 from keyphase.simulation.replay.skill import STEP_S, SkillRun, Start, pressing
 from keyphase.simulation.samples import as_demonstration, ground_truth, provenance
 from keyphase.simulation.simulation import Sample, Simulation
+from keyphase.simulation.workcells.course import Course
 from keyphase.skills.connecting import connecting_skill, is_apart
 from keyphase.skills.coupling import Measured
 from keyphase.skills.end_monitor import Outcome
@@ -94,6 +96,7 @@ class Replay:
         self.bodies = (*simulation.link_poses(), *simulation.workcell.parts)
         self._bodies = [simulation.model.body(name).id for name in self.bodies]
         self._hand = Hand(simulation)
+        self._course = Course(simulation.workcell)
         self._stage: Stage = "moving"
         self._stopped = False
         self._shift = np.zeros(3)
@@ -123,6 +126,7 @@ class Replay:
         self._reference = self._next_reference()
         self._hand.act()
         self._sample = self.simulation.step(self._reference)
+        self._course.watch(self.simulation)
         self._stage_ticks += 1
         self._note()
         self._go_on()
@@ -146,12 +150,12 @@ class Replay:
 
     def result(self) -> ReplayResult:
         """What the replay was, once it is over."""
-        checks = self.simulation.workcell.checks(self.simulation)
         return ReplayResult(
             skills=self.skills,
             results=tuple(self.results),
             stopped=self._stopped,
-            checks=dict(checks),
+            goals=dict(self._course.checks(self.simulation)),
+            force_limit_N=greatest_force(self.demonstration),
             states=tuple(self.states),
             bodies=self.bodies,
             frames=tuple(self.frames),

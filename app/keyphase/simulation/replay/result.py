@@ -10,6 +10,7 @@ from keyphase.demonstration import Array, Demonstration
 from keyphase.simulation.impedance import Reference
 from keyphase.simulation.simulation import Sample
 from keyphase.skills.end_monitor import Outcome
+from keyphase.skills.library import FORCE_LIMIT_FACTOR, LEAST_FORCE_LIMIT_N
 from keyphase.skills.skill import Skill
 
 Stage = Literal["moving", "pressing", "resting", "over"]
@@ -82,7 +83,8 @@ class ReplayResult:
     skills         the plan as it was replayed, connecting moves included
     results        one for each skill that was begun
     stopped        whether somebody stopped it
-    checks         the workcell's predicates at the end, by name
+    goals          what the workcell asks for, by name: events in their order, predicates at the end
+    force_limit_N  a replay that measured more than this is no success
     states         every tick
     bodies         names of what the frames hold: the robot's links, then the parts
     frames         the scene at 25 Hz
@@ -92,21 +94,33 @@ class ReplayResult:
     skills: tuple[Skill, ...]
     results: tuple[SkillResult, ...]
     stopped: bool
-    checks: Mapping[str, bool]
+    goals: Mapping[str, bool]
+    force_limit_N: float
     states: tuple[ReplayState, ...]
     bodies: tuple[str, ...]
     frames: tuple[Frame, ...]
     demonstration: Demonstration
 
     @property
+    def checks(self) -> Mapping[str, bool]:
+        """All that success is made of, by name: the goals, the plan, and the forces."""
+        gentle = self.peak_force <= self.force_limit_N
+        return {
+            **self.goals,
+            "plan carried out": self.completed,
+            f"no force above {self.force_limit_N:.0f} N": gentle,
+        }
+
+    @property
     def succeeded(self) -> bool:
-        """Whether the workcell's success predicate holds."""
+        """Whether all of `checks` holds; nothing less is a success."""
         return all(self.checks.values())
 
     @property
     def completed(self) -> bool:
         """Whether every skill of the plan ended as its end condition says."""
-        return len(self.results) == len(self.skills) and all(map(went_on, self.results))
+        done = len(self.results) == len(self.skills) and all(map(went_on, self.results))
+        return done and not self.stopped
 
     @property
     def duration_s(self) -> float:
@@ -128,7 +142,7 @@ class ReplayResult:
     def outcome(self) -> str:
         """What became of it, in one line."""
         if self.succeeded:
-            return "success" if self.completed else f"success, although {self._reason()}"
+            return "success"
         failed = ", ".join(name for name, holds in self.checks.items() if not holds)
         return f"failed, not {failed}: {self._reason()}"
 
@@ -139,6 +153,14 @@ class ReplayResult:
         if bad is not None:
             return f"skill {bad.skill + 1} ({bad.label}) ended with {bad.outcome}"
         return "every skill ended as planned"
+
+
+def greatest_force(demonstration: Demonstration) -> float:
+    """Twice the largest demonstrated force, 15 N at least: more is not what was shown [N]."""
+    if demonstration.force_N is None:
+        return LEAST_FORCE_LIMIT_N
+    demonstrated = float(np.linalg.norm(demonstration.force_N, axis=1).max())
+    return max(FORCE_LIMIT_FACTOR * demonstrated, LEAST_FORCE_LIMIT_N)
 
 
 def went_on(result: SkillResult) -> bool:

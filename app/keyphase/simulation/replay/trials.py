@@ -13,7 +13,7 @@ from keyphase.errors import ParameterError, SimulationError
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.replay.replay import ReplayOptions, run
 from keyphase.simulation.replay.spread import Spread
-from keyphase.simulation.workcells.workcell import workcell
+from keyphase.simulation.workcells.registry import workcell
 from keyphase.skills.skill import Skill
 
 CONFIDENCE_Z = 1.959964
@@ -53,7 +53,7 @@ class Trial:
     """What became of one replay.
 
     outcomes       of the skills that were begun, in the order of the plan
-    checks         the workcell's predicates at the end
+    checks         all that success is made of, by name, as in `ReplayResult`
     peak_force_N   largest measured force
     error          what stopped the simulation, if anything did
     """
@@ -67,8 +67,8 @@ class Trial:
 
     @property
     def succeeded(self) -> bool:
-        """Whether the workcell's success predicate held."""
-        return self.error is None and all(holds for _, holds in self.checks)
+        """Whether all of its checks held, and there were any."""
+        return self.error is None and bool(self.checks) and all(holds for _, holds in self.checks)
 
 
 @dataclass(frozen=True)

@@ -55,6 +55,11 @@ def add_box(
     )
 
 
+def about_z(angle_rad: float) -> np.ndarray:
+    """Quaternion w x y z of a turn about the vertical."""
+    return np.array([np.cos(angle_rad / 2), 0.0, 0.0, np.sin(angle_rad / 2)])
+
+
 def add_knob(body: mujoco.MjsBody, name: str, base_z_m: float, mass_kg: float) -> None:
     """The red mushroom on top of a cap; seen, and held by the gripper, but in nobody's way."""
     body.add_geom(
@@ -92,10 +97,15 @@ def add_held_part(
 
 
 def add_housing(
-    spec: mujoco.MjSpec, name: str, position_m: Sequence[float], friction: float, mass_kg: float
+    spec: mujoco.MjSpec,
+    name: str,
+    position_m: Sequence[float],
+    friction: float,
+    mass_kg: float,
+    turn_rad: float = 0.0,
 ) -> mujoco.MjsBody:
-    """A lower part: a free body whose serrated top meets the cap."""
-    housing = spec.worldbody.add_body(name=name, pos=list(position_m))
+    """A lower part: a free body whose serrated top meets the cap, turned about the vertical."""
+    housing = spec.worldbody.add_body(name=name, pos=list(position_m), quat=about_z(turn_rad))
     housing.add_freejoint()
     add_box(housing, name, HOUSING_M, (0.0, 0.0, HOUSING_M[2] / 2), friction, DARK_YELLOW, mass_kg)
     # A pair of its own, so that the serration does not depend on what the table is like.

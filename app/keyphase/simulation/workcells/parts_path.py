@@ -18,7 +18,7 @@ from keyphase.simulation.impedance import RATE_HZ, Gains, Reference
 from keyphase.simulation.robot_scene import ARM_JOINTS
 from keyphase.simulation.shapes import Shape, shapes_of
 from keyphase.simulation.simulation import Simulation
-from keyphase.simulation.workcells.workcell import workcell
+from keyphase.simulation.workcells.registry import workcell
 
 KEPT_HZ = 60.0
 """How often the parts' poses are kept."""

@@ -7,11 +7,18 @@ from dataclasses import dataclass, field
 
 import mujoco
 
-from keyphase.errors import SimulationError
 from keyphase.simulation.contacts import Pair, watch_contacts
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.robot_scene import robot_spec
 from keyphase.simulation.simulation import Simulation
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that has to happen in a task: what it is called, and whether it happens now."""
+
+    name: str
+    holds: Callable[[Simulation], bool]
 
 
 @dataclass(frozen=True)
@@ -25,7 +32,8 @@ class Workcell:
     pairs             contacts the simulator reports, by name
     onsets            which of these are contact changes of the task, in the order they happen
     ends_at_contact   whether the task is over at the last of them
-    checks            named predicates on a simulation; all true is success
+    events            what has to happen for success, in this order, watched by a `Course`
+    checks            named predicates that have to hold at the end for success
     """
 
     name: str
@@ -36,6 +44,7 @@ class Workcell:
     pairs: Mapping[str, Pair] = field(hash=False)
     onsets: tuple[str, ...]
     ends_at_contact: bool
+    events: tuple[Event, ...]
     checks: Callable[[Simulation], Mapping[str, bool]]
 
     def build(self, disturbance: Disturbance = NOMINAL, seed: int = 0) -> Simulation:
@@ -52,22 +61,6 @@ class Workcell:
         watch_contacts(spec, self.pairs)
         return spec
 
-    def succeeded(self, simulation: Simulation) -> bool:
-        """Whether everything in `checks` holds now."""
-        return all(self.checks(simulation).values())
-
-
-def workcell(name: str) -> Workcell:
-    """The workcell called `name`.
-
-    Raises SimulationError for a name nobody knows.
-    """
-    from keyphase.simulation.workcells.setup1 import SETUP1
-    from keyphase.simulation.workcells.setup2 import SETUP2
-
-    known = {cell.name: cell for cell in (SETUP1, SETUP2)}
-    if name not in known:
-        raise SimulationError(
-            f"The workcell must be one of {', '.join(known)}, but is '{name}'; choose one of these."
-        )
-    return known[name]
+    def goals(self, simulation: Simulation) -> tuple[str, ...]:
+        """Names of all that success asks of this workcell, before anything has happened."""
+        return (*(event.name for event in self.events), *self.checks(simulation))
