@@ -6,7 +6,7 @@ from typing import get_args
 import numpy as np
 from msgspec import Struct
 
-from keyphase.simulation.workcells.workcell import workcell
+from keyphase.simulation.workcells.registry import workcell
 from keyphase.workbench.lead_through_session import LeadThroughStatus
 from keyphase.workbench.replay_settings import RANGES, WORKCELLS, EndBy, ReplaySettings
 
