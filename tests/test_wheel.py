@@ -34,6 +34,18 @@ def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return environment / "bin"
 
 
+@pytest.fixture(scope="module")
+def core(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The bin folder of an environment with the inner ring only: no page, robot or simulation."""
+    environment = tmp_path_factory.mktemp("core")
+    venv.create(environment, with_pip=True)
+    command = [environment / "bin" / "python", "-m", "pip", "install", "--quiet", "--no-compile"]
+    constraint = ["--constraint", ROOT / "constraints.txt"]
+    subprocess.run([*command, *constraint, "-r", ROOT / "requirements-core.txt"], check=True)
+    subprocess.run([*command, "--no-deps", wheel], check=True)
+    return environment / "bin"
+
+
 def run(installed: Path, *arguments: object, cwd: Path) -> str:
     """Run the installed command far from the checkout, seeing nothing of this environment."""
     clean = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "VIRTUAL_ENV"))}
@@ -94,3 +106,40 @@ def test_installed_keyphase_serves_the_page(served: str) -> None:
         assert page.status_code == 200
         for script in re.findall(r'(?:src|href)="(/app/static/[^"]+)"', page.text):
             assert client.get(f"{served.split('/?')[0]}{script}").status_code == 200, script
+
+
+def test_the_inner_ring_segments_and_scores_without_page_robot_or_simulation(
+    core: Path, tmp_path: Path
+) -> None:
+    (data,) = core.parent.glob("lib/python*/site-packages/keyphase/_shipped/data")
+    run(core, "segment", data / "setup1.npz", "--output", tmp_path / "out", cwd=tmp_path)
+    (tmp_path / "truth.json").write_text('{"setup1": {"events": [[1, "any"]], "tolerance_s": 9}}')
+    assert "setup1" in run(core, "score", "truth.json", "out", "--json", cwd=tmp_path)
+    assert "segment" in run(core, "--help", cwd=tmp_path)
+
+
+def test_the_inner_ring_reads_labels_and_makes_skills(core: Path, tmp_path: Path) -> None:
+    code = """
+import keyphase
+from keyphase.files.shipped import shipped
+demonstration = keyphase.read(shipped("data") / "setup1.npz")
+labeling = keyphase.label(keyphase.segment(demonstration, keyphase.Parameters()))
+keyphase.write_segment_file(labeling, __import__("pathlib").Path("one.segments.json"))
+file = keyphase.read_segment_file(__import__("pathlib").Path("one.segments.json"))
+print(len(keyphase.skills_of(demonstration, file.segments)))
+"""
+    done = subprocess.run(
+        [core / "python", "-c", code], cwd=tmp_path, check=True, capture_output=True, text=True
+    )
+    assert int(done.stdout) >= 3
+
+
+def test_a_command_whose_package_is_missing_says_so_in_one_line(
+    core: Path, tmp_path: Path
+) -> None:
+    done = subprocess.run(
+        [core / "keyphase", "open", "--no-browser"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert done.returncode == 1
+    assert done.stderr.startswith("keyphase: This needs the package '")
+    assert done.stderr.count("\n") == 1

@@ -1,3 +1,73 @@
-"""keyphase turns a recorded robot demonstration into key phases."""
+"""keyphase turns a recorded robot demonstration into key phases.
 
-__version__ = "0.1.0"
+    import keyphase
+
+    demonstration = keyphase.read("recording.npz")
+    labeling = keyphase.label(keyphase.segment(demonstration))
+    keyphase.write_segment_file(labeling, "recording.segments.json")
+
+What stands here is what the commands use; each name is loaded when it is first asked for, so that
+`import keyphase` costs nothing. All but `replay` runs where neither viser nor MuJoCo, Pinocchio or
+yourdfpy is installed (`requirements-core.txt`).
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from keyphase.errors import KeyphaseError
+
+if TYPE_CHECKING:
+    from keyphase.demonstration import Demonstration
+    from keyphase.labeling.document import Document
+    from keyphase.labeling.label import label
+    from keyphase.labeling.segment_file import read_segment_file, write_segment_file
+    from keyphase.readers import read
+    from keyphase.scoring import score
+    from keyphase.segmentation import Parameters, Segmentation, Segmenter, segment
+    from keyphase.simulation.replay.by_file import replay
+    from keyphase.skills.library import skills_of
+
+__version__ = "0.2.0.dev0"
+
+__all__ = [
+    "Demonstration",
+    "Document",
+    "KeyphaseError",
+    "Parameters",
+    "Segmentation",
+    "Segmenter",
+    "label",
+    "read",
+    "read_segment_file",
+    "replay",
+    "score",
+    "segment",
+    "skills_of",
+    "write_segment_file",
+]
+
+_HOMES = {
+    "Demonstration": "keyphase.demonstration",
+    "Document": "keyphase.labeling.document",
+    "Parameters": "keyphase.segmentation.parameters",
+    "Segmentation": "keyphase.segmentation.segmentation",
+    "Segmenter": "keyphase.segmentation.segmenter",
+    "label": "keyphase.labeling.label",
+    "read": "keyphase.readers",
+    "read_segment_file": "keyphase.labeling.segment_file",
+    "replay": "keyphase.simulation.replay.by_file",
+    "score": "keyphase.scoring",
+    "segment": "keyphase.segmentation.segmenter",
+    "skills_of": "keyphase.skills.library",
+    "write_segment_file": "keyphase.labeling.segment_file",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted([*__all__, "__version__"])

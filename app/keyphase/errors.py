@@ -12,6 +12,7 @@ KeyphaseError
 ├── SimulationError         a workcell, recording or replay that cannot run
 ├── ScoreError              a reference that cannot be scored against
 ├── MakingError             demonstrations that cannot be made as asked
+├── MissingPackageError     a package that only this needs is not installed
 └── RequestError            a message from a browser that is refused
 
 Each message says what was expected, what came, and how to mend it, in one sentence.
@@ -64,6 +65,17 @@ class ScoreError(KeyphaseError):
 
 class MakingError(KeyphaseError):
     """Demonstrations that cannot be made as asked."""
+class MissingPackageError(KeyphaseError):
+    """A package that only part of keyphase needs, and that is not installed."""
+
+    @classmethod
+    def of(cls, error: ModuleNotFoundError) -> "MissingPackageError":
+        """What to install so that the import that failed goes well."""
+        package = (error.name or str(error)).partition(".")[0]
+        return cls(
+            f"This needs the package '{package}', which is not installed; "
+            'install what it belongs to: pip install "keyphase[all]".'
+        )
 
 
 class RequestError(KeyphaseError):
