@@ -4,8 +4,9 @@ PYTHON ?= $(firstword $(foreach name,python3.11 python3.12 python3.13 python3,$(
 VENV := .venv
 BIN := $(VENV)/bin
 PICTURES := tests/pictures
+SOURCES := app tests examples
 
-.PHONY: demo test check bench wheel clean browser page-scripts
+.PHONY: demo quick test check bench wheel clean browser page-scripts
 
 # The environment and the browser are installed at the same time.
 MAKEFLAGS += --jobs=2
@@ -13,11 +14,16 @@ MAKEFLAGS += --jobs=2
 demo: $(VENV)/ready-to-run
 	$(BIN)/keyphase open data/setup1.npz
 
+# No server, no browser, no simulation: what a change to the domain is tried with, over and over.
+quick: $(VENV)/ready-to-test
+	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 -m "not browser and not slow" tests/readers tests/segmentation tests/labeling tests/skills tests/test_*.py
+
 # Processes are killed and a browser drawing in software is driven here: what a busy machine
 # upsets is tried again, and the summary says so. What is broken stays broken.
 test: $(VENV)/ready-to-test browser page-scripts
-	$(BIN)/ruff format --check --quiet app tests
-	$(BIN)/ruff check --quiet app tests
+	$(BIN)/ruff format --check --quiet $(SOURCES)
+	$(BIN)/ruff check --quiet $(SOURCES)
+	PYTHONPATH=app $(BIN)/lint-imports --no-cache --no-logo
 	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist worksteal --reruns 1 -m "not browser"
 	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist worksteal --reruns 2 -m browser
 
@@ -35,8 +41,9 @@ node_modules/ready: package.json
 	@touch $@
 
 check: $(VENV)/ready-to-test page-scripts
-	$(BIN)/ruff format --check app tests
-	$(BIN)/ruff check app tests
+	$(BIN)/ruff format --check $(SOURCES)
+	$(BIN)/ruff check $(SOURCES)
+	PYTHONPATH=app $(BIN)/lint-imports --no-cache --no-logo
 	$(BIN)/pyright
 
 bench: $(VENV)/ready-to-test

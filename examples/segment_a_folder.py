@@ -7,6 +7,8 @@ import keyphase
 
 for recording in sorted(Path(sys.argv[1]).glob("*.npz")):
     segmentation = keyphase.segment(keyphase.read(recording))
-    keyphase.write_segment_file(keyphase.label(segmentation), Path(f"{recording.stem}.segments.json"))
+    keyphase.write_segment_file(
+        keyphase.label(segmentation), Path(f"{recording.stem}.segments.json")
+    )
     for piece in segmentation.segments:
         print(f"{recording.stem}: {piece.start_s:6.2f} to {piece.end_s:6.2f} s  {piece.label}")
