@@ -134,9 +134,7 @@ print(len(keyphase.skills_of(demonstration, file.segments)))
     assert int(done.stdout) >= 3
 
 
-def test_a_command_whose_package_is_missing_says_so_in_one_line(
-    core: Path, tmp_path: Path
-) -> None:
+def test_a_command_whose_package_is_missing_says_so_in_one_line(core: Path, tmp_path: Path) -> None:
     done = subprocess.run(
         [core / "keyphase", "open", "--no-browser"], cwd=tmp_path, capture_output=True, text=True
     )
