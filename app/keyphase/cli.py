@@ -31,6 +31,7 @@ COMMANDS = {
 }
 """Every command by its name."""
 
+
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run the command line and exit; what a user can mend is said in one line on standard error."""
     given = list(sys.argv[1:] if arguments is None else arguments)

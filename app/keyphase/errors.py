@@ -65,6 +65,8 @@ class ScoreError(KeyphaseError):
 
 class MakingError(KeyphaseError):
     """Demonstrations that cannot be made as asked."""
+
+
 class MissingPackageError(KeyphaseError):
     """A package that only part of keyphase needs, and that is not installed."""
 
