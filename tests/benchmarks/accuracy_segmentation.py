@@ -64,8 +64,8 @@ def position_variants() -> dict[str, Parameters]:
     return {
         "keyphase": Parameters(),
         "keyphase, weight crossing": Parameters(estimator="weight-crossing"),
-        "scikit-learn, K = 5 given": Parameters(variant="scikit-learn", gaussians=5),
-        "scikit-learn, K by BIC": Parameters(variant="scikit-learn"),
+        "scikit-learn, K = 5 given": Parameters(mixture="scikit-learn", gaussians=5),
+        "scikit-learn, K by BIC": Parameters(mixture="scikit-learn"),
     }
 
 

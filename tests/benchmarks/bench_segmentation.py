@@ -18,7 +18,7 @@ from sklearn.mixture import GaussianMixture
 import synthetic
 from keyphase.demonstration import Demonstration
 from keyphase.segmentation import Parameters, Segmenter, segment
-from keyphase.segmentation.force import normalized_error
+from keyphase.segmentation.paper.force import normalized_error
 
 RATE_HZ = round(synthetic.RATE_HZ)
 THRESHOLDS = np.geomspace(10.0, 3000.0, 41)

@@ -10,7 +10,7 @@ from hypothesis.extra.numpy import arrays
 
 import synthetic
 from keyphase.demonstration import Demonstration
-from keyphase.segmentation import Parameters, Segmentation, Segmenter, segment, stages
+from keyphase.segmentation import Parameters, Segmentation, Segmenter, segment
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
 
 
@@ -80,12 +80,12 @@ def test_under_any_parameters(recording, parameters):
     assert_well_formed(segment(recording, parameters))
 
 
-@pytest.mark.parametrize("variant", ["keyphase", "scikit-learn"])
+@pytest.mark.parametrize("mixture", ["keyphase", "scikit-learn"])
 @pytest.mark.parametrize("count", [2, 3, 5, 30])
-def test_very_short_demonstrations_are_segmented(variant, count):
+def test_very_short_demonstrations_are_segmented(mixture, count):
     time = np.arange(count) / 250
     recording = Demonstration("short", time, np.outer(time, [1, 0, 0]), force_N=np.ones((count, 3)))
-    assert_well_formed(segment(recording, Parameters(variant=variant)))
+    assert_well_formed(segment(recording, Parameters(mixture=mixture)))
 
 
 def test_a_tool_that_stands_still_is_one_idle_segment():
@@ -148,6 +148,8 @@ def test_thresholds_and_tolerance_refit_and_refilter_nothing(monkeypatch):
     def refuse(*_):
         raise AssertionError("a stage was computed again")
 
+    from keyphase.segmentation.paper import stages
+
     for name in ("fit_position", "error_curve", "candidates_of"):
         monkeypatch.setattr(stages, name, refuse)
     changes = {
@@ -205,10 +207,10 @@ def test_the_filterpy_engine_gives_the_same_segmentation(bundled):
     assert ours.segments == theirs.segments
 
 
-@pytest.mark.parametrize("variant", ["keyphase", "scikit-learn"])
+@pytest.mark.parametrize("mixture", ["keyphase", "scikit-learn"])
 @pytest.mark.parametrize("count", [1, 4, 9])
-def test_a_given_number_of_gaussians_is_fitted(bundled, variant, count):
-    found = bundled.segment(Parameters(gaussians=count, variant=variant))
+def test_a_given_number_of_gaussians_is_fitted(bundled, mixture, count):
+    found = bundled.segment(Parameters(gaussians=count, mixture=mixture))
     assert len(found.gaussians) == count
     assert_well_formed(found)
 

@@ -4,8 +4,8 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.bins import bin_means, bin_starts
-from keyphase.segmentation.force import noise_variance
 from keyphase.segmentation.free_force import free_force, least_contact
+from keyphase.segmentation.paper.force import noise_variance
 
 _NOISE_LEVELS = 6.0
 

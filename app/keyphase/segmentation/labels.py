@@ -10,7 +10,7 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.contact import contact_force, in_contact
 from keyphase.segmentation.motion import METRES_PER_RADIAN, Motion, motion_of
-from keyphase.segmentation.strokes import idle_speed, mean_velocity
+from keyphase.segmentation.paper.strokes import idle_speed, mean_velocity
 
 IDLE = "idle"
 

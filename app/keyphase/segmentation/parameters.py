@@ -1,12 +1,14 @@
 """Every choice that shapes a segmentation, with the defaults that measured best."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
 
 from keyphase.errors import ParameterError
 
-Variant = Literal["keyphase", "scikit-learn"]
+Variant = Literal["paper"]
+Mixture = Literal["keyphase", "scikit-learn"]
 Estimator = Literal["equal-distance", "weight-crossing"]
 Engine = Literal["vectorised", "filterpy"]
 
@@ -18,6 +20,8 @@ class Parameters:
     Raises ParameterError for a value out of its range.
     """
 
+    variant: Variant = "paper"
+    """The method: the paper's."""
     force_threshold: float | None = None
     """Normalized error a peak must exceed; None: the chi-square level of one false alarm in a
     hundred demonstrations."""
@@ -35,12 +39,12 @@ class Parameters:
     """The filter: our own, or filterpy as its reference."""
     gaussians: int | None = None
     """Number of Gaussians; None: by the corrected BIC."""
-    variant: Variant = "keyphase"
-    """The mixture: our own fit, or scikit-learn's as the paper literally describes it."""
+    mixture: Mixture = "keyphase"
+    """The paper's mixture: our own fit, or scikit-learn's as the paper literally describes it."""
     estimator: Estimator = "equal-distance"
     """Where in its interval a boundary lies."""
     seed: int = 0
-    """Of the scikit-learn variant's random starts."""
+    """Of the scikit-learn mixture's random starts."""
     merge_tolerance_s: float = 0.4
     """How far apart a force and a position boundary may be one [s]."""
 
@@ -48,6 +52,7 @@ class Parameters:
         for name, (low, high) in RANGES.items():
             _check_number(name, getattr(self, name), low, high)
         _check_choice("engine", self.engine, get_args(Engine))
+        _check_choice("mixture", self.mixture, get_args(Mixture))
         _check_choice("variant", self.variant, get_args(Variant))
         _check_choice("estimator", self.estimator, get_args(Estimator))
 
@@ -67,6 +72,17 @@ RANGES: dict[str, tuple[float, float]] = {
 
 _AUTOMATIC = frozenset({"force_threshold", "measurement_noise", "gaussians"})
 _WHOLE = frozenset({"gaussians", "seed"})
+
+
+def parameters_before_variant(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Today's names of parameter values that were written before there was a choice of method.
+
+    What is called variant there is the mixture; the method was the paper's.
+    """
+    today = {name: value for name, value in values.items() if name != "variant"}
+    if "variant" in values:
+        today["mixture"] = values["variant"]
+    return {"variant": "paper", **today}
 
 
 def _check_number(name: str, value: object, low: float, high: float) -> None:

@@ -231,7 +231,7 @@ class Panel(View):
 
 
 _VARIANT_HINT = (
-    "keyphase: contiguous Gaussians found without random starts; scikit-learn: as in the paper."
+    "evidence: a probability for every boundary; paper: thresholds and a mixture, as published."
 )
 _ESTIMATOR_HINT = (
     "Where between two Gaussians a boundary lies: equally far from both in time, or where the "

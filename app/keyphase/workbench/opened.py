@@ -17,7 +17,15 @@ from keyphase.workbench.folder import Folder
 from keyphase.workbench.recordings import Recording, State, printable
 from keyphase.workbench.signals import SignalTracks
 
-_FIT = ("gaussians", "variant", "seed", "engine", "process_noise_ratio", "measurement_noise")
+_FIT = (
+    "variant",
+    "gaussians",
+    "mixture",
+    "seed",
+    "engine",
+    "process_noise_ratio",
+    "measurement_noise",
+)
 
 
 class Opened:

@@ -218,6 +218,9 @@ def with_parameter(parameters: Parameters, name: str, value: float | str | None)
         raise RequestError(f"There is no parameter {name!r}; the parameters are {known}.")
     if name in ("gaussians", "seed") and isinstance(value, float) and value.is_integer():
         value = int(value)
+    if name == "variant" and value != parameters.variant:
+        # The threshold's unit is another one.
+        parameters = replace(parameters, force_threshold=None)
     return replace(parameters, **{name: value})
 
 

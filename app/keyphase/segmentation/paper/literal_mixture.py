@@ -10,7 +10,7 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.motion import METRES_PER_RADIAN, rotation_vectors
-from keyphase.segmentation.position import PositionFit
+from keyphase.segmentation.paper.position import PositionFit
 
 MOST_GAUSSIANS = 15
 """The sweep of the criterion ends here."""

@@ -6,13 +6,13 @@ from hypothesis import strategies as st
 
 from keyphase.demonstration import Demonstration
 from keyphase.segmentation import segment
-from keyphase.segmentation.confidence import (
+from keyphase.segmentation.motion import motion_of
+from keyphase.segmentation.paper.confidence import (
     force_confidence,
     joint_confidence,
     position_confidence,
 )
-from keyphase.segmentation.motion import motion_of
-from keyphase.segmentation.peaks import Candidates
+from keyphase.segmentation.paper.peaks import Candidates
 
 TIME = np.arange(1001) / 250.0
 

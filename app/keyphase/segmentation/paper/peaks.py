@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import BIN_S, Indices, typical_step_s
-from keyphase.segmentation.combine import CLOSEST_S, away_from_ends
+from keyphase.segmentation.paper.combine import CLOSEST_S, away_from_ends
 from keyphase.segmentation.segmentation import ErrorCurve, Rejection
 
 REJECTIONS: tuple[Rejection, ...] = get_args(Rejection)

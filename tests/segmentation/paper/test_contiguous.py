@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from keyphase.segmentation.contiguous import (
+from keyphase.segmentation.paper.contiguous import (
     Moments,
     best_cut,
     best_cut_into,

@@ -9,7 +9,7 @@ from scipy.stats import chi2
 import synthetic
 from keyphase.demonstration import Demonstration
 from keyphase.segmentation.bins import bin_means, bin_starts
-from keyphase.segmentation.force import (
+from keyphase.segmentation.paper.force import (
     chi_square_level,
     error_curve,
     noise_variance,
@@ -20,7 +20,7 @@ from keyphase.segmentation.force import (
 )
 from keyphase.segmentation.parameters import Parameters
 
-DATA = Path(__file__).parents[2] / "data"
+DATA = Path(__file__).parents[3] / "data"
 BUNDLED = sorted(path.name for path in DATA.glob("*.npz"))
 
 

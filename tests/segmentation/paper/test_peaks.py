@@ -10,11 +10,11 @@ from scipy.signal import find_peaks
 
 from keyphase.demonstration import Demonstration
 from keyphase.segmentation.bins import BIN_S
+from keyphase.segmentation.paper.peaks import REJECTIONS, local_maxima, peaks_of_curve, spaced
+from keyphase.segmentation.paper.stages import ForceStage
 from keyphase.segmentation.parameters import Parameters
-from keyphase.segmentation.peaks import REJECTIONS, local_maxima, peaks_of_curve, spaced
-from keyphase.segmentation.stages import ForceStage
 
-PUBLISHED = Path(__file__).parents[2] / "data" / "published_normalized_error.csv"
+PUBLISHED = Path(__file__).parents[3] / "data" / "published_normalized_error.csv"
 
 REGION = [
     (distance, threshold)

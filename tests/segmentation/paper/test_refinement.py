@@ -5,8 +5,8 @@ import itertools
 import numpy as np
 import pytest
 
-from keyphase.segmentation.contiguous import Moments
-from keyphase.segmentation.refinement import refine_cuts
+from keyphase.segmentation.paper.contiguous import Moments
+from keyphase.segmentation.paper.refinement import refine_cuts
 
 FLOOR = np.array([0.01, 2e-4, 2e-4])
 LEAST = 6

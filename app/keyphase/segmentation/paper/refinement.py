@@ -6,7 +6,7 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
-from keyphase.segmentation.contiguous import Moments
+from keyphase.segmentation.paper.contiguous import Moments
 
 MARGIN = 30.0
 """How much log-likelihood a coarse move may cost above the best and still be looked at closely.

@@ -3,7 +3,7 @@
 import numpy as np
 from sklearn.mixture import GaussianMixture
 
-from keyphase.segmentation.mixture import fit_mixture
+from keyphase.segmentation.paper.mixture import fit_mixture
 
 FLOOR = np.full(2, 1e-3)
 

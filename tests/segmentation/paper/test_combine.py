@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from keyphase.segmentation.combine import CLOSEST_S, NONE, SHARE_OF_SEGMENT, combine
+from keyphase.segmentation.paper.combine import CLOSEST_S, NONE, SHARE_OF_SEGMENT, combine
 
 END_S = 7.0
 

@@ -11,17 +11,17 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices, count_in
-from keyphase.segmentation.contiguous import (
+from keyphase.segmentation.motion import Motion
+from keyphase.segmentation.paper.contiguous import (
     EFFECTIVE_HZ,
     Moments,
     best_cut,
     best_cut_into,
 )
-from keyphase.segmentation.mixture import fit_mixture
-from keyphase.segmentation.motion import Motion
+from keyphase.segmentation.paper.mixture import fit_mixture
+from keyphase.segmentation.paper.refinement import refine_cuts
+from keyphase.segmentation.paper.strokes import merge_strokes
 from keyphase.segmentation.parameters import Estimator
-from keyphase.segmentation.refinement import refine_cuts
-from keyphase.segmentation.strokes import merge_strokes
 
 WINDOW_S = 60.0
 OVERLAP_S = 6.0

@@ -7,9 +7,9 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.motion import Motion
+from keyphase.segmentation.paper.peaks import Candidates
+from keyphase.segmentation.paper.strokes import idle_speed, mean_velocity
 from keyphase.segmentation.parameters import Parameters
-from keyphase.segmentation.peaks import Candidates
-from keyphase.segmentation.strokes import idle_speed, mean_velocity
 
 _DEFAULT = Parameters()
 

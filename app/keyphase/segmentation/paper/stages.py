@@ -1,51 +1,30 @@
 """What position and force each give, kept for as long as the parameters they rest on hold."""
 
-from collections import OrderedDict
-from collections.abc import Callable, Hashable
+from collections.abc import Hashable
 from dataclasses import dataclass, field
-from typing import Generic, TypeVar
 
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.bins import Indices, bin_means, bin_starts
-from keyphase.segmentation.combine import CLOSEST_S
-from keyphase.segmentation.confidence import force_confidence, position_confidence
-from keyphase.segmentation.force import binned_noise, error_curve, wrench_of
-from keyphase.segmentation.literal_mixture import fit_literal
 from keyphase.segmentation.motion import Motion
-from keyphase.segmentation.parameters import Parameters
-from keyphase.segmentation.peaks import (
+from keyphase.segmentation.paper.combine import CLOSEST_S
+from keyphase.segmentation.paper.confidence import force_confidence, position_confidence
+from keyphase.segmentation.paper.force import binned_noise, error_curve, wrench_of
+from keyphase.segmentation.paper.literal_mixture import fit_literal
+from keyphase.segmentation.paper.peaks import (
     REJECTIONS,
     Candidates,
     Codes,
     candidates_of,
     rejections,
 )
-from keyphase.segmentation.position import PositionFit, fit_position
+from keyphase.segmentation.paper.position import PositionFit, fit_position
+from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import Boundary, ErrorCurve, Gaussian, Peak
 
 NEAR_MISS = 0.5
 """Peaks that are not used are reported from this part of the threshold and of the ratio on."""
-
-T = TypeVar("T")
-
-
-class Recent(Generic[T]):
-    """The most recently used few results, by what they depend on."""
-
-    def __init__(self, size: int) -> None:
-        self._size = size
-        self._results: OrderedDict[Hashable, T] = OrderedDict()
-
-    def get(self, key: Hashable, compute: Callable[[], T]) -> T:
-        """The result under `key`, computed where it is not there."""
-        if key not in self._results:
-            self._results[key] = compute()
-            if len(self._results) > self._size:
-                self._results.popitem(last=False)
-        self._results.move_to_end(key)
-        return self._results[key]
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,15 +39,15 @@ class PositionStage:
     @staticmethod
     def key(parameters: Parameters) -> Hashable:
         """All of the parameters that the stage depends on."""
-        seed = parameters.seed if parameters.variant == "scikit-learn" else None
-        return parameters.gaussians, parameters.variant, parameters.estimator, seed
+        seed = parameters.seed if parameters.mixture == "scikit-learn" else None
+        return parameters.gaussians, parameters.mixture, parameters.estimator, seed
 
     @classmethod
     def of(
         cls, demonstration: Demonstration, motion: Motion, parameters: Parameters
     ) -> "PositionStage":
         """Fit the mixture that the parameters ask for and read the boundaries off it."""
-        if parameters.variant == "scikit-learn":
+        if parameters.mixture == "scikit-learn":
             fit = fit_literal(demonstration, parameters.gaussians, parameters.seed)
         else:
             fit = fit_position(motion, parameters.gaussians)

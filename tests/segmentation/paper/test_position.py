@@ -10,7 +10,7 @@ import synthetic
 from keyphase.demonstration import Demonstration
 from keyphase.segmentation import Parameters, segment
 from keyphase.segmentation.motion import motion_of, rotation_vectors
-from keyphase.segmentation.position import (
+from keyphase.segmentation.paper.position import (
     WINDOW_S,
     PositionFit,
     equal_distance,
@@ -60,7 +60,7 @@ def test_setup_2_with_force_gives_the_right_four_segments_in_95_of_100(level):
 
 def test_the_literal_variant_finds_the_same_boundaries_roughly_when_told_how_many():
     made = synthetic.setup1(5000, "easy")
-    found = segment(made.demonstration, Parameters(variant="scikit-learn", gaussians=5))
+    found = segment(made.demonstration, Parameters(mixture="scikit-learn", gaussians=5))
     times = [b.time_s for b in found.boundaries]
     np.testing.assert_allclose(times, made.switches_s, atol=0.35)
 
@@ -68,7 +68,7 @@ def test_the_literal_variant_finds_the_same_boundaries_roughly_when_told_how_man
 @pytest.mark.slow
 def test_the_literal_variant_by_bic_splits_without_end_as_plain_bic_does():
     made = synthetic.setup1(5000, "easy")
-    found = segment(made.demonstration, Parameters(variant="scikit-learn"))
+    found = segment(made.demonstration, Parameters(mixture="scikit-learn"))
     assert len(found.segments) > 8
 
 
@@ -76,7 +76,7 @@ def test_the_literal_variant_depends_on_its_seed_alone():
     made = synthetic.setup1(5001, "real").demonstration
 
     def times(seed):
-        parameters = Parameters(variant="scikit-learn", gaussians=7, seed=seed)
+        parameters = Parameters(mixture="scikit-learn", gaussians=7, seed=seed)
         return [b.time_s for b in segment(made, parameters).boundaries]
 
     assert times(3) == times(3)

@@ -1,0 +1,16 @@
+"""What a method finds in a demonstration, before segments are made of it."""
+
+from dataclasses import dataclass
+
+from keyphase.segmentation.segmentation import Boundary, ErrorCurve, Gaussian, Peak
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """Boundaries in time order and the evidence they rest on; see `Segmentation`."""
+
+    boundaries: tuple[Boundary, ...]
+    gaussians: tuple[Gaussian, ...]
+    curve: ErrorCurve | None
+    peaks: tuple[Peak, ...]
+    threshold: float | None

@@ -1,0 +1,1 @@
+"""The paper's method, whole: position mixture, normalized error and its peaks, combination."""
