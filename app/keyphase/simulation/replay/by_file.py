@@ -7,7 +7,7 @@ from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.replay.input import planned_replay
 from keyphase.simulation.replay.replay import run
 from keyphase.simulation.replay.result import ReplayResult
-from keyphase.simulation.workcells.workcell import workcell as workcell_named
+from keyphase.simulation.workcells.registry import workcell as workcell_named
 from keyphase.skills.library import skills_of
 
 
