@@ -46,10 +46,15 @@ class Page:
         """Whether it was opened by the link for looking only."""
         return self.grant is Grant.LOOKING
 
-    def send(self, message: Mapping[str, Any] | msgspec.Struct | bytes) -> None:
-        """Send a message from any thread."""
-        data = message if isinstance(message, bytes) else encode(message)
-        call_soon(self.loop, lambda: _push(self, data, may_drop=False))
+    def send(
+        self, message: Mapping[str, Any] | msgspec.Struct | str | bytes, may_drop: bool = False
+    ) -> None:
+        """Send a message from any thread; `may_drop` spares a page that lags behind.
+
+        Text and bytes go as they are, so that what many pages get is encoded once.
+        """
+        data = message if isinstance(message, str | bytes) else encode(message)
+        call_soon(self.loop, lambda: _push(self, data, may_drop))
 
     def wait_for(self, change: threading.Event) -> None:
         """Wait until few of this page's changes are still to be made, so that others' are, too."""
@@ -61,16 +66,22 @@ class Page:
 class PageSockets:
     """All open pages. `on_open` greets a page and adds it, `on_message` hears it.
 
-    Both run outside the loop, for one page one after another.
+    `on_close` is told when it has left. All run outside the loop, for each page in a thread of its
+    own, one after another: nobody waits for another page's turn.
     """
 
     def __init__(
-        self, on_open: Callable[[Page], None], on_message: Callable[[Page, str | bytes], None]
+        self,
+        on_open: Callable[[Page], None],
+        on_message: Callable[[Page, str | bytes], None],
+        on_close: Callable[[Page], None] = lambda _page: None,
     ) -> None:
         self._on_open = on_open
         self._on_message = on_message
+        self._on_close = on_close
         self._pages: set[Page] = set()
-        self._pool = ThreadPoolExecutor(max_workers=8, thread_name_prefix="page")
+        self._threads: set[ThreadPoolExecutor] = set()
+        self._closed = False
 
     def __len__(self) -> int:
         return len(self._pages)
@@ -82,23 +93,40 @@ class PageSockets:
 
         `id` is what the page calls itself, as its 3D frame does; without one it gets one.
         """
-        if len(self._pages) >= MOST_PAGES:
+        if self._closed or len(self._threads) >= MOST_PAGES:
             await connection.close(1013, f"No more than {MOST_PAGES} pages at once.")
             return
-        loop = asyncio.get_running_loop()
-        page = Page(id or secrets.token_hex(16), grant, connection, loop)
-        budget = Budget()
+        page = Page(id or secrets.token_hex(16), grant, connection, asyncio.get_running_loop())
+        thread = ThreadPoolExecutor(max_workers=1, thread_name_prefix="page")
+        self._threads.add(thread)
         try:
-            await loop.run_in_executor(self._pool, self._on_open, page)
-            async for message in connection:
-                await asyncio.sleep(budget.wait_s())
-                await loop.run_in_executor(self._pool, self._on_message, page, message)
+            await self._hear(page, thread)
         except ConnectionClosed:
             pass
         finally:
+            self._threads.discard(thread)
             self._pages.discard(page)
+            if not self._closed:
+                thread.submit(self._leave, page)
+            thread.shutdown(wait=False)
+
+    async def _hear(self, page: Page, thread: ThreadPoolExecutor) -> None:
+        budget = Budget()
+        await page.loop.run_in_executor(thread, self._on_open, page)
+        async for message in page.connection:
+            await asyncio.sleep(budget.wait_s())
+            if self._closed:
+                return
+            await page.loop.run_in_executor(thread, self._on_message, page, message)
+
+    def _leave(self, page: Page) -> None:
+        """The last thing in a page's thread, after what it was doing when it left."""
+        try:
             if page.upload is not None:
                 page.upload.abandon()
+            self._on_close(page)
+        except Exception:
+            _log.exception("A page that left could not be taken leave of.")
 
     def add(self, page: Page) -> None:
         """Include a page in broadcasts, once it has been told how things stand."""
@@ -115,7 +143,9 @@ class PageSockets:
 
     def close(self) -> None:
         """Stop hearing."""
-        self._pool.shutdown(wait=False, cancel_futures=True)
+        self._closed = True
+        for thread in tuple(self._threads):
+            thread.shutdown(wait=False, cancel_futures=True)
 
 
 def encode(message: Mapping[str, Any] | msgspec.Struct) -> str:
