@@ -1,4 +1,4 @@
-"""The command `keyphase score`: segment files against reference events."""
+"""`keyphase score`: how right segment files are, against reference events."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,16 +11,22 @@ class ScoreSegments:
     """Score segment files against reference events."""
 
     truth: tyro.conf.Positional[Path]
-    """A truth.json: for each recording its events, tolerance and intervals to ignore."""
+    """A truth.json: for each recording its events, and what of it may be judged."""
     segments: tyro.conf.Positional[Path]
     """A folder of segment files, or one of them."""
     json: bool = False
     """Print for machines."""
+    picture: Path | None = None
+    """Draw it, too (.png, .svg or .pdf; needs matplotlib)."""
 
     def run(self) -> int:
-        """Print precision, recall, F1 and timing error per recording and set."""
-        from keyphase.scoring import score
+        """Print judged and strict scores, timing and calibration, per recording and set."""
+        from keyphase.scoring import as_json, as_table, score
 
         result = score(self.truth, self.segments)
-        print(result.as_json() if self.json else result.as_text())
+        if self.picture is not None:
+            from keyphase.scoring.picture import draw_score
+
+            draw_score(result, self.picture)
+        print(as_json(result) if self.json else as_table(result))
         return 0
