@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from keyphase.errors import ScoreError, SegmentFileError
 from keyphase.labeling.matching import covering, match_times
-from keyphase.scoring import Tally, Truth, read_truth, score, tally
+from keyphase.scoring import Tally, Truth, as_json, as_table, read_truth, score, tally
 
 times = st.lists(st.floats(0, 20), max_size=12, unique=True).map(sorted)
 tolerances = st.floats(0.01, 3.0)
@@ -173,13 +173,14 @@ def test_json_for_machines_and_a_table_for_people_say_the_same(tmp_path):
     truth = reference(tmp_path / "truth.json", a__1=[2.0, 4.0])
     segment_file(tmp_path / "a" / "1.segments.json", [2.1, 6.0])
     result = score(truth, tmp_path)
-    content = json.loads(result.as_json())
+    content = json.loads(as_json(result))
     assert content["sets"]["a"]["precision"] == 0.5
     assert content["recordings"]["a/1"]["timing_error_s"] == pytest.approx(0.1)
     assert content["macro_f1"] == 0.5
-    lines = result.as_text().splitlines()
-    assert lines[1].split()[:5] == ["a/1", "0.500", "0.500", "0.500", "100"]
-    assert lines[-1].endswith("0.500")
+    lines = as_table(result).splitlines()
+    assert lines[1].split()[:4] == ["a/1", "0.500", "0.500", "0.500"]
+    assert lines[1].split()[-3:-1] == ["100", "0.500"]
+    assert "0.500 judged, 0.500 strict" in as_table(result)
 
 
 def test_one_file_belongs_to_the_key_its_path_ends_with(tmp_path):
@@ -229,6 +230,14 @@ def test_a_segment_file_that_is_malformed_is_refused(tmp_path):
         b'{"a": {"events": [], "tolerance_s": NaN}}',
         b'{"a": {"events": [], "tolerance_s": 1, "ignore": [[1]]}}',
         b'{"../a": {"events": [], "tolerance_s": 1}}',
+        b'{"a": {"events": [], "tolerance_s": 1, "judged": {"what": "some", "events": []}}}',
+        b'{"a": {"events": [], "tolerance_s": 1, "judged": {"what": "all"}}}',
+        b'{"a": {"events": [], "tolerance_s": 1, "judged": '
+        b'{"what": "all", "events": [[1, "x"]], "window_s": [[-1, 0]]}}}',
+        b'{"a": {"events": [], "tolerance_s": 1, "judged": '
+        b'{"what": "all", "events": [[1, "x"]], "window_s": []}}}',
+        b'{"a": {"events": [], "tolerance_s": 1, "judged": '
+        b'{"what": "all", "events": [[1, "x"]], "kinds": ["sight"]}}}',
     ],
 )
 def test_a_malformed_reference_is_refused(tmp_path, content):

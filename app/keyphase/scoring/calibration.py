@@ -1,4 +1,4 @@
-"""Whether confidences mean what they say: of boundaries given with 0.8, 80 in a hundred are right."""
+"""Whether confidences mean what they say: of a hundred given with 0.8, eighty are right."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from keyphase.errors import ScoreError
+from keyphase.errors import MissingPackageError, ScoreError
 from keyphase.scoring.calibration import Calibration
 from keyphase.scoring.score import Score
 
@@ -16,7 +16,8 @@ _JUDGED, _STRICT, _GRID = "#2f6fb3", "#b9c4d0", "#dfe4ea"
 def draw_score(score: Score, path: Path) -> None:
     """Write the picture of a score to `path` (.png, .svg or .pdf).
 
-    Raises ScoreError where matplotlib is missing, the name has another ending or cannot be written.
+    Raises MissingPackageError without matplotlib, ScoreError for another ending or a folder that
+    takes no files.
     """
     if path.suffix.lower() not in SUFFIXES:
         raise ScoreError(f"{path}: expected a picture named *{', *'.join(SUFFIXES)}.")
@@ -24,8 +25,9 @@ def draw_score(score: Score, path: Path) -> None:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
     except ImportError as error:
-        raise ScoreError(
-            "A picture needs matplotlib, which is not installed; pip install 'keyphase[pictures]'."
+        raise MissingPackageError(
+            "A picture needs the package 'matplotlib', which is not installed; "
+            'pip install "keyphase[pictures]".'
         ) from error
     rows = len(score.grouped)
     figure: Any = Figure(figsize=(12.0, max(3.4, 0.42 * rows + 1.4)), layout="constrained")

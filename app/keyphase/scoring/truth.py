@@ -73,7 +73,7 @@ class Truth:
 
 
 def as_one(events: Iterable[ReferenceEvent]) -> tuple[ReferenceEvent, ...]:
-    """Events in the order of time; of those nearer than `ONE_EVENT_S` to the first only that one."""
+    """Events in order; of those within `ONE_EVENT_S` of the first only that one."""
     kept: list[ReferenceEvent] = []
     for event in sorted(events, key=lambda each: each.time_s):
         if not kept or event.time_s - kept[-1].time_s >= ONE_EVENT_S:
@@ -122,8 +122,8 @@ def _judged(entry: Mapping[str, Any], tolerance_s: float) -> Judged:
     if what not in ("contact", "all"):
         raise ValueError(f"what must be contact or all, but is {what!r}")
     events = entry["events"]
-    windows = entry.get("window_s") or [(tolerance_s, tolerance_s)] * len(events)
-    kinds = entry.get("kinds") or ["contact" if what == "contact" else None] * len(events)
+    windows = entry.get("window_s", [(tolerance_s, tolerance_s)] * len(events))
+    kinds = entry.get("kinds", ["contact" if what == "contact" else None] * len(events))
     read = [
         ReferenceEvent(float(event[0]), str(event[1]), _window(window), _kind(kind))
         for event, window, kind in zip(events, windows, kinds, strict=True)
