@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 from keyphase.errors import RecipeError
-from keyphase.readers import native_csv, native_npz, parse_recipe, units
+from keyphase.readers import native_csv, native_npz, parse_recipe
+from keyphase.readers.recipes import units
 
 DOCS = Path(__file__).parents[2] / "docs"
 RECIPES = (DOCS / "recipes.md").read_text()

@@ -20,9 +20,9 @@ from keyphase.readers.finding import (
 )
 from keyphase.readers.native_csv import has_native_header, read_csv, save_csv
 from keyphase.readers.native_npz import MAGIC, read_npz, save_npz
-from keyphase.readers.recipe import Recipe
-from keyphase.readers.recipe_file import load_recipe, parse_recipe
-from keyphase.readers.recipe_reader import read_by_recipe
+from keyphase.readers.recipes.file import load_recipe, parse_recipe
+from keyphase.readers.recipes.reader import read_by_recipe
+from keyphase.readers.recipes.recipe import Recipe
 
 __all__ = [
     "FOLDER_RECIPE",

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from keyphase.demonstration import Array
-from keyphase.readers.recipe import Load
+from keyphase.readers.recipes.recipe import Load
 
 
 def offset_of(load: Load, values: Array, time_s: Array) -> Array | None:

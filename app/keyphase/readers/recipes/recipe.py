@@ -7,8 +7,8 @@ said. `docs/recipes.md` describes every word of the file a recipe is written in.
 from dataclasses import dataclass
 from typing import Literal
 
-from keyphase.readers.columns import Columns
 from keyphase.readers.orientation import MatrixLayout, QuaternionOrder
+from keyphase.readers.recipes.columns import Columns
 from keyphase.readers.table import TableForm
 
 ISO = "iso"

@@ -11,8 +11,8 @@ from keyphase.errors import DemonstrationError, RecipeError
 from keyphase.files.reading import WholeFile
 from keyphase.readers.build import build
 from keyphase.readers.held import find_hold
-from keyphase.readers.recipe import RateTime, Recipe
-from keyphase.readers.recipe_channels import Channels, Noted, channels_of, where
+from keyphase.readers.recipes.channels import Channels, Noted, channels_of, where
+from keyphase.readers.recipes.recipe import RateTime, Recipe
 from keyphase.readers.resampling import interpolate_hold, resample
 from keyphase.readers.table import Table, open_table
 from keyphase.readers.timing import irregularity, refuse_not_increasing

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Literal, TypeVar
 
 from keyphase.errors import RecipeError
-from keyphase.readers.columns import Columns
-from keyphase.readers.units import Quantity, unit_size
+from keyphase.readers.recipes.columns import Columns
+from keyphase.readers.recipes.units import Quantity, unit_size
 
 _Choice = TypeVar("_Choice")
 _LONGEST_TEXT = 1000

@@ -8,7 +8,7 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.errors import DemonstrationError
-from keyphase.readers.recipe import ISO
+from keyphase.readers.recipes.recipe import ISO
 
 
 def seconds_from_first(stamps: Sequence[str], form: str, where: Callable[[int], str]) -> Array:

@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
-from keyphase.readers.columns import Columns
 from keyphase.readers.orientation import (
     from_euler,
     from_matrices,
@@ -16,7 +15,8 @@ from keyphase.readers.orientation import (
     refuse_not_homogeneous,
     square_matrices,
 )
-from keyphase.readers.recipe import (
+from keyphase.readers.recipes.columns import Columns
+from keyphase.readers.recipes.recipe import (
     Euler,
     Load,
     Matrix,
@@ -29,7 +29,7 @@ from keyphase.readers.recipe import (
     Scaled,
     StampTime,
 )
-from keyphase.readers.stamps import seconds_from_first
+from keyphase.readers.recipes.stamps import seconds_from_first
 from keyphase.readers.table import Table
 
 Channels = dict[str, Array]

@@ -8,7 +8,8 @@ from typing import Literal
 
 from keyphase.errors import RecipeError
 from keyphase.readers.orientation import MatrixLayout, QuaternionOrder
-from keyphase.readers.recipe import (
+from keyphase.readers.recipes.keys import Keys
+from keyphase.readers.recipes.recipe import (
     ISO,
     Euler,
     Load,
@@ -25,9 +26,8 @@ from keyphase.readers.recipe import (
     StampTime,
     WrenchForm,
 )
-from keyphase.readers.recipe_keys import Keys
+from keyphase.readers.recipes.units import Quantity
 from keyphase.readers.table import TableForm
-from keyphase.readers.units import Quantity
 
 _LONGEST_RECIPE = 1_000_000
 _MOST_JOINTS = 100
