@@ -50,6 +50,7 @@ class Demonstration:
     force_N          (N, 3) what the environment exerts on the tool, base frame, or None
     torque_Nm        (N, 3) the same about the tool point, or None
     joints_rad       (N, J) joint angles, or None
+    gripper          (N,)   opening, in m or as the fraction that was recorded, or None
     metadata         what the recorder wrote beside the numbers (JSON values)
     notices          what the reader did that a person should know (held, resampled, flipped)
 
@@ -63,6 +64,7 @@ class Demonstration:
     force_N: Array | None = None
     torque_Nm: Array | None = None
     joints_rad: Array | None = None
+    gripper: Array | None = None
     metadata: Mapping[str, Any] = field(default_factory=dict)
     source: Source | None = None
     notices: tuple[str, ...] = ()
@@ -75,6 +77,11 @@ class Demonstration:
             if values is not None:
                 checked = _checked_channel(values, channel, width, len(time), self.name)
                 object.__setattr__(self, channel, checked)
+        if self.gripper is not None:
+            upright = _checked_channel(
+                np.reshape(self.gripper, (-1, 1)), "gripper", 1, len(time), self.name
+            )
+            object.__setattr__(self, "gripper", _frozen(upright[:, 0]))
         if self.orientation_wxyz is not None:
             continuous = _unit_and_continuous(self.orientation_wxyz, self.name)
             object.__setattr__(self, "orientation_wxyz", continuous)

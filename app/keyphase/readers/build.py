@@ -7,6 +7,7 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import DemonstrationError
+from keyphase.files.parts import stem_of
 from keyphase.files.reading import WholeFile
 from keyphase.readers.held import held_notices
 from keyphase.readers.timing import irregular_notices
@@ -24,7 +25,7 @@ def build(
     What holds and irregular rows are left in it is added to the notices. Raises
     DemonstrationError, naming the file, where the channels break an invariant.
     """
-    name = file.source.path.stem
+    name = stem_of(file.source.path)
     try:
         with np.errstate(all="ignore"):
             found = (*irregular_notices(channels["time_s"]), *held_notices(channels))

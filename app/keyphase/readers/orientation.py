@@ -74,6 +74,26 @@ def from_matrices(matrices: Array, where: Where) -> Array:
     return _wxyz(Rotation.from_matrix(matrices))
 
 
+def from_six_numbers(values: Array, where: Where) -> Array:
+    """First two columns of the rotation matrix (N, 6), made orthonormal (Zhou et al., rot6d).
+
+    Refuses columns that are parallel or not of unit length within 0.1.
+    """
+    first, second = values[:, :3], values[:, 3:]
+    norms = np.linalg.norm(first, axis=1)
+    x = first / np.where(norms > 0, norms, 1.0)[:, None]
+    aside = second - np.sum(x * second, axis=1, keepdims=True) * x
+    lengths = np.linalg.norm(aside, axis=1)
+    off = (np.abs(norms - 1.0) > 0.1) | (np.abs(lengths - 1.0) > 0.1)
+    if off.any():
+        raise DemonstrationError(
+            f"{where(int(np.argmax(off)))}: expected six numbers that are two columns of a "
+            "rotation matrix, but they are none; check the columns and their order."
+        )
+    y = aside / lengths[:, None]
+    return _wxyz(Rotation.from_matrix(np.stack([x, y, np.cross(x, y)], axis=2)))
+
+
 def square_matrices(values: Array, layout: MatrixLayout) -> Array:
     """Flat matrices (N, D*D) as (N, D, D)."""
     side = int(np.sqrt(values.shape[1]))

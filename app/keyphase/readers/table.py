@@ -9,6 +9,7 @@ import csv
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
@@ -42,6 +43,24 @@ class TableForm:
     header: bool = True
     encoding: str = "utf-8-sig"
     decimal: str = "."
+
+
+class Columned(Protocol):
+    """Named columns, whatever they came from: what a recipe chooses among."""
+
+    @property
+    def file(self) -> str: ...  # noqa: D102
+    @property
+    def form(self) -> TableForm: ...  # noqa: D102
+    @property
+    def names(self) -> tuple[str, ...]: ...  # noqa: D102
+    @property
+    def width(self) -> int: ...  # noqa: D102
+    def __len__(self) -> int: ...
+    def label(self, column: int) -> str: ...  # noqa: D102
+    def line(self, row: int) -> int: ...  # noqa: D102
+    def text(self, column: int) -> list[str]: ...  # noqa: D102
+    def numbers(self, columns: Sequence[int]) -> Array: ...  # noqa: D102
 
 
 @dataclass(frozen=True)

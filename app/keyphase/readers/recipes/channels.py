@@ -11,6 +11,7 @@ from keyphase.readers.orientation import (
     from_matrices,
     from_quaternions,
     from_rotation_vectors,
+    from_six_numbers,
     normalised,
     refuse_not_homogeneous,
     square_matrices,
@@ -20,6 +21,7 @@ from keyphase.readers.recipes.recipe import (
     Euler,
     Load,
     Matrix,
+    NumberTime,
     Orientation,
     Pose,
     Quaternion,
@@ -27,19 +29,34 @@ from keyphase.readers.recipes.recipe import (
     Recipe,
     RotationVector,
     Scaled,
+    SixNumbers,
     StampTime,
+    TwoPartTime,
 )
+from keyphase.readers.recipes.clocks import on_one_clock
 from keyphase.readers.recipes.stamps import seconds_from_first
-from keyphase.readers.table import Table
+from keyphase.readers.table import Columned
+from keyphase.readers.timing import refuse_not_increasing
 
 Channels = dict[str, Array]
 """Channels by their names in Demonstration, time included."""
+
+SECTIONS = {
+    "pose": ("position_m", "orientation_wxyz"),
+    "position": ("position_m",),
+    "orientation": ("orientation_wxyz",),
+    "force": ("force_N",),
+    "torque": ("torque_Nm",),
+    "joints": ("joints_rad",),
+    "gripper": ("gripper",),
+}
+"""Sections of a recipe and the channels they make."""
 
 Noted = tuple[Channels, tuple[str, ...]]
 """Channels, and what was done to them that a person should know."""
 
 
-def channels_of(table: Table, recipe: Recipe) -> Noted:
+def channels_of(table: Columned, recipe: Recipe) -> Noted:
     """All channels of `table` that `recipe` describes, row by row as they are recorded.
 
     Raises RecipeError and DemonstrationError as `read_by_recipe` does.
@@ -55,7 +72,44 @@ def channels_of(table: Table, recipe: Recipe) -> Noted:
         notices += more
     for name, form in _loads_and_joints(recipe).items():
         channels[name] = _scaled(table, form)
-    return channels, notices
+    if recipe.gripper:
+        channels["gripper"] = _opening(table, recipe.gripper)
+    return _on_one_clock(table, recipe, channels, notices)
+
+
+def _on_one_clock(
+    table: Columned, recipe: Recipe, channels: Channels, notices: tuple[str, ...]
+) -> Noted:
+    """Nothing to do where no channel has a clock of its own."""
+    time = channels.pop("time_s")
+    clocks = {
+        channel: _clock(table, recipe, recipe.clocks[section]) if section in recipe.clocks else time
+        for section, made in SECTIONS.items()
+        for channel in made
+        if channel in channels
+    }
+    lengths = {len(values) for values in channels.values()} | {len(time)}
+    if not recipe.clocks and len(lengths) == 1:
+        return {"time_s": time, **channels}, notices
+    brought, more = on_one_clock(channels, clocks, recipe.name)
+    return brought, notices + more
+
+
+def _clock(table: Columned, recipe: Recipe, column: Columns) -> Array:
+    """Seconds (N,) of a clock, in the unit of [time] and from the same zero."""
+    form = recipe.time
+    size = form.size if isinstance(form, NumberTime) else 1.0
+    seconds = size * table.numbers(column.find(table))[:, 0]
+    refuse_not_increasing(seconds, where(table, column))
+    if isinstance(form, NumberTime) and form.from_zero:
+        seconds = seconds - size * table.numbers(form.column.find(table))[0, 0]
+    return seconds
+
+
+def _opening(table: Columned, form: Scaled) -> Array:
+    """Opening (N, 1): one column, or two fingers' places whose difference it is."""
+    values = form.size * table.numbers(form.columns.find(table))
+    return values if values.shape[1] == 1 else np.abs(values[:, :1] - values[:, 1:])
 
 
 def _loads_and_joints(recipe: Recipe) -> dict[str, Scaled]:
@@ -68,7 +122,7 @@ def _loads_and_joints(recipe: Recipe) -> dict[str, Scaled]:
 
 
 def where(
-    table: Table, columns: Columns, rows: NDArray[np.intp] | None = None
+    table: Columned, columns: Columns, rows: NDArray[np.intp] | None = None
 ) -> Callable[[int], str]:
     """Names a row by its line and the columns looked at; `rows` are those of the table left."""
     found = columns.find(table)
@@ -83,12 +137,14 @@ def where(
     return name
 
 
-def _time(table: Table, recipe: Recipe) -> tuple[Array, tuple[str, ...]]:
+def _time(table: Columned, recipe: Recipe) -> tuple[Array, tuple[str, ...]]:
     form = recipe.time
     if isinstance(form, RateTime):
         step = 1.0 / form.rate_hz
         notice = f"The table has no time: its rows are taken to be {step:.6g} s apart."
         return np.arange(len(table)) / form.rate_hz, (notice,)
+    if isinstance(form, TwoPartTime):
+        return _two_part_time(table, form)
     if isinstance(form, StampTime):
         stamps = table.text(form.column.find(table)[0])
         seconds = seconds_from_first(stamps, form.format, where(table, form.column))
@@ -100,11 +156,20 @@ def _time(table: Table, recipe: Recipe) -> tuple[Array, tuple[str, ...]]:
     return seconds, ()
 
 
-def _scaled(table: Table, form: Scaled) -> Array:
+def _two_part_time(table: Columned, form: TwoPartTime) -> tuple[Array, tuple[str, ...]]:
+    """Counted from the first row, so that nanoseconds are kept."""
+    seconds = table.numbers(form.seconds.find(table))[:, 0]
+    nanoseconds = table.numbers(form.nanoseconds.find(table))[:, 0]
+    since = (seconds - seconds[0]) + (nanoseconds - nanoseconds[0]) * 1e-9
+    stamp = f"{seconds[0]:.0f}.{nanoseconds[0]:09.0f}"
+    return since, (f"Time is counted from the first row, stamped {stamp} s.",)
+
+
+def _scaled(table: Columned, form: Scaled) -> Array:
     return form.size * table.numbers(form.columns.find(table))
 
 
-def _pose(table: Table, form: Pose) -> Channels:
+def _pose(table: Columned, form: Pose) -> Channels:
     flat = table.numbers(form.columns.find(table))
     matrices = square_matrices(flat, form.layout)
     row_name = where(table, form.columns)
@@ -115,7 +180,7 @@ def _pose(table: Table, form: Pose) -> Channels:
     }
 
 
-def _orientation(table: Table, form: Orientation) -> tuple[Array, tuple[str, ...]]:
+def _orientation(table: Columned, form: Orientation) -> tuple[Array, tuple[str, ...]]:
     values = table.numbers(form.columns.find(table))
     row_name = where(table, form.columns)
     match form:
@@ -123,6 +188,8 @@ def _orientation(table: Table, form: Orientation) -> tuple[Array, tuple[str, ...
             return _quaternion(values, form, row_name)
         case Euler():
             return from_euler(form.size * values, form.sequence), ()
+        case SixNumbers():
+            return from_six_numbers(values, row_name), ()
         case RotationVector():
             return from_rotation_vectors(form.size * values), ()
         case Matrix():

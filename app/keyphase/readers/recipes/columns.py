@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 
 from keyphase.errors import RecipeError
-from keyphase.readers.table import Table
+from keyphase.readers.table import Columned
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,7 @@ class Columns:
     chosen: tuple[str | int, ...] | str
     counts: tuple[int, ...]
 
-    def find(self, table: Table) -> list[int]:
+    def find(self, table: Columned) -> list[int]:
         """Indices of the columns in `table`.
 
         Raises RecipeError where a name is missing or ambiguous, an index is outside the table, or
@@ -44,12 +44,12 @@ class Columns:
         chosen = [self.chosen] if isinstance(self.chosen, str) else self.chosen
         return ", ".join(repr(choice)[:60] for choice in chosen[:4])
 
-    def _matching(self, pattern: str, table: Table) -> list[int]:
+    def _matching(self, pattern: str, table: Columned) -> list[int]:
         self._refuse_without_names(table)
         matches = re.compile(fnmatch.translate(pattern.replace("[", "[[]"))).fullmatch
         return [i for i, name in enumerate(table.names[: table.width]) if matches(name)]
 
-    def _one(self, choice: str | int, table: Table) -> int:
+    def _one(self, choice: str | int, table: Columned) -> int:
         if isinstance(choice, int):
             if 0 <= choice < table.width:
                 return choice
@@ -72,7 +72,7 @@ class Columns:
             f"{self.where}: the header of {table.file} has no column {choice[:80]!r}; {hint}"
         )
 
-    def _refuse_without_names(self, table: Table) -> None:
+    def _refuse_without_names(self, table: Columned) -> None:
         if not table.form.header:
             raise RecipeError(
                 f"{self.where}: columns can be named only where the table has a header; "

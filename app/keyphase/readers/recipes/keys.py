@@ -116,13 +116,13 @@ class Keys:
             return Columns(self.where, value, tuple(counts))
         raise self._wrong("columns", "a list of names or indices, or one pattern", value)
 
-    def column(self) -> Columns | None:
-        """The one column under `column`, by name or index, or None where the key is not there."""
-        value = self._take("column")
+    def column(self, key: str = "column") -> Columns | None:
+        """The one column under `key`, by name or index, or None where the key is not there."""
+        value = self._take(key)
         if value is None:
             return None
         if not _is_column(value):
-            raise self._wrong("column", "a name or an index", value)
+            raise self._wrong(key, "a name or an index", value)
         return Columns(self.where, (value,), (1,))
 
     def has(self, key: str) -> bool:

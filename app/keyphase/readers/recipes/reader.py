@@ -14,20 +14,33 @@ from keyphase.readers.held import find_hold
 from keyphase.readers.recipes.channels import Channels, Noted, channels_of, where
 from keyphase.readers.recipes.recipe import RateTime, Recipe
 from keyphase.readers.resampling import interpolate_hold, resample
-from keyphase.readers.table import Table, open_table
+from keyphase.readers.recipes.several import recipe_of_part, rows_of_part
+from keyphase.readers.table import Columned, open_table
 from keyphase.readers.timing import irregularity, refuse_not_increasing
 from keyphase.readers.wrench import in_base_frame, offset_of
 
 _LOADS = {"force_N": "N", "torque_Nm": "N m"}
 
 
-def read_by_recipe(file: WholeFile, recipe: Recipe, limit_bytes: int) -> Demonstration:
-    """The demonstration in a table.
+def read_by_recipe(
+    file: WholeFile, recipe: Recipe, limit_bytes: int, part: str | None = None
+) -> Demonstration:
+    """The demonstration in a table, or the one called `part` where it holds several.
 
     Raises RecipeError where recipe and table do not fit, DemonstrationError, with line and column,
     where the table holds what cannot be.
     """
+    recipe = recipe_of_part(recipe, part, file.name)
     table = open_table(file.name, file.data, recipe.table, limit_bytes)
+    if recipe.split is not None:
+        table = rows_of_part(table, recipe, part)
+    return demonstration_of(table, file, recipe, limit_bytes)
+
+
+def demonstration_of(
+    table: Columned, file: WholeFile, recipe: Recipe, limit_bytes: int
+) -> Demonstration:
+    """The demonstration in the columns that a recipe chooses; errors as in `read_by_recipe`."""
     channels, notices = channels_of(table, recipe)
     channels, more = _distinct(channels, recipe, table)
     _refuse_single_row(channels, file.name)
@@ -37,10 +50,12 @@ def read_by_recipe(file: WholeFile, recipe: Recipe, limit_bytes: int) -> Demonst
         notices += more
     channels, more = _even(channels, recipe, limit_bytes, file.name)
     notices += more
+    if "gripper" in channels:
+        channels["gripper"] = channels["gripper"][:, 0]
     return build(file, channels, notices=(f"Read with the recipe {recipe.name}.", *notices))
 
 
-def _distinct(channels: Channels, recipe: Recipe, table: Table) -> Noted:
+def _distinct(channels: Channels, recipe: Recipe, table: Columned) -> Noted:
     """Rows that are each later than the one before."""
     if isinstance(recipe.time, RateTime):
         return channels, ()

@@ -4,7 +4,8 @@ Nothing has a default that could be wrong in silence: units, orders, layouts, fr
 said. `docs/recipes.md` describes every word of the file a recipe is written in.
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Literal
 
 from keyphase.readers.orientation import MatrixLayout, QuaternionOrder
@@ -31,6 +32,19 @@ class NumberTime:
     column: Columns
     size: float
     from_zero: bool
+
+
+@dataclass(frozen=True)
+class TwoPartTime:
+    """Whole seconds in one column and nanoseconds in another, as message headers have them."""
+
+    seconds: Columns
+    nanoseconds: Columns
+
+    @property
+    def column(self) -> Columns:
+        """The column that messages point at."""
+        return self.seconds
 
 
 @dataclass(frozen=True)
@@ -85,7 +99,14 @@ class Matrix:
     layout: MatrixLayout
 
 
-Orientation = Quaternion | Euler | RotationVector | Matrix
+@dataclass(frozen=True)
+class SixNumbers:
+    """Orientation as the first two columns of the rotation matrix, one after the other (rot6d)."""
+
+    columns: Columns
+
+
+Orientation = Quaternion | Euler | RotationVector | Matrix | SixNumbers
 
 
 @dataclass(frozen=True)
@@ -105,6 +126,13 @@ class WrenchForm:
 
 
 @dataclass(frozen=True)
+class Split:
+    """Rows of several demonstrations: told apart by a column, or, without, where time restarts."""
+
+    column: Columns | None
+
+
+@dataclass(frozen=True)
 class Rows:
     """What to do about rows with the time of the row before, uneven steps and held channels."""
 
@@ -120,7 +148,7 @@ class Recipe:
 
     name: str
     table: TableForm
-    time: RateTime | NumberTime | StampTime
+    time: RateTime | NumberTime | TwoPartTime | StampTime
     rows: Rows
     pose: Pose | None
     position: Scaled | None
@@ -129,3 +157,10 @@ class Recipe:
     torque: Load | None
     wrench: WrenchForm | None
     joints: Scaled | None
+    gripper: Scaled | None = None
+    clocks: Mapping[str, Columns] = field(default_factory=dict)
+    """Clocks of their own, by the section they stand in, in the unit of [time]."""
+    split: Split | None = None
+    """Where several demonstrations stand in one table, one below the other."""
+    parts: Mapping[str, "Recipe"] = field(default_factory=dict)
+    """Where several stand in one table side by side: how to read each, by its name."""

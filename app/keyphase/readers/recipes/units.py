@@ -7,13 +7,14 @@ from typing import Literal
 
 from keyphase.errors import RecipeError
 
-Quantity = Literal["time", "length", "angle", "force", "torque"]
+Quantity = Literal["time", "length", "angle", "force", "torque", "opening"]
 
 _SIZES: Mapping[Quantity, Mapping[str, float]] = {
     "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0},
     "length": {"m": 1.0, "dm": 0.1, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "in": 0.0254},
     "angle": {"rad": 1.0, "mrad": 1e-3, "deg": math.pi / 180},
     "force": {"N": 1.0, "mN": 1e-3, "kN": 1e3, "lbf": 4.4482216152605},
+    "opening": {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "fraction": 1.0, "percent": 1e-2},
     "torque": {"Nm": 1.0, "Nmm": 1e-3, "Ncm": 1e-2, "mNm": 1e-3, "kNm": 1e3},
 }
 

@@ -1,0 +1,113 @@
+"""HDF5: robomimic and MimicGen (`data/demo_N/…`), REASSEMBLE, ALOHA, and others by a recipe.
+
+Links to other files, virtual and externally stored data are passed over: a file speaks for itself.
+"""
+
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from keyphase.errors import DemonstrationError
+from keyphase.readers.formats.array_table import ArrayTable
+from keyphase.readers.formats.numeric import (
+    in_natural_order,
+    is_signal,
+    refuse_too_large,
+    unknown_part,
+)
+from keyphase.readers.formats.packages import package
+
+MAGIC = b"\x89HDF\r\n\x1a\n"
+EXTRA = "hdf5"
+
+_EPISODES = "data"
+_MAX_DEPTH = 8
+_MAX_ARRAYS = 20_000
+
+
+def parts_of_hdf5(path: Path) -> tuple[str, ...]:
+    """The demonstrations of a file with many (`data/demo_0`, …), or none where it is one."""
+    with _opened(path) as file:
+        group = _group(file, _EPISODES)
+        if group is None:
+            return ()
+        names = [name for name in group if _group(group, name) is not None]
+        return tuple(in_natural_order(names))
+
+
+def table_of_hdf5(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
+    """The signals of one demonstration, read without the rest of the file.
+
+    Raises DemonstrationError for a file or part that cannot be read, MissingPackageError where
+    h5py is not installed.
+    """
+    shown = str(path) if part is None else f"{path}#{part}"
+    with _opened(path) as file:
+        episodes = _group(file, _EPISODES)
+        group = file if episodes is None else _group(episodes, part) if part else None
+        if group is None or (episodes is None and part is not None):
+            raise unknown_part(str(path), part, parts_of_hdf5(path))
+        found = dict(_signals(group))
+        refuse_too_large(found.values(), shown, limit_bytes)
+        arrays = {name: np.asarray(dataset[()]) for name, dataset in found.items()}
+        texts = {}
+        notices = ()
+        if episodes is not None and (rate := _control_rate(episodes)):
+            count = max((len(values) for values in arrays.values()), default=0)
+            arrays["time"] = np.arange(count) / rate
+            notices = (f"Time is counted at the control rate the file states, {rate:g} Hz.",)
+    return ArrayTable(shown, arrays, texts, notices, {})
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[Any]:
+    h5py = package("h5py", EXTRA, path)
+    try:
+        with h5py.File(path, "r") as file:
+            yield file
+    except (OSError, RuntimeError, KeyError, ValueError, TypeError, MemoryError) as error:
+        raise DemonstrationError(
+            f"{path}: expected a whole HDF5 file, but it cannot be read ({error}); "
+            "copy or export it again."
+        ) from error
+
+
+def _group(parent: Any, name: str) -> Any:
+    """A group that lies in this file, or None."""
+    import h5py
+
+    link = parent.get(name, getlink=True)
+    if not isinstance(link, h5py.HardLink) or parent.get(name, getclass=True) is not h5py.Group:
+        return None
+    return parent[name]
+
+
+def _signals(group: Any, before: str = "", depth: int = 0) -> Iterator[tuple[str, Any]]:
+    import h5py
+
+    if depth > _MAX_DEPTH or len(group) > _MAX_ARRAYS:
+        raise ValueError("it is nested deeper, or holds more, than a recording does")
+    for name in group:
+        if not isinstance(group.get(name, getlink=True), h5py.HardLink):
+            continue
+        item = group[name]
+        if isinstance(item, h5py.Group):
+            yield from _signals(item, f"{before}{name}/", depth + 1)
+        elif isinstance(item, h5py.Dataset) and not (item.is_virtual or item.external):
+            if is_signal(item):
+                yield f"{before}{name}", item
+
+
+def _control_rate(episodes: Any) -> float | None:
+    """The rate robomimic and MimicGen write beside their demonstrations, in `env_args`."""
+    raw = episodes.attrs.get("env_args")
+    try:
+        rate = json.loads(raw)["env_kwargs"]["control_freq"] if raw is not None else None
+    except (ValueError, KeyError, TypeError, RecursionError):
+        return None
+    usable = isinstance(rate, int | float) and not isinstance(rate, bool) and 0 < rate < 1e6
+    return float(rate) if usable else None

@@ -1,0 +1,87 @@
+"""Which format a file or folder is, by its first bytes or by what lies in it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from keyphase.readers.formats.array_table import ArrayTable
+from keyphase.readers.formats.bags import (
+    MCAP_MAGIC,
+    ROS1_MAGIC,
+    is_ros2_bag,
+    table_of_bag,
+)
+from keyphase.readers.formats.hdf5 import MAGIC as HDF5_MAGIC
+from keyphase.readers.formats.hdf5 import parts_of_hdf5, table_of_hdf5
+from keyphase.readers.formats.lerobot import is_lerobot, parts_of_lerobot, table_of_lerobot
+from keyphase.readers.formats.matlab import (
+    MAT_MAGIC,
+    NPY_MAGIC,
+    table_of_mat,
+    table_of_npy,
+)
+from keyphase.readers.formats.zarr_store import is_zarr, parts_of_zarr, table_of_zarr
+
+
+def _one(_path: Path) -> tuple[str, ...]:
+    return ()
+
+
+@dataclass(frozen=True)
+class Format:
+    """A format keyphase reads as columns.
+
+    extra   what installs it: pip install "keyphase[EXTRA]"; "" where nothing is needed
+    parts   the recordings in a file of many, or none where the file is one
+    table   the columns of one recording: path, part and limit of memory in bytes
+    """
+
+    name: str
+    extra: str
+    endings: str
+    parts: Callable[[Path], tuple[str, ...]]
+    table: Callable[[Path, str | None, int], ArrayTable]
+
+
+LEROBOT = Format("LeRobot v2.1, v3.0", "lerobot", "a folder", parts_of_lerobot, table_of_lerobot)
+HDF5 = Format("HDF5", "hdf5", ".hdf5 .h5", parts_of_hdf5, table_of_hdf5)
+ZARR = Format("Zarr", "zarr", ".zarr .zarr.zip", parts_of_zarr, table_of_zarr)
+BAG = Format("ROS 1 and ROS 2 bag, MCAP", "ros", ".bag .mcap, a folder", _one, table_of_bag)
+MAT = Format("MATLAB 5 to 7.2", "", ".mat", _one, table_of_mat)
+NPY = Format("NumPy array", "", ".npy", _one, table_of_npy)
+
+FORMATS = (LEROBOT, HDF5, ZARR, BAG, MAT, NPY)
+
+_MAGIC = (
+    (HDF5_MAGIC, HDF5),
+    (ROS1_MAGIC, BAG),
+    (MCAP_MAGIC, BAG),
+    (MAT_MAGIC, MAT),
+    (NPY_MAGIC, NPY),
+)
+LONGEST_MAGIC = max(len(magic) for magic, _ in _MAGIC)
+
+
+def format_of(path: Path) -> Format | None:
+    """The format of a file or folder, or None where it is none of these.
+
+    No more of it is read than its first bytes or its folder's names.
+    """
+    try:
+        if path.is_dir():
+            return _folder_format(path)
+        if is_zarr(path):
+            return ZARR
+        with path.open("rb") as file:
+            head = file.read(LONGEST_MAGIC)
+    except OSError:
+        return None
+    return next((form for magic, form in _MAGIC if head.startswith(magic)), None)
+
+
+def _folder_format(path: Path) -> Format | None:
+    if is_lerobot(path):
+        return LEROBOT
+    if is_zarr(path):
+        return ZARR
+    return BAG if is_ros2_bag(path) else None

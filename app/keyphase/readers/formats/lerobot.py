@@ -1,0 +1,190 @@
+"""LeRobot datasets v2.1 and v3.0: a folder of Parquet files is a list of episodes.
+
+No key of the format is a wrench or a pose, so a recipe or a preset says which columns are what;
+the names in `meta/info.json` (`features.*.names`) name them: `observation.state.x`.
+"""
+
+import json
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from keyphase.errors import DemonstrationError
+from keyphase.readers.formats.array_table import ArrayTable
+from keyphase.readers.formats.numeric import MAX_NUMBERS_A_ROW, refuse_too_large, unknown_part
+from keyphase.readers.formats.packages import package
+
+EXTRA = "lerobot"
+INFO = "meta/info.json"
+
+_MAX_INFO_BYTES = 64 << 20
+_MAX_EPISODES = 10_000_000
+
+
+def is_lerobot(path: Path) -> bool:
+    """Whether a folder is a LeRobot dataset."""
+    return (path / INFO).is_file() and (path / "data").is_dir()
+
+
+def parts_of_lerobot(path: Path) -> tuple[str, ...]:
+    """episode_0, episode_1, …, as many as `meta/info.json` counts."""
+    count = _info(path).get("total_episodes")
+    if isinstance(count, bool) or not isinstance(count, int) or not 0 <= count <= _MAX_EPISODES:
+        raise _damaged(path, "total_episodes must be a whole number")
+    return tuple(f"episode_{i}" for i in range(count))
+
+
+def table_of_lerobot(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
+    """The numbers and texts of one episode; of a shared file only its row groups are read.
+
+    Raises DemonstrationError for a dataset or part that cannot be read, MissingPackageError where
+    pyarrow is not installed.
+    """
+    info = _info(path)
+    number = _number(part)
+    if number is None or number >= len(parts_of_lerobot(path)):
+        raise unknown_part(str(path), part, parts_of_lerobot(path))
+    with _damage_told(path):
+        table = _episode(path, info, number)
+        shown = f"{path}#{part}"
+        columns = dict(_columns(table))
+        refuse_too_large(columns.values(), shown, limit_bytes)
+        texts = dict(_texts(table))
+    return ArrayTable(shown, columns, texts, (), _feature_names(info))
+
+
+def file_of_episode(path: Path, info: Mapping[str, Any], number: int) -> Path:
+    """The Parquet file that holds an episode, by the pattern the dataset states."""
+    pattern = info.get("data_path")
+    if not isinstance(pattern, str):
+        raise _damaged(path, "data_path is missing")
+    if _is_v3(info):
+        where = _episode_row(path, number)
+        values = {
+            "chunk_index": int(where["data/chunk_index"]),
+            "file_index": int(where["data/file_index"]),
+        }
+    else:
+        size = info.get("chunks_size", 1000)
+        values = {"episode_chunk": number // int(size), "episode_index": number}
+    return inside(path, pattern.format(**values))
+
+
+def inside(path: Path, relative: str) -> Path:
+    """A file of the dataset, and no other."""
+    file = (path / relative).resolve()
+    if path.resolve() not in file.parents or not file.is_file():
+        raise _damaged(path, f"{relative[:200]} is not a file in it")
+    return file
+
+
+def _is_v3(info: Mapping[str, Any]) -> bool:
+    return str(info.get("codebase_version", "")).startswith("v3")
+
+
+def _episode(path: Path, info: Mapping[str, Any], number: int) -> Any:
+    """The episode's rows: only the row groups whose statistics admit it."""
+    parquet = package("pyarrow.parquet", EXTRA, path)
+    compute = package("pyarrow.compute", EXTRA, path)
+    with parquet.ParquetFile(file_of_episode(path, info, number)) as file:
+        at = file.schema_arrow.get_field_index("episode_index")
+        groups = [g for g in range(file.num_row_groups) if _may_hold(file, g, at, number)]
+        table = file.read_row_groups(groups)
+    return table.filter(compute.equal(table["episode_index"], number))
+
+
+def _may_hold(file: Any, group: int, column: int, number: int) -> bool:
+    statistics = file.metadata.row_group(group).column(column).statistics
+    if statistics is None or not statistics.has_min_max:
+        return True
+    return statistics.min <= number <= statistics.max
+
+
+def _episode_row(path: Path, number: int) -> Mapping[str, Any]:
+    """Where an episode of a v3 dataset lies, from `meta/episodes`."""
+    parquet = package("pyarrow.parquet", EXTRA, path)
+    compute = package("pyarrow.compute", EXTRA, path)
+    wanted = ["episode_index", "data/chunk_index", "data/file_index"]
+    for file in sorted((path / "meta" / "episodes").glob("*/*.parquet")):
+        table = parquet.read_table(file, columns=wanted)
+        rows = table.filter(compute.equal(table["episode_index"], number)).to_pylist()
+        if rows:
+            return rows[0]
+    raise _damaged(path, f"meta/episodes does not say where episode {number} is")
+
+
+def _columns(table: Any) -> Iterator[tuple[str, NDArray[Any]]]:
+    """Columns of numbers and of lists of equally many numbers."""
+    types = package("pyarrow.types", EXTRA, Path())
+    for name in table.column_names:
+        column, kind = table[name].combine_chunks(), table[name].type
+        if types.is_integer(kind) or types.is_floating(kind) or types.is_boolean(kind):
+            yield name, np.asarray(column.to_numpy(zero_copy_only=False), dtype=np.float64)
+        elif types.is_list(kind) or types.is_fixed_size_list(kind) or types.is_large_list(kind):
+            inner = kind.value_type
+            if not (types.is_floating(inner) or types.is_integer(inner)):
+                continue
+            flat = np.asarray(column.flatten().to_numpy(zero_copy_only=False), dtype=np.float64)
+            if len(table) and flat.size % len(table) == 0:
+                width = flat.size // len(table)
+                if 0 < width <= MAX_NUMBERS_A_ROW:
+                    yield name, flat.reshape(len(table), width)
+
+
+def _texts(table: Any) -> Iterator[tuple[str, list[str]]]:
+    types = package("pyarrow.types", EXTRA, Path())
+    for name in table.column_names:
+        if types.is_string(table[name].type) or types.is_large_string(table[name].type):
+            yield name, [str(value) for value in table[name].to_pylist()]
+
+
+def _feature_names(info: Mapping[str, Any]) -> dict[str, list[str]]:
+    """Names of the numbers of a feature, where the dataset gives them as a plain list."""
+    features = info.get("features")
+    found: dict[str, list[str]] = {}
+    for name, feature in features.items() if isinstance(features, dict) else ():
+        given = feature.get("names") if isinstance(feature, dict) else None
+        if isinstance(given, dict) and len(given) == 1:
+            given = next(iter(given.values()))
+        if isinstance(given, list) and all(isinstance(one, str) for one in given):
+            found[name] = given
+    return found
+
+
+def _info(path: Path) -> dict[str, Any]:
+    file = path / INFO
+    try:
+        if file.stat().st_size > _MAX_INFO_BYTES:
+            raise _damaged(path, f"{INFO} is too large")
+        content = json.loads(file.read_bytes())
+    except (OSError, ValueError, RecursionError) as error:
+        raise _damaged(path, f"{INFO} cannot be read ({error})") from error
+    if not isinstance(content, dict):
+        raise _damaged(path, f"{INFO} must hold an object")
+    return content
+
+
+def _number(part: str | None) -> int | None:
+    digits = (part or "").removeprefix("episode_")
+    return int(digits) if digits.isdecimal() and len(digits) <= 9 else None
+
+
+@contextmanager
+def _damage_told(path: Path) -> Iterator[None]:
+    arrow = package("pyarrow", EXTRA, path)
+    refused = partial(_damaged, path)
+    try:
+        yield
+    except (arrow.ArrowException, OSError, KeyError, ValueError, TypeError, IndexError) as error:
+        raise refused(f"{type(error).__name__}: {error}") from error
+
+
+def _damaged(path: Path, reason: str) -> DemonstrationError:
+    return DemonstrationError(
+        f"{path}: expected a whole LeRobot dataset, but {reason}; copy or export it again."
+    )

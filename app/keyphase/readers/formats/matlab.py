@@ -1,0 +1,93 @@
+"""MATLAB files (`.mat`, up to version 7.2) and single NumPy arrays (`.npy`), never unpickled."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from keyphase.errors import DemonstrationError
+from keyphase.readers.formats.array_table import ArrayTable
+from keyphase.readers.formats.numeric import is_signal, refuse_too_large
+
+NPY_MAGIC = b"\x93NUMPY"
+MAT_MAGIC = b"MATLAB 5.0 MAT-file"
+
+_MAX_DEPTH = 6
+
+
+def table_of_npy(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
+    """One array (N, D) as the columns `array[0]`, …, or a structured one by its fields.
+
+    Raises DemonstrationError for what is no whole array of numbers.
+    """
+    _refuse_part(path, part)
+    try:
+        mapped = np.load(path, mmap_mode="r", allow_pickle=False)
+        if not isinstance(mapped, np.ndarray):
+            raise ValueError("it holds no array")
+        refuse_too_large([mapped], str(path), limit_bytes)
+        array = np.array(mapped)
+    except (OSError, ValueError, EOFError, TypeError, SyntaxError, MemoryError) as error:
+        raise DemonstrationError(
+            f"{path}: expected an array of numbers, but it cannot be read ({error}); "
+            "save it again with numpy.save, not as an object."
+        ) from error
+    named = {name: array[name] for name in array.dtype.names or ()} or {"array": array}
+    return ArrayTable(str(path), _signals(named, str(path)), {}, (), {})
+
+
+def table_of_mat(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
+    """The variables of a MATLAB file; fields of a struct are `struct.field`.
+
+    Raises DemonstrationError for what cannot be read.
+    """
+    from scipy.io import loadmat
+
+    _refuse_part(path, part)
+    if path.stat().st_size > limit_bytes:
+        raise DemonstrationError(
+            f"{path}: the file is larger than the limit of {limit_bytes} bytes; cut it or raise "
+            "the limit."
+        )
+    try:
+        content = loadmat(path, struct_as_record=True, squeeze_me=False)
+    except Exception as error:
+        # SciPy's reader raises whatever a damaged file leads it to.
+        raise DemonstrationError(
+            f"{path}: expected a whole MATLAB file, but it cannot be read "
+            f"({type(error).__name__}: {error}); save it again with save -v7."
+        ) from error
+    variables = {name: value for name, value in content.items() if not name.startswith("__")}
+    return ArrayTable(str(path), _signals(dict(_flat(variables)), str(path)), {}, (), {})
+
+
+def _flat(values: dict[str, Any], before: str = "", depth: int = 0) -> Iterator[tuple[str, Any]]:
+    for name, value in values.items():
+        names = getattr(getattr(value, "dtype", None), "names", None)
+        if names and getattr(value, "size", 0) == 1 and depth < _MAX_DEPTH:
+            record = value.reshape(-1)[0]
+            inner = {key: np.asarray(record[key]) for key in names}
+            yield from _flat(inner, f"{before}{name}.", depth + 1)
+        elif isinstance(value, np.ndarray):
+            yield f"{before}{name}", value
+
+
+def _signals(arrays: dict[str, Any], file: str) -> dict[str, NDArray[Any]]:
+    """Columns stand upright: a row (1, N) of MATLAB is a column of N numbers."""
+    upright = {
+        name: value.reshape(-1) if value.ndim == 2 and 1 in value.shape else value
+        for name, value in arrays.items()
+    }
+    found = {name: value for name, value in upright.items() if is_signal(value)}
+    if not found:
+        raise DemonstrationError(
+            f"{file}: expected arrays of numbers, one row a sample, but it holds none."
+        )
+    return found
+
+
+def _refuse_part(path: Path, part: str | None) -> None:
+    if part is not None:
+        raise DemonstrationError(f"{path}: it is one recording; name it without #{part[:80]}.")

@@ -1,0 +1,131 @@
+"""Zarr: the replay buffers of Diffusion Policy, UMI, RDP and ManipForce.
+
+`data/*` holds all episodes one after the other, `meta/episode_ends` where each ends. Streams at
+other rates have ends of their own, `meta/episode_NAME_ends` for the arrays that begin with NAME.
+"""
+
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from keyphase.errors import DemonstrationError
+from keyphase.readers.formats.array_table import ArrayTable
+from keyphase.readers.formats.numeric import is_signal, refuse_too_large, unknown_part
+from keyphase.readers.formats.packages import package
+
+EXTRA = "zarr"
+SUFFIXES = (".zarr", ".zarr.zip")
+MARKS = (".zgroup", "zarr.json")
+
+_ENDS = "episode_ends"
+_MAX_EPISODES = 10_000_000
+
+
+def is_zarr(path: Path) -> bool:
+    """Whether a folder, or a zip file by its name, is a Zarr store."""
+    if path.is_dir():
+        return any((path / mark).is_file() for mark in MARKS)
+    return path.name.lower().endswith(SUFFIXES[1])
+
+
+def parts_of_zarr(path: Path) -> tuple[str, ...]:
+    """episode_0, episode_1, …; none where the store has no `meta/episode_ends`."""
+    with _opened(path) as store:
+        ends = _ends(store, _ENDS)
+        return () if ends is None else tuple(f"episode_{i}" for i in range(len(ends)))
+
+
+def table_of_zarr(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
+    """The signals of one episode, of which only the chunks that hold it are read.
+
+    Raises DemonstrationError for a store or part that cannot be read, MissingPackageError where
+    zarr is not installed.
+    """
+    shown = str(path) if part is None else f"{path}#{part}"
+    with _opened(path) as store:
+        ends = _ends(store, _ENDS)
+        number = _number(part, 0 if ends is None else len(ends))
+        if (ends is None) != (part is None) or (ends is not None and number is None):
+            raise unknown_part(str(path), part, parts_of_zarr(path))
+        data = store["data"] if "data" in store else store
+        found = {name: array for name, array in data.arrays() if is_signal(array)}
+        spans = {name: _span(store, name, array, number) for name, array in found.items()}
+        wanted = [_Rows(spans[n], a.shape[1:], a.dtype) for n, a in found.items()]
+        refuse_too_large(wanted, shown, limit_bytes)
+        arrays = {name: np.asarray(array[slice(*spans[name])]) for name, array in found.items()}
+    return ArrayTable(shown, arrays, {}, (), {})
+
+
+class _Rows:
+    """The rows of an array that are wanted, as large as they will be."""
+
+    def __init__(self, span: tuple[int, int], row: tuple[int, ...], dtype: np.dtype) -> None:
+        self.shape = (span[1] - span[0], *row)
+        self.dtype = dtype
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[Any]:
+    zarr = package("zarr", EXTRA, path)
+    try:
+        if path.is_dir():
+            yield zarr.open_group(path, mode="r")
+        else:
+            with zarr.storage.ZipStore(path, mode="r") as store:
+                yield zarr.open_group(store, mode="r")
+    except DemonstrationError:
+        raise
+    except (
+        OSError,
+        ValueError,
+        KeyError,
+        TypeError,
+        RuntimeError,
+        IndexError,
+        AttributeError,
+        MemoryError,
+        OverflowError,
+        RecursionError,
+        ZeroDivisionError,
+        json.JSONDecodeError,
+    ) as error:
+        raise DemonstrationError(
+            f"{path}: expected a whole Zarr store, but it cannot be read "
+            f"({type(error).__name__}: {error}); copy or export it again."
+        ) from error
+
+
+def _ends(store: Any, name: str) -> NDArray[np.int64] | None:
+    key = f"meta/{name}"
+    if key not in store:
+        return None
+    array = store[key]
+    if len(array.shape) != 1 or array.shape[0] > _MAX_EPISODES or array.dtype.kind not in "iu":
+        raise ValueError(f"{key} must be a list of whole numbers")
+    ends = np.asarray(array[:]).astype(np.int64)
+    if (np.diff(ends, prepend=0) < 0).any():
+        raise ValueError(f"{key} must not decrease")
+    return ends
+
+
+def _number(part: str | None, count: int) -> int | None:
+    digits = (part or "").removeprefix("episode_")
+    if not digits.isdecimal() or len(digits) > 9 or int(digits) >= count:
+        return None
+    return int(digits)
+
+
+def _span(store: Any, name: str, array: Any, number: int | None) -> tuple[int, int]:
+    """First row and the one after the last of an episode in an array, by its stream's ends."""
+    if number is None:
+        return 0, array.shape[0]
+    own = _ends(store, f"episode_{name.partition('_')[0]}_ends")
+    ends = _ends(store, _ENDS) if own is None else own
+    if ends is None or number >= len(ends) or ends[-1] > array.shape[0]:
+        raise ValueError(f"{name} has {array.shape[0]} rows, which its episodes' ends do not fit")
+    return (int(ends[number - 1]) if number else 0), int(ends[number])

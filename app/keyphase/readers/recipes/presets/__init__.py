@@ -1,0 +1,61 @@
+"""Recipes that ship with a format: what is known of it, in the language of recipes.
+
+A preset names the columns by which its files are known (`needs`). What a format leaves open, such
+as a rate or the sign of a wrench, its preset leaves open, too, and a recipe of a few lines says it:
+`preset = "umi"`, then the section that is missing.
+"""
+
+import difflib
+import tomllib
+from collections.abc import Iterable, Mapping
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from keyphase.errors import RecipeError
+
+_ENDING = ".toml"
+_NEEDS = "needs"
+
+
+@cache
+def preset_names() -> tuple[str, ...]:
+    """All presets, in alphabetical order."""
+    entries = files(__name__).iterdir()
+    return tuple(sorted(e.name.removesuffix(_ENDING) for e in entries if e.name.endswith(_ENDING)))
+
+
+def preset_values(name: Any, recipe: str) -> dict[str, Any]:
+    """What a preset says, as the values of a recipe. Raises RecipeError for an unknown one."""
+    if name not in preset_names():
+        near = difflib.get_close_matches(str(name)[:60], preset_names(), n=1)
+        hint = f"did you mean {near[0]!r}?" if near else f"they are {', '.join(preset_names())}."
+        raise RecipeError(f"{recipe}: there is no preset {str(name)[:60]!r}; {hint}")
+    values = _shipped(str(name))
+    return {key: value for key, value in values.items() if key != _NEEDS}
+
+
+def fitting_preset(columns: Iterable[str]) -> str | None:
+    """The preset all of whose needed columns are there; of several, the one that needs most."""
+    there = set(columns)
+    fitting = [name for name in preset_names() if there.issuperset(_shipped(name)[_NEEDS])]
+    return max(fitting, key=lambda name: len(_shipped(name)[_NEEDS]), default=None)
+
+
+def merged(below: Mapping[str, Any], above: Mapping[str, Any]) -> dict[str, Any]:
+    """Values of two recipes; where both say something, the one above says it.
+
+    A section that says its columns or its rate anew says all of itself anew.
+    """
+    out = dict(below)
+    for key, value in above.items():
+        under = out.get(key)
+        whole = isinstance(value, dict) and not {"columns", "column", "rate_hz"}.isdisjoint(value)
+        both = isinstance(under, dict) and isinstance(value, dict)
+        out[key] = {**under, **value} if both and not whole else value
+    return out
+
+
+@cache
+def _shipped(name: str) -> dict[str, Any]:
+    return tomllib.loads((files(__name__) / f"{name}{_ENDING}").read_text())

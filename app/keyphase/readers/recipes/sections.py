@@ -1,0 +1,220 @@
+"""The sections of a recipe, each taken from its keys and checked."""
+
+import re
+from datetime import datetime
+from typing import Literal
+
+from keyphase.errors import RecipeError
+from keyphase.readers.orientation import MatrixLayout, QuaternionOrder
+from keyphase.readers.recipes.keys import Keys
+from keyphase.readers.recipes.recipe import (
+    ISO,
+    Euler,
+    Load,
+    Matrix,
+    NumberTime,
+    Orientation,
+    Pose,
+    Quaternion,
+    RateTime,
+    RotationVector,
+    Rows,
+    Scaled,
+    SixNumbers,
+    Split,
+    StampTime,
+    TwoPartTime,
+    WrenchForm,
+)
+from keyphase.readers.recipes.units import Quantity
+from keyphase.readers.table import TableForm
+
+_SEPARATORS: dict[str, str | None] = {
+    **{character: character for character in ",;|:\t"},
+    "tab": "\t",
+    "whitespace": None,
+}
+_ENCODINGS = {"utf-8": "utf-8-sig"} | {
+    name: name for name in ("utf-16", "latin-1", "cp1252", "shift_jis", "gb18030")
+}
+_ORDERS: dict[str, QuaternionOrder] = {"wxyz": "wxyz", "xyzw": "xyzw"}
+_LAYOUTS: dict[str, MatrixLayout] = {"row_major": "row_major", "column_major": "column_major"}
+_EULER_SEQUENCE = re.compile("[xyz]{3}|[XYZ]{3}")
+_FRAMES: dict[str, Literal["base", "tool"]] = {"base": "base", "tool": "tool"}
+
+
+def split_of(keys: Keys | None) -> Split | None:
+    """How several demonstrations in one table are told apart, or None where there is one."""
+    if keys is None:
+        return None
+    column = keys.column("demonstration")
+    restarts = keys.flag("time_starts_again", False)
+    if column is not None and restarts:
+        raise RecipeError(
+            f"{keys.where}: expected demonstration or time_starts_again; keep one of them."
+        )
+    return Split(column) if column is not None or restarts else None
+
+
+def table_of(keys: Keys | None) -> TableForm:
+    """How the text is laid out."""
+    if keys is None:
+        return TableForm()
+    form = TableForm(
+        separator=keys.choice("separator", _SEPARATORS, ","),
+        skip_lines=keys.count("skip_lines", 0),
+        header=keys.flag("header", True),
+        encoding=keys.choice("encoding", _ENCODINGS, "utf-8"),
+        decimal=keys.choice("decimal", {".": ".", ",": ","}, "."),
+    )
+    keys.finish()
+    return form
+
+
+def time_of(keys: Keys) -> RateTime | NumberTime | TwoPartTime | StampTime:
+    """When each row was recorded."""
+    if keys.has("seconds") or keys.has("nanoseconds"):
+        return _two_part_time(keys)
+    column, rate = keys.column(), keys.positive("rate_hz")
+    if (column is None) == (rate is None):
+        raise RecipeError(f"{keys.where}: expected either column or rate_hz; keep one of them.")
+    if column is None or rate is not None:
+        time = RateTime(rate or 1.0)
+    elif keys.has("format"):
+        time = StampTime(column, _time_format(keys))
+    else:
+        time = NumberTime(column, keys.unit("time"), keys.flag("from_zero", False))
+    keys.finish()
+    return time
+
+
+def _two_part_time(keys: Keys) -> TwoPartTime:
+    seconds, nanoseconds = keys.column("seconds"), keys.column("nanoseconds")
+    if seconds is None or nanoseconds is None:
+        raise RecipeError(f"{keys.where}: seconds and nanoseconds go together; add the other one.")
+    keys.finish()
+    return TwoPartTime(seconds, nanoseconds)
+
+
+def _time_format(keys: Keys) -> str:
+    text = keys.text("format")
+    try:
+        if text != ISO:
+            datetime.strptime(datetime(2000, 1, 1).strftime(text), text)
+    except (ValueError, re.error) as error:
+        raise RecipeError(
+            f"{keys.where}: format must be {ISO!r} or a format of strptime such as "
+            f"'%Y-%m-%d %H:%M:%S.%f', but is {text[:60]!r} ({error})."
+        ) from error
+    return text
+
+
+def rows_of(keys: Keys | None) -> Rows:
+    """What to do about rows that are not as they should be."""
+    if keys is None:
+        return Rows()
+    rows = Rows(
+        repeated=keys.choice("repeated", {"refuse": "refuse", "drop": "drop"}, "refuse"),
+        irregular=keys.choice(
+            "irregular", {"leave": "leave", "refuse": "refuse", "resample": "resample"}, "leave"
+        ),
+        rate_hz=keys.positive("rate_hz"),
+        held=keys.choice("held", {"leave": "leave", "interpolate": "interpolate"}, "leave"),
+    )
+    if (rows.irregular == "resample") != (rows.rate_hz is not None):
+        raise RecipeError(
+            f"{keys.where}: rate_hz says what irregular = 'resample' resamples to; "
+            "give both or neither."
+        )
+    keys.finish()
+    return rows
+
+
+def scaled_of(
+    keys: Keys | None, counts: tuple[int, ...] | range, quantity: Quantity
+) -> Scaled | None:
+    """Columns of one quantity."""
+    if keys is None:
+        return None
+    scaled = Scaled(keys.columns(counts), keys.unit(quantity))
+    keys.finish()
+    return scaled
+
+
+def pose_of(keys: Keys | None) -> Pose | None:
+    """A 4x4 matrix."""
+    if keys is None:
+        return None
+    pose = Pose(keys.columns((16,)), keys.unit("length"), keys.choice("layout", _LAYOUTS))
+    keys.finish()
+    return pose
+
+
+def orientation_of(keys: Keys | None) -> Orientation | None:
+    """The tool's orientation, by its kind."""
+    if keys is None:
+        return None
+    kinds = {
+        "quaternion": _quaternion,
+        "euler": _euler,
+        "rotation_vector": _rotation_vector,
+        "matrix": _matrix,
+        "rot6d": _six_numbers,
+    }
+    orientation = keys.choice("kind", kinds)(keys)
+    keys.finish()
+    return orientation
+
+
+def _quaternion(keys: Keys) -> Orientation:
+    order = keys.choice("order", _ORDERS)
+    return Quaternion(keys.columns((4,)), order, keys.flag("normalise", False))
+
+
+def _euler(keys: Keys) -> Orientation:
+    sequence = keys.text("sequence")
+    if not _EULER_SEQUENCE.fullmatch(sequence) or sequence[1] in (sequence[0], sequence[2]):
+        raise RecipeError(
+            f"{keys.where}: sequence must be three axes, xyz about the fixed ones (roll, pitch, "
+            f"yaw) or XYZ about the turned ones, but is {sequence[:20]!r}."
+        )
+    return Euler(keys.columns((3,)), keys.unit("angle"), sequence)
+
+
+def _rotation_vector(keys: Keys) -> Orientation:
+    return RotationVector(keys.columns((3,)), keys.unit("angle"))
+
+
+def _six_numbers(keys: Keys) -> Orientation:
+    return SixNumbers(keys.columns((6,)))
+
+
+def _matrix(keys: Keys) -> Orientation:
+    return Matrix(keys.columns((9, 16)), keys.choice("layout", _LAYOUTS))
+
+
+def load_of(keys: Keys | None, quantity: Quantity) -> Load | None:
+    """Force or torque."""
+    if keys is None:
+        return None
+    load = Load(
+        columns=keys.columns((3,)),
+        size=keys.unit(quantity),
+        offset=keys.vector("offset"),
+        offset_from_first_s=keys.positive("offset_from_first_s"),
+    )
+    if load.offset and load.offset_from_first_s:
+        raise RecipeError(
+            f"{keys.where}: expected offset or offset_from_first_s, not both; keep one of them."
+        )
+    keys.finish()
+    return load
+
+
+def wrench_of(keys: Keys | None) -> WrenchForm | None:
+    """Frame and sign of the wrench."""
+    if keys is None:
+        return None
+    wrench = WrenchForm(keys.choice("frame", _FRAMES), keys.sign())
+    keys.finish()
+    return wrench
