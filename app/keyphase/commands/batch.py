@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from keyphase.errors import KeyphaseError, ParameterError, SegmentFileError
+from keyphase.files.parts import stem_of
 from keyphase.labeling.segment_file import SUFFIX
 from keyphase.readers import Found, find_recordings
 from keyphase.segmentation.parameters import Parameters
@@ -87,7 +88,7 @@ def _tasks(found: Iterable[Found], output: Path) -> list[Written]:
     """What is to be written where; two recordings for one file are refused."""
     tasks: dict[str, Written] = {}
     for recording, relative in found:
-        target = output / relative.with_name(relative.stem + SUFFIX)
+        target = output / relative.with_name(stem_of(relative) + SUFFIX)
         other = tasks.setdefault(os.path.normcase(target), Written(recording, target))
         if other.recording != recording:
             raise SegmentFileError(

@@ -1,6 +1,5 @@
 """Segment files: written whole, and read back only if they are what they claim to be."""
 
-import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -12,6 +11,7 @@ from keyphase.errors import KeyphaseError, SegmentFileError
 from keyphase.files.writing import write_whole
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file_content import as_csv, as_json, segment_file_content
+from keyphase.readers import fingerprint
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import Origin
@@ -107,11 +107,10 @@ def read_segment_file(path: Path, *, check_recording: bool = True) -> SegmentFil
 
 
 def require_same_recording(file: SegmentFile, recording: Path) -> None:
-    """Raise SegmentFileError unless the bytes at `recording` are those that were segmented."""
+    """Raise SegmentFileError unless what is at `recording` is what was segmented."""
     try:
-        with recording.open("rb") as content:
-            found = hashlib.file_digest(content, "sha256").hexdigest()
-    except (OSError, ValueError) as error:
+        found = fingerprint(recording)
+    except (KeyphaseError, OSError, ValueError) as error:
         raise SegmentFileError(
             f"{file.path}: its recording was expected at {recording}, but cannot be read there; "
             "put it back or segment it again."

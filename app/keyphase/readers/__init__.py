@@ -4,11 +4,13 @@ Native are the NPZ archive and the CSV table of `docs/formats.md`; any other tab
 recipe (`docs/recipes.md`).
 """
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from keyphase.demonstration import Demonstration
+from keyphase.files.parts import split_part, with_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
 from keyphase.readers.finding import (
     FOLDER_RECIPE,
@@ -18,6 +20,8 @@ from keyphase.readers.finding import (
     folder_recipe,
     own_recipe,
 )
+from keyphase.readers.formats.known import format_of
+from keyphase.readers.formats.reader import fingerprint_of, read_format
 from keyphase.readers.native_csv import has_native_header, read_csv, save_csv
 from keyphase.readers.native_npz import MAGIC, read_npz, save_npz
 from keyphase.readers.recipes.file import load_recipe, parse_recipe
@@ -30,6 +34,7 @@ __all__ = [
     "Found",
     "Recipe",
     "find_recordings",
+    "fingerprint",
     "load_recipe",
     "parse_recipe",
     "read",
@@ -44,26 +49,54 @@ def read(
     *,
     limit_bytes: int = DEFAULT_LIMIT_BYTES,
 ) -> Demonstration:
-    """The demonstration recorded in a file.
+    """The demonstration recorded in a file, or one of many in it: `data.hdf5#demo_3`.
 
-    An archive is read as native NPZ, whatever recipe is given. A table is read through the recipe
-    given, or the one beside it (`<file>.recipe.toml`); without, a native table is read as such and
-    any other through its folder's `recipe.toml`. What was held, resampled, dropped or turned is
-    said in the notices. `limit_bytes` bounds what is read and unpacked.
+    An archive is read as native NPZ, whatever recipe is given. A table or a binary format is read
+    through the recipe given, or the one beside it (`<file>.recipe.toml`); without, a native table
+    is read as such and anything else through its folder's `recipe.toml`, a binary format at last
+    through the preset that knows its columns. What was held, resampled, dropped or turned is said
+    in the notices. `limit_bytes` bounds what is read and unpacked.
 
     Raises DemonstrationError for what cannot be read or used, RecipeError where recipe and table
     do not fit; each names file, row, column and what to do.
     """
-    path = Path(path)
-    file = read_whole(path, limit_bytes)
+    path, part = split_part(Path(path))
+    form = format_of(path)
     with np.errstate(all="ignore"):
-        if path.suffix.lower() == ".npz" or file.data.startswith(MAGIC):
-            return read_npz(file, limit_bytes)
-        chosen = recipe or own_recipe(path)
-        if chosen is None and not has_native_header(file.data):
-            chosen = folder_recipe(path)
-        if chosen is None:
-            return read_csv(file, limit_bytes)
-        if not isinstance(chosen, Recipe):
-            chosen = load_recipe(chosen)
-        return read_by_recipe(file, chosen, limit_bytes)
+        if form is not None:
+            chosen = recipe or own_recipe(path) or folder_recipe(path)
+            return read_format(path, part, form, _loaded(chosen), limit_bytes)
+        return _read_table(path, part, recipe, limit_bytes)
+
+
+def fingerprint(path: Path | str, *, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> str:
+    """SHA-256 (hex) by which a recording is known again: of the file, or of its part's numbers.
+
+    Raises DemonstrationError as `read` does.
+    """
+    path, part = split_part(Path(path))
+    form = format_of(path)
+    if form is not None:
+        return fingerprint_of(path, part, form, limit_bytes)
+    return read_whole(path, limit_bytes).source.sha256
+
+
+def _read_table(
+    path: Path, part: str | None, recipe: Recipe | Path | str | None, limit_bytes: int
+) -> Demonstration:
+    file = read_whole(path, limit_bytes)
+    if part is not None:
+        file = replace(file, source=replace(file.source, path=with_part(path, part)))
+    if path.suffix.lower() == ".npz" or file.data.startswith(MAGIC):
+        return read_npz(file, limit_bytes)
+    chosen = recipe or own_recipe(path)
+    if chosen is None and not has_native_header(file.data):
+        chosen = folder_recipe(path)
+    loaded = _loaded(chosen)
+    if loaded is None:
+        return read_csv(file, limit_bytes)
+    return read_by_recipe(file, loaded, limit_bytes, part)
+
+
+def _loaded(recipe: Recipe | Path | str | None) -> Recipe | None:
+    return recipe if recipe is None or isinstance(recipe, Recipe) else load_recipe(recipe)

@@ -5,13 +5,20 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from keyphase.errors import DemonstrationError
+from keyphase.errors import DemonstrationError, KeyphaseError
+from keyphase.files.parts import split_part, with_part
+from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
+from keyphase.readers.formats.known import format_of
 from keyphase.readers.native_csv import LONGEST_HEADER, has_native_header
+from keyphase.readers.recipes.file import load_recipe
+from keyphase.readers.recipes.several import parts_of_table
+from keyphase.readers.table import open_table
 
 RECIPE_SUFFIX = ".recipe.toml"
 FOLDER_RECIPE = "recipe.toml"
 
 _TABLE_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".log", ".asc")
+_BINARY_SUFFIXES = (".hdf5", ".h5", ".zip", ".bag", ".mcap", ".mat", ".npy")
 _SEGMENTS_SUFFIX = ".segments.csv"
 
 
@@ -35,10 +42,54 @@ def find_recordings(
     """
     found: dict[str, Found] = {}
     for path in map(Path, paths):
-        inside = _in_folder(path, recipe) if os.path.isdir(path) else [Found(path, Path(path.name))]
-        for recording in inside:
+        for recording in _found(path, recipe):
             found.setdefault(os.path.abspath(recording.path), recording)
     return tuple(found.values())
+
+
+def _found(path: Path, recipe: Path | str | None) -> Iterator[Found]:
+    if not os.path.isdir(path) or format_of(path) is not None:
+        yield from _parts(Found(path, Path(path.name)), recipe)
+        return
+    for recording in _in_folder(path, recipe):
+        yield from _parts(recording, recipe)
+
+
+def _parts(recording: Found, recipe: Path | str | None) -> Iterator[Found]:
+    """Each recording of a file that holds many; the file itself where it is one, or unreadable."""
+    path, relative = recording
+    try:
+        names = parts_of(path, recipe)
+    except KeyphaseError:
+        names = ()
+    if not names:
+        yield recording
+    for name in names:
+        yield Found(with_part(path, name), with_part(relative, name))
+
+
+def parts_of(path: Path, recipe: Path | str | None = None) -> tuple[str, ...]:
+    """The recordings in a file or dataset that holds many, or none where it is one.
+
+    Raises DemonstrationError and RecipeError for what cannot be read.
+    """
+    form = format_of(path)
+    chosen = recipe or own_recipe(path) or folder_recipe(path)
+    if form is not None:
+        inner = form.parts(path)
+        sides = tuple(load_recipe(chosen).parts) if chosen else ()
+        if not sides:
+            return inner
+        return tuple(f"{one}+{side}" for one in inner for side in sides) or sides
+    if chosen is None or split_part(path)[1] is not None or not os.path.isfile(path):
+        return ()
+    loaded = load_recipe(chosen)
+    if loaded.split is None:
+        return tuple(loaded.parts)
+    file = read_whole(path, DEFAULT_LIMIT_BYTES)
+    return parts_of_table(
+        open_table(file.name, file.data, loaded.table, DEFAULT_LIMIT_BYTES), loaded
+    )
 
 
 def own_recipe(path: Path) -> Path | None:
@@ -66,9 +117,14 @@ def _in_folder(folder: Path, recipe: Path | str | None) -> Iterator[Found]:
     paths = []
     for parent, folders, files in os.walk(folder, onerror=_refuse):
         folders[:] = [name for name in folders if not name.startswith(".")]
+        datasets = [name for name in folders if format_of(Path(parent, name)) is not None]
+        folders[:] = [name for name in folders if name not in datasets]
+        paths += [Path(parent, name) for name in datasets]
         paths += [Path(parent, name) for name in files if not name.startswith(".")]
     for path in sorted(paths, key=lambda path: path.relative_to(folder).parts):
-        if os.path.isfile(path) and _is_recording(path, recipe is not None):
+        if os.path.isdir(path) or (
+            os.path.isfile(path) and _is_recording(path, recipe is not None)
+        ):
             yield Found(path, path.relative_to(folder))
 
 
@@ -82,6 +138,8 @@ def _is_recording(path: Path, recipe_given: bool) -> bool:
     name = path.name.lower()
     if name.endswith(".npz"):
         return True
+    if name.endswith(_BINARY_SUFFIXES):
+        return format_of(path) is not None
     if not name.endswith(_TABLE_SUFFIXES) or name.endswith(_SEGMENTS_SUFFIX):
         return False
     return bool(recipe_given or own_recipe(path) or folder_recipe(path) or begins_native(path))

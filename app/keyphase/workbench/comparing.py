@@ -5,6 +5,7 @@ from statistics import median
 from typing import Any
 
 from keyphase.errors import KeyphaseError, RequestError
+from keyphase.files.parts import stem_of
 from keyphase.labeling.comparison import Outline, compare
 from keyphase.labeling.edits import Reset
 from keyphase.labeling.label import label
@@ -80,8 +81,8 @@ def _segment_files(opened: Opened) -> Sequence[str]:
     """Names of segment files in the recording's folder; its own first."""
     path = opened.recording.path
     found = sorted(file.name for file in path.parent.glob(f"*{SUFFIX}"))
-    own = path.stem + SUFFIX
-    found.sort(key=lambda name: (name != own, not name.startswith(path.stem)))
+    own = stem_of(path) + SUFFIX
+    found.sort(key=lambda name: (name != own, not name.startswith(stem_of(path))))
     return found[:MOST_FILES]
 
 

@@ -4,6 +4,7 @@ import os
 from pathlib import Path
 
 from keyphase.errors import RequestError
+from keyphase.files.parts import stem_of
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file import SUFFIX, write_segment_file
 
@@ -17,7 +18,7 @@ def export(labeling: Labeling, recording: Path, kind: str) -> Path:
     """
     if kind not in ("json", "csv"):
         raise RequestError(f"A segment file is json or csv, but not {kind!r}.")
-    name = recording.stem + SUFFIX
+    name = stem_of(recording) + SUFFIX
     folder = recording.parent if os.access(recording.parent, os.W_OK) else Path.cwd()
     path = folder / (name if kind == "json" else Path(name).with_suffix(".csv"))
     write_segment_file(labeling, path)

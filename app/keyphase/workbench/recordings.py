@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
+from keyphase.files.parts import stem_of
+
 State = Literal["automatic", "touched", "done"]
 
 
@@ -26,7 +28,7 @@ class Recording:
     @property
     def name(self) -> str:
         """The file's name for people, whatever bytes it is made of."""
-        return printable(self.path.stem)
+        return printable(stem_of(self.path))
 
 
 def queue(paths: Sequence[Path]) -> tuple[Recording, ...]:

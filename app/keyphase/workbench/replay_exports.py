@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from keyphase.errors import RequestError, SimulationError
+from keyphase.files.parts import stem_of
 from keyphase.files.writing import write_whole
 from keyphase.skills.behavior_tree import behavior_tree
 from keyphase.skills.program import program_listing
@@ -23,7 +24,7 @@ def export_plan(plan: ReplayPlan, recording: Path, kind: str) -> Path:
         "skills": lambda: _write_skills(plan, recording),
         "behavior tree": lambda: _write_tree(plan, recording),
         "program": lambda: _write_text(
-            beside(recording, ".program.txt"), program_listing(plan.skills, recording.stem)
+            beside(recording, ".program.txt"), program_listing(plan.skills, stem_of(recording))
         ),
     }
     if kind not in writers:
@@ -34,7 +35,7 @@ def export_plan(plan: ReplayPlan, recording: Path, kind: str) -> Path:
 def beside(recording: Path, suffix: str) -> Path:
     """A file named after the recording, where there is room for it."""
     folder = recording.parent if os.access(recording.parent, os.W_OK) else Path.cwd()
-    return folder / f"{recording.stem}{suffix}"
+    return folder / f"{stem_of(recording)}{suffix}"
 
 
 def write_page(html: str, recording: Path) -> Path:

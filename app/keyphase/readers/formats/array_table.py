@@ -115,7 +115,7 @@ class ArrayTable:
         return values
 
     def fingerprint(self) -> str:
-        """SHA-256 (hex) of all names, types and numbers: the recording's, whatever file it is in."""
+        """SHA-256 (hex) of all names, types and numbers, whatever file they are in."""
         digest = hashlib.sha256()
         for name, values in self.arrays.items():
             digest.update(f"{name}\0{values.dtype.str}\0{values.shape}\0".encode())

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from keyphase.errors import DemonstrationError
+from keyphase.errors import DemonstrationError, KeyphaseError
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.numeric import MAX_NUMBERS_A_ROW
 from keyphase.readers.formats.packages import package
@@ -145,7 +145,10 @@ def _stacked(values: tuple[Any, ...]) -> NDArray[Any] | None:
 
 
 def _numbers_of(
-    value: Any, before: str = "", get: Callable[[Any], Any] = lambda message: message, depth: int = 0
+    value: Any,
+    before: str = "",
+    get: Callable[[Any], Any] = lambda message: message,
+    depth: int = 0,
 ) -> Iterator[tuple[str, Callable[[Any], Any]]]:
     """The numbers in a message, by the path to each, and how to fetch it from another one."""
     if depth > _MAX_DEPTH:
@@ -161,25 +164,23 @@ def _numbers_of(
 
         if is_dataclass(inner):
             yield from _numbers_of(inner, f"{name}.", fetch, depth + 1)
-        elif isinstance(inner, bool | int | float):
+        elif isinstance(inner, bool | int | float) or _is_row(inner):
             yield name, fetch
-        elif isinstance(inner, np.ndarray) and inner.dtype.kind in "fiub":
-            if 0 < inner.size <= MAX_NUMBERS_A_ROW:
-                yield name, fetch
+
+
+def _is_row(value: Any) -> bool:
+    is_numbers = isinstance(value, np.ndarray) and value.dtype.kind in "fiub"
+    return is_numbers and 0 < value.size <= MAX_NUMBERS_A_ROW
 
 
 @contextmanager
 def _damage_told(path: Path) -> Iterator[None]:
     try:
         yield
-    except (DemonstrationError, MemoryError):
-        raise
-    except ImportError:
+    except (KeyphaseError, ImportError):
         raise
     except Exception as error:
         # rosbags and its decoders raise whatever their bytes lead to; none of it is a defect here.
-        if type(error).__module__.startswith("keyphase"):
-            raise
         raise DemonstrationError(
             f"{path}: expected a whole bag, but it cannot be read "
             f"({type(error).__name__}: {error}); copy or record it again."

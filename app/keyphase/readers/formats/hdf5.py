@@ -97,9 +97,15 @@ def _signals(group: Any, before: str = "", depth: int = 0) -> Iterator[tuple[str
         item = group[name]
         if isinstance(item, h5py.Group):
             yield from _signals(item, f"{before}{name}/", depth + 1)
-        elif isinstance(item, h5py.Dataset) and not (item.is_virtual or item.external):
-            if is_signal(item):
-                yield f"{before}{name}", item
+        elif _is_own_signal(item):
+            yield f"{before}{name}", item
+
+
+def _is_own_signal(item: Any) -> bool:
+    import h5py
+
+    own = isinstance(item, h5py.Dataset) and not (item.is_virtual or item.external)
+    return own and is_signal(item)
 
 
 def _control_rate(episodes: Any) -> float | None:

@@ -28,7 +28,7 @@ def read_format(
     Raises DemonstrationError for what cannot be read, RecipeError where no preset fits or the
     recipe does not fit, MissingPackageError where the format's package is not installed.
     """
-    side, inner = _side(recipe, part, form, path)
+    side, inner = _side(recipe, part, path)
     table = form.table(path, inner, limit_bytes)
     chosen = side or _preset(table)
     source = Source(with_part(path, part) if part else path, table.fingerprint())
@@ -44,9 +44,7 @@ def fingerprint_of(path: Path, part: str | None, form: Format, limit_bytes: int)
     return form.table(path, inner, limit_bytes).fingerprint()
 
 
-def _side(
-    recipe: Recipe | None, part: str | None, form: Format, path: Path
-) -> tuple[Recipe | None, str | None]:
+def _side(recipe: Recipe | None, part: str | None, path: Path) -> tuple[Recipe | None, str | None]:
     """The recipe of one tool, where a part `demo_3+left` names one beside the others."""
     if recipe is None or not recipe.parts:
         return recipe, part
@@ -66,7 +64,7 @@ def _preset(table: ArrayTable) -> Recipe:
     except RecipeError as error:
         raise RecipeError(
             f"{table.file}: its columns are those of the preset {name!r}, which leaves something "
-            f"open ({error}); say it in a recipe that begins with preset = \"{name}\"."
+            f'open ({error}); say it in a recipe that begins with preset = "{name}".'
         ) from error
 
 
@@ -77,4 +75,3 @@ def _shown(names: tuple[str, ...]) -> str:
 
 def _with_notices(demonstration: Demonstration, notices: tuple[str, ...]) -> Demonstration:
     return replace(demonstration, notices=(*notices, *demonstration.notices))
-

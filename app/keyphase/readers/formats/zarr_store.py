@@ -52,7 +52,7 @@ def table_of_zarr(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
         number = _number(part, 0 if ends is None else len(ends))
         if (ends is None) != (part is None) or (ends is not None and number is None):
             raise unknown_part(str(path), part, parts_of_zarr(path))
-        data = store["data"] if "data" in store else store
+        data = store.get("data", store)
         found = {name: array for name, array in data.arrays() if is_signal(array)}
         spans = {name: _span(store, name, array, number) for name, array in found.items()}
         wanted = [_Rows(spans[n], a.shape[1:], a.dtype) for n, a in found.items()]

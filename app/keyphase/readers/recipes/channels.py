@@ -16,6 +16,7 @@ from keyphase.readers.orientation import (
     refuse_not_homogeneous,
     square_matrices,
 )
+from keyphase.readers.recipes.clocks import on_one_clock
 from keyphase.readers.recipes.columns import Columns
 from keyphase.readers.recipes.recipe import (
     Euler,
@@ -33,7 +34,6 @@ from keyphase.readers.recipes.recipe import (
     StampTime,
     TwoPartTime,
 )
-from keyphase.readers.recipes.clocks import on_one_clock
 from keyphase.readers.recipes.stamps import seconds_from_first
 from keyphase.readers.table import Columned
 from keyphase.readers.timing import refuse_not_increasing

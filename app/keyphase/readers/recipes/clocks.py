@@ -43,11 +43,14 @@ def on_one_clock(
             f"{recipe}: the clocks of the channels do not overlap (from {begin:.3f} to {end:.3f} "
             "s); check their columns and whether all have one unit and one zero."
         )
-    moved = {channel for channel in channels if not np.array_equal(clocks[channel], time)}
+    kept = (lead >= time[0]) & (lead <= time[-1])
+    moved = {channel for channel in channels if not np.array_equal(clocks[channel], lead)}
     brought = {
-        channel: interpolate(channel, clocks[channel], values, time)
-        if channel in moved
-        else values
+        channel: (
+            interpolate(channel, clocks[channel], values, time)
+            if channel in moved
+            else values[kept]
+        )
         for channel, values in channels.items()
     }
     return {"time_s": time, **brought}, _notices(clocks, leading, moved, time)

@@ -69,7 +69,9 @@ def recipe_of(values: Mapping[str, Any], name: str) -> Recipe:
     several = values.pop("demonstration", None)
     if several is None:
         return _one(values, name)
-    parts = {part: _one(merged(values, own), f"{name}#{part}") for part, own in _named(several, name)}
+    parts = {
+        part: _one(merged(values, own), f"{name}#{part}") for part, own in _named(several, name)
+    }
     first = next(iter(parts.values()))
     return replace(first, name=name, parts=parts)
 

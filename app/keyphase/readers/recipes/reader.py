@@ -13,8 +13,8 @@ from keyphase.readers.build import build
 from keyphase.readers.held import find_hold
 from keyphase.readers.recipes.channels import Channels, Noted, channels_of, where
 from keyphase.readers.recipes.recipe import RateTime, Recipe
-from keyphase.readers.resampling import interpolate_hold, resample
 from keyphase.readers.recipes.several import recipe_of_part, rows_of_part
+from keyphase.readers.resampling import interpolate_hold, resample
 from keyphase.readers.table import Columned, open_table
 from keyphase.readers.timing import irregularity, refuse_not_increasing
 from keyphase.readers.wrench import in_base_frame, offset_of

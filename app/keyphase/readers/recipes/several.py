@@ -1,4 +1,4 @@
-"""Several demonstrations in one table: side by side by [[demonstration]], or one below the other."""
+"""Several demonstrations in one table: side by side, or one below the other."""
 
 from collections.abc import Iterable
 from dataclasses import replace

@@ -1,0 +1,102 @@
+"""Zarr replay buffers as UMI, RDP and ManipForce write them, made with zarr."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import zarr
+
+from keyphase.errors import DemonstrationError, RecipeError
+from keyphase.readers import find_recordings, parse_recipe, read
+
+
+def store(path: Path, data: dict[str, np.ndarray], meta: dict[str, list[int]]) -> Path:
+    root = zarr.open_group(path, mode="w", zarr_format=2)
+    for group, arrays in (("data", data), ("meta", meta)):
+        inside = root.create_group(group)
+        for name, values in arrays.items():
+            array = np.asarray(values)
+            inside.create_array(name, shape=array.shape, dtype=array.dtype)[...] = array
+    return path
+
+
+@pytest.fixture
+def umi(tmp_path: Path) -> Path:
+    place = np.arange(300).reshape(100, 3) / 1000.0
+    data = {
+        "robot0_eef_pos": place,
+        "robot0_eef_rot_axis_angle": np.zeros((100, 3)),
+        "robot0_gripper_width": np.linspace(0, 0.08, 100)[:, None],
+    }
+    return store(tmp_path / "umi.zarr", data, {"episode_ends": [40, 100]})
+
+
+def test_a_replay_buffer_is_a_list_of_episodes(umi: Path) -> None:
+    names = [found.path.name for found in find_recordings([umi.parent])]
+    assert names == ["umi.zarr#episode_0", "umi.zarr#episode_1"]
+
+
+def test_an_episode_is_read_by_its_ends_through_a_preset_and_a_rate(umi: Path) -> None:
+    recipe = parse_recipe(
+        'preset = "umi"\ntime.rate_hz = 60\n'
+        'gripper = {columns = "robot0_gripper_width[*]", unit = "m"}',
+        "umi.toml",
+    )
+    demonstration = read(f"{umi}#episode_1", recipe)
+    place = np.arange(300).reshape(100, 3)[40:] / 1000.0
+    np.testing.assert_array_equal(demonstration.position_m, place)
+    np.testing.assert_allclose(demonstration.rate_hz, 60)
+    assert demonstration.gripper is not None
+    np.testing.assert_array_equal(demonstration.gripper, np.linspace(0, 0.08, 100)[40:])
+
+
+def test_the_rate_nobody_states_is_asked_for(umi: Path) -> None:
+    with pytest.raises(RecipeError, match=r"preset 'umi', which leaves .*\[time\] is missing"):
+        read(f"{umi}#episode_0")
+
+
+def test_rot6d_and_a_wrench_in_the_tools_frame_as_rdp_has_them(tmp_path: Path) -> None:
+    turned = np.tile([0.0, 1, 0, -1, 0, 0], (50, 1))
+    pose = np.column_stack([np.arange(50) / 100, np.zeros((50, 2)), turned])
+    data = {
+        "left_robot_tcp_pose": pose,
+        "left_robot_tcp_wrench": np.tile([5.0, 0, 0, 0, 0, 0], (50, 1)),
+        "timestamp": 1.7e9 + np.arange(50) / 30,
+    }
+    path = store(tmp_path / "rdp.zarr", data, {"episode_ends": [50]})
+    recipe = parse_recipe('preset = "rdp"\nwrench.sign = 1', "rdp.toml")
+    demonstration = read(f"{path}#episode_0", recipe)
+    assert demonstration.force_N is not None
+    np.testing.assert_allclose(demonstration.force_N[0], [0.0, 5.0, 0.0], atol=1e-12)
+
+
+def test_each_stream_has_ends_of_its_own(tmp_path: Path) -> None:
+    data = {
+        "state": np.arange(60.0).reshape(20, 3) / 100,
+        "img_timestamps": np.tile(np.arange(10) / 10, 2),
+        "ft_data": np.arange(200.0).reshape(200, 1) * [1, 0, 0],
+        "ft_timestamps": np.tile(np.arange(100) / 100, 2),
+    }
+    ends = {"episode_ends": [10, 20], "episode_ft_ends": [100, 200]}
+    path = store(tmp_path / "mf.zarr", data, ends)
+    recipe = parse_recipe(
+        'time = {column = "img_timestamps", unit = "s"}\n'
+        'position = {columns = "state[*]", unit = "m"}\n'
+        'force = {columns = "ft_data[*]", unit = "N", time = "ft_timestamps"}\n'
+        'wrench = {frame = "base", sign = 1}',
+        "mf.toml",
+    )
+    demonstration = read(f"{path}#episode_1", recipe)
+    assert demonstration.force_N is not None
+    assert demonstration.force_N[0, 0] == 100.0
+    np.testing.assert_allclose(demonstration.position_m[0], [0.30, 0.31, 0.32])
+
+
+@pytest.mark.parametrize("ends", [[40, 30], [1000]])
+def test_ends_that_do_not_fit_are_refused(tmp_path: Path, ends: list[int]) -> None:
+    path = store(tmp_path / "bad.zarr", {"state": np.zeros((40, 3))}, {"episode_ends": ends})
+    with pytest.raises(DemonstrationError, match="expected a whole Zarr store"):
+        read(
+            f"{path}#episode_0",
+            parse_recipe("time.rate_hz = 9\nposition = {columns='state[*]', unit='m'}", "r"),
+        )
