@@ -11,7 +11,7 @@ import pytest
 from handmade import Person, demonstration, labels, segmentation, times
 
 from keyphase.errors import JournalError
-from keyphase.labeling.edits import Add, BringBack, Label, Move, Remove
+from keyphase.labeling.edits import Add, BringBack, Done, Label, Move, Remove
 from keyphase.labeling.label import label
 from keyphase.labeling.storage import state_folder
 from keyphase.labeling.storage.journal import Journal, journal_path, summarize
@@ -93,10 +93,10 @@ def test_a_list_of_recordings_knows_which_are_touched_and_done(demo):
     assert summarize(demo.source.path).touched
     editor.turns(editor.document.undo())
     assert not summarize(demo.source.path).touched
-    editor.journal.mark_done(True)
+    editor.makes(Done())
     assert summarize(demo.source.path).done
     editor.journal.close()
-    assert reopened(demo).done
+    assert reopened(demo).document.done
 
 
 def test_the_recording_itself_is_never_written(demo):
@@ -255,7 +255,7 @@ def test_a_journal_of_a_later_version_is_refused_and_left_alone(demo):
     editor = Editor(demo)
     editor.makes(Add(3.0))
     editor.journal.close()
-    later = encode({"op": "recording", "format": 2, "software": "keyphase 9", "sha256": "0" * 64})
+    later = encode({"op": "recording", "format": 9, "software": "keyphase 9", "sha256": "0" * 64})
     editor.journal.path.write_bytes(later)
     with pytest.raises(JournalError, match="update keyphase"):
         Journal(demo)
@@ -269,15 +269,15 @@ def test_a_long_journal_is_rewritten_and_leads_to_the_same(demo):
         editor.turns(editor.document.undo())
         editor.turns(editor.document.redo())
     editor.turns(editor.document.undo())
-    editor.journal.mark_done(True)
+    editor.makes(Done())
     editor.journal.close()
     long = len(lines(editor.journal))
     journal = reopened(demo)
     assert len(lines(journal)) < 10 < long
     assert journal.document.history == editor.document.history
-    assert journal.done
+    assert journal.document.done
     again = reopened(demo)
-    assert (again.document.history, again.document.next_number) == (editor.document.history, 2)
+    assert (again.document.history, again.document.next_number) == (editor.document.history, 3)
 
 
 def test_a_changed_recording_keeps_its_labels_and_asks(demo):
@@ -342,42 +342,55 @@ def test_edits_follow_when_the_folder_becomes_read_only_and_when_it_is_writable_
     assert len(reopened(demo).document.edits) == 3
 
 
-def test_where_nothing_can_be_written_at_all_it_says_so(demo, tmp_path):
+def test_where_nothing_can_be_written_at_all_it_is_open_for_looking(demo, tmp_path):
     (tmp_path / ".keyphase").write_text("in the way")
     (tmp_path / "state").write_text("in the way")
-    with pytest.raises(JournalError, match="neither"):
-        Journal(demo)
+    with Journal(demo) as journal:
+        assert "neither" in (journal.read_only or "")
+        with pytest.raises(JournalError, match="neither"):
+            journal.keep_labels()
 
 
-def test_an_edit_that_does_not_fit_on_the_disk_was_not_made(demo):
+def test_an_edit_that_does_not_fit_on_the_disk_was_not_made(demo, monkeypatch):
     editor = Editor(demo)
     editor.makes(Add(3.0))
     before = editor.journal.path.read_bytes()
     document = editor.journal.document
-
-    class FullDisk:
-        """Writes half of what it is given, then there is no room."""
-
-        def __init__(self, file):
-            self._file = file
-
-        def write(self, data):
-            self._file.write(data[: len(data) // 2])
-            raise OSError(28, "No space left on device")
-
-        def __getattr__(self, name):
-            return getattr(self._file, name)
-
-    real = editor.journal._file
-    editor.journal._file = FullDisk(real)
-    with pytest.raises(JournalError, match="No space left"):
-        editor.journal.save(document.undo())
+    with monkeypatch.context() as patch:
+        _fill_the_disk(patch)
+        with pytest.raises(JournalError, match="No space left"):
+            editor.journal.save(document.undo())
     assert editor.journal.path.read_bytes() == before
     assert editor.journal.document is document
-    editor.journal._file = real
     editor.journal.save(document.undo())
     editor.journal.close()
     assert reopened(demo).document.edits == {}
+
+
+def test_a_torn_journal_on_a_full_disk_opens_for_looking(demo, monkeypatch):
+    editor = Editor(demo)
+    editor.makes(Add(3.0), Add(5.0))
+    editor.journal.close()
+    torn = editor.journal.path.read_bytes()[:-10]
+    editor.journal.path.write_bytes(torn)
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "fsync", _no_space)
+        journal = reopened(demo)
+    assert len(journal.document.edits) == 1
+    assert "No space left" in (journal.read_only or "")
+    assert editor.journal.path.read_bytes() == torn
+    assert len(reopened(demo).document.edits) == 1
+
+
+def _no_space(*_):
+    raise OSError(28, "No space left on device")
+
+
+def _fill_the_disk(patch):
+    """Half of what is written fits, then there is no room."""
+    real = os.write
+    writes = iter([lambda fd, data: real(fd, bytes(data)[: len(data) // 2])])
+    patch.setattr(os, "write", lambda fd, data: next(writes, _no_space)(fd, data))
 
 
 def test_each_line_is_synced_before_it_is_confirmed(demo, monkeypatch):

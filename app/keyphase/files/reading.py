@@ -1,7 +1,8 @@
-"""A recording as one piece: read once, within a limit, and hashed."""
+"""A file as one piece: read once, within a limit, and hashed; never a device or a pipe."""
 
 import hashlib
 import os
+import stat
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,32 +26,44 @@ class WholeFile:
         return str(self.source.path)
 
 
+def read_regular(path: Path, limit_bytes: int) -> bytes:
+    """The bytes of a regular file of at most `limit_bytes`.
+
+    Raises OSError where it cannot be read, is a folder, a device or a pipe, or is larger. It never
+    waits, as opening a pipe would.
+    """
+    descriptor = os.open(path, os.O_RDONLY | os.O_CLOEXEC | getattr(os, "O_NONBLOCK", 0))
+    with open(descriptor, "rb") as file:
+        status = os.fstat(file.fileno())
+        if not stat.S_ISREG(status.st_mode):
+            raise OSError(22, "it is no regular file", str(path))
+        data = file.read(min(status.st_size, limit_bytes) + 1)
+    if len(data) > limit_bytes:
+        raise OSError(27, f"it is larger than {limit_bytes} bytes", str(path))
+    return data
+
+
 def read_whole(path: Path, limit_bytes: int) -> WholeFile:
     """Read a regular, non-empty file of at most `limit_bytes`.
 
     Raises DemonstrationError where there is none, or it is empty, too large or unreadable.
     """
-    if os.path.isdir(path):
-        raise DemonstrationError(
-            f"{path}: expected a recording, but this is a folder; name a file in it."
-        )
-    if not os.path.isfile(path):
+    try:
+        mode = os.stat(path).st_mode
+        if stat.S_ISDIR(mode):
+            raise DemonstrationError(
+                f"{path}: expected a recording, but this is a folder; name a file in it."
+            )
+        data = read_regular(path, limit_bytes)
+    except FileNotFoundError as error:
         raise DemonstrationError(
             f"{path}: expected a recording, but there is no such file; check the path."
-        )
-    try:
-        with path.open("rb") as file:
-            size = os.fstat(file.fileno()).st_size
-            data = file.read(min(size, limit_bytes) + 1)
-    except OSError as error:
+        ) from error
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
         raise DemonstrationError(
-            f"{path}: the file cannot be read ({error.strerror}); check its permissions."
+            f"{path}: the file cannot be read ({reason}); check its kind, size and permissions."
         ) from error
     if not data:
         raise DemonstrationError(f"{path}: the file is empty; record or export it again.")
-    if len(data) > limit_bytes:
-        raise DemonstrationError(
-            f"{path}: the file is larger than the limit of {limit_bytes} bytes; "
-            "cut the recording or raise the limit."
-        )
     return WholeFile(data, Source(path, hashlib.sha256(data).hexdigest()))

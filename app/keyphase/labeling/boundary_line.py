@@ -2,7 +2,7 @@
 
 from bisect import bisect_left, bisect_right, insort
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from keyphase.labeling.labeling import LabeledBoundary
 from keyphase.segmentation.segmentation import Boundary
@@ -28,9 +28,21 @@ class Mark:
     was_s: float | None = None
     accepted: bool = False
     taken_away: bool = False
+    frozen: LabeledBoundary | None = None
+
+    @property
+    def as_frozen(self) -> bool:
+        """Whether it still is what it was when the recording was done."""
+        return (
+            self.frozen is not None
+            and self.frozen.time_s == self.time_s
+            and self.frozen.contact_change == self.contact_change
+        )
 
     def as_boundary(self) -> LabeledBoundary:
         """The value it ends up as."""
+        if self.frozen is not None and self.as_frozen:
+            return replace(self.frozen, accepted=self.accepted)
         found = self.automatic
         low, high = found.interval_s if found else (self.time_s, self.time_s)
         return LabeledBoundary(

@@ -2,32 +2,37 @@
 
 from collections.abc import Sequence
 
-from keyphase.segmentation.segmentation import Segment, Segmentation
+from keyphase.segmentation.segmentation import Segment
 
 PALETTE_SIZE = 7
 """Colours repeat after this many, so neighbours must differ in the rest of division by it."""
 
 
-def colors_of(segmentation: Segmentation, segments: Sequence[Segment]) -> tuple[int, ...]:
-    """A number for each of `segments`, different from all others.
-
-    The program's own segments are numbered in the order of time, those that move before the
-    idle ones. A segment takes the number of the one its middle lies in; one that finds it taken,
-    as after a split, gets a new one.
-    """
-    automatic = segmentation.segments
+def ranked_colors(automatic: Sequence[Segment]) -> tuple[int, ...]:
+    """Numbers of the program's own segments: in the order of time, idle ones after the others."""
     ranked = sorted(range(len(automatic)), key=lambda i: automatic[i].idle)
     number = {segment: rank for rank, segment in enumerate(ranked)}
+    return tuple(number[i] for i in range(len(automatic)))
+
+
+def colors_of(
+    known: Sequence[Segment], numbers: Sequence[int], segments: Sequence[Segment]
+) -> tuple[int, ...]:
+    """A number for each of `segments`, different from all others.
+
+    A segment takes the number of the known one its middle lies in; one that finds it taken, as
+    after a split, gets a new one.
+    """
     colors: list[int] = []
     used: set[int] = set()
     home = 0
     for segment in segments:
         middle = 0.5 * (segment.start_s + segment.end_s)
-        while home < len(automatic) - 1 and automatic[home].end_s <= middle:
+        while home < len(known) - 1 and known[home].end_s <= middle:
             home += 1
-        color = number[home]
+        color = numbers[home]
         if color in used:
-            color = _new(colors[-1], used, len(automatic))
+            color = _new(colors[-1], used, max(numbers, default=0) + 1)
         used.add(color)
         colors.append(color)
     return tuple(colors)

@@ -5,7 +5,10 @@ from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 from keyphase.demonstration import Demonstration
+from keyphase.errors import LabelingError
 from keyphase.labeling.edits import Edit
+from keyphase.labeling.finished import frozen_of, is_done, needs_freezing
+from keyphase.labeling.frozen import Frozen
 from keyphase.labeling.history import History, ParameterChange, Step
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.parameter_names import parameters_name
@@ -17,13 +20,33 @@ class Document:
     """One demonstration under a person's hands; immutable, every change gives a new one.
 
     `shared` are the parameters of the folder; what was changed on this recording alone is in the
-    history. Its labeling is `label(segment(demonstration, parameters), edits)`.
+    history. `own_before` and `done_before` are what older versions had written: parameters of this
+    recording alone, and that it was done, without what was seen.
+
+    Its labeling is `label(segment(demonstration, parameters), edits)`.
     """
 
     demonstration: Demonstration
     shared: Parameters = field(default_factory=Parameters)
     history: History = field(default_factory=History)
     next_number: int = 0
+    own_before: Mapping[str, Any] = field(default_factory=dict)
+    done_before: bool = False
+
+    @property
+    def frozen(self) -> Frozen | None:
+        """What was seen when a person finished with it; None where it is not done."""
+        return frozen_of(self.history)
+
+    @property
+    def done(self) -> bool:
+        """Whether a person has finished with it."""
+        return is_done(self.history, done_before=self.done_before)
+
+    @property
+    def needs_freezing(self) -> bool:
+        """Whether it was finished by a version that did not keep what was seen."""
+        return needs_freezing(self.history, done_before=self.done_before)
 
     @property
     def edits(self) -> dict[int, Edit]:
@@ -40,11 +63,14 @@ class Document:
         for step in reversed(self.history.done):
             if isinstance(step.change, ParameterChange):
                 return step.change.own
-        return {}
+        return self.own_before
 
     @property
     def parameters(self) -> Parameters:
-        """The parameters in force."""
+        """The parameters in force; of a finished recording those that had made it."""
+        frozen = self.frozen
+        if frozen is not None:
+            return frozen.made_with()
         return replace(self.shared, **self.own_parameters)
 
     @property
@@ -69,6 +95,7 @@ class Document:
 
     def set_parameters(self, parameters: Parameters) -> "Document":
         """With other parameters for this recording; the same document where none differs."""
+        self._refuse_if_done()
         before, after = asdict(self.parameters), asdict(parameters)
         changes = {name: after[name] for name in after if after[name] != before[name]}
         if not changes:
@@ -78,6 +105,7 @@ class Document:
 
     def reset_parameters(self) -> "Document":
         """With the folder's parameters again; the same document where it has no others."""
+        self._refuse_if_done()
         if not self.own_parameters:
             return self
         return self._with("Reset parameters", ParameterChange({}))
@@ -100,6 +128,13 @@ class Document:
     def redo(self) -> "Document":
         """With the next step made again. Raises LabelingError where there is none."""
         return replace(self, history=self.history.redone())
+
+    def _refuse_if_done(self) -> None:
+        if self.frozen is not None:
+            raise LabelingError(
+                "This recording is done, so its boundaries no longer follow the parameters; mark "
+                "it as not done first."
+            )
 
     def _with(self, name: str, change: Edit | ParameterChange) -> "Document":
         step = Step(self.next_number, name, change)

@@ -5,8 +5,9 @@ from types import MappingProxyType
 
 from keyphase.labeling.applying import applied
 from keyphase.labeling.boundary_line import Mark
-from keyphase.labeling.colors import colors_of
+from keyphase.labeling.colors import colors_of, ranked_colors
 from keyphase.labeling.edits import Edit
+from keyphase.labeling.frozen import Frozen
 from keyphase.labeling.labeling import Inapplicable, LabeledSegment, Labeling
 from keyphase.labeling.plan import planned
 from keyphase.labeling.spans import Decision, assign
@@ -31,11 +32,12 @@ def label(
     ends is; where edits come often, pass `segment_between` of the segmenter at hand.
     """
     done = applied(segmentation, edits)
-    found = _segments(segmentation, done.line.marks, describe)
+    known = _known(segmentation, done.frozen)
+    found = _segments(segmentation, known, done.line.marks, describe)
     middles = [0.5 * (segment.start_s + segment.end_s) for segment in found]
     labels, unlabeled = assign(done.labels, middles)
     kept, unkept = _kept(done, found, middles)
-    segments = _labeled(found, labels, kept, colors_of(segmentation, found))
+    segments = _labeled(found, labels, kept, colors_of(known, _numbers(known, done.frozen), found))
     return Labeling(
         segmentation,
         tuple(mark.as_boundary() for mark in done.line.marks),
@@ -43,21 +45,40 @@ def label(
         planned(done.plan, segments),
         tuple(i for i, segment in enumerate(found) if segment.idle and i not in kept),
         _inapplicable(done.missed, unlabeled, unkept),
+        done=done.frozen is not None,
+        changed_since_done=done.frozen is not None and done.edits_applied > 1,
+        made_with=done.frozen.made_with() if done.frozen else None,
     )
 
 
+def _known(segmentation: Segmentation, frozen: Frozen | None) -> tuple[Segment, ...]:
+    """The segments as they are without a person's edits, or as they were when it was done."""
+    if frozen is None:
+        return segmentation.segments
+    return tuple(segment.as_segment() for segment in frozen.segments)
+
+
+def _numbers(known: Sequence[Segment], frozen: Frozen | None) -> tuple[int, ...]:
+    if frozen is None:
+        return ranked_colors(known)
+    return tuple(segment.color for segment in frozen.segments)
+
+
 def _segments(
-    segmentation: Segmentation, marks: Sequence[Mark], describe: Describe | None
+    segmentation: Segmentation,
+    known: Sequence[Segment],
+    marks: Sequence[Mark],
+    describe: Describe | None,
 ) -> list[Segment]:
-    """The program's segments where nothing changed at their ends, else described anew."""
-    known = {(s.start_s, s.end_s): s for s in segmentation.segments}
+    """The known segments where nothing changed at their ends, else described anew."""
+    by_span = {(s.start_s, s.end_s): s for s in known}
     demonstration = segmentation.demonstration
     times = [demonstration.start_s, *(mark.time_s for mark in marks), demonstration.end_s]
     contacts = [False, *(mark.contact_change for mark in marks), False]
     changed = [False, *(_is_changed(mark) for mark in marks), False]
     segments: list[Segment] = []
     for i in range(len(times) - 1):
-        same = None if changed[i] or changed[i + 1] else known.get((times[i], times[i + 1]))
+        same = None if changed[i] or changed[i + 1] else by_span.get((times[i], times[i + 1]))
         if same is None:
             describe = describe or _segmenter_of(segmentation)
             same = describe(times[i], times[i + 1], contacts[i + 1])
@@ -72,6 +93,8 @@ def _segmenter_of(segmentation: Segmentation) -> Describe:
 
 
 def _is_changed(mark: Mark) -> bool:
+    if mark.frozen is not None:
+        return not mark.as_frozen
     found = mark.automatic
     return mark.by_hand or found is None or found.contact_change != mark.contact_change
 

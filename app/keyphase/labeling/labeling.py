@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from keyphase.segmentation.end_condition import EndCondition
+from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import Boundary, Origin, Segmentation
 
 
@@ -78,6 +79,9 @@ class Labeling:
     Boundaries ascend strictly and lie inside the recording; the segments between them tile it.
     proposed_drops  indices of idle segments about which no person has decided yet
     inapplicable    edits whose place is gone under the present parameters, see `BringBack`
+    done            a person has finished with it: its values no longer follow the segmentation
+    changed_since_done  edits were made since
+    made_with       the parameters that had made it when it was done; None where it is not
     """
 
     segmentation: Segmentation
@@ -86,6 +90,14 @@ class Labeling:
     plan: tuple[PlanEntry, ...]
     proposed_drops: tuple[int, ...] = ()
     inapplicable: tuple[Inapplicable, ...] = ()
+    done: bool = False
+    changed_since_done: bool = False
+    made_with: Parameters | None = None
+
+    @property
+    def parameters(self) -> Parameters:
+        """The parameters that made it."""
+        return self.made_with or self.segmentation.parameters
 
     def segment_at(self, time_s: float) -> int:
         """Index of the segment in which `time_s` lies; a boundary belongs to the later one."""

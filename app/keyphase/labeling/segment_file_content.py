@@ -49,7 +49,7 @@ def segment_file_content(labeling: Labeling, path: Path) -> dict[str, Any]:
         "schema_version": SCHEMA_VERSION,
         "software_version": f"keyphase {__version__}",
         "demonstration": _rounded(recording),
-        "parameters": asdict(labeling.segmentation.parameters),
+        "parameters": asdict(labeling.parameters),
         "boundaries": [_rounded(_boundary(b)) for b in labeling.boundaries],
         "segments": [_rounded(_segment(i, s)) for i, s in enumerate(labeling.segments, start=1)],
         "plan": [entry.segment + 1 for entry in labeling.plan],

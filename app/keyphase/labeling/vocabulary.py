@@ -1,7 +1,6 @@
 """The labels people use in a folder, each with its colour."""
 
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -77,18 +76,3 @@ class Vocabulary:
     def as_json(self) -> list[dict[str, Any]]:
         """As JSON values."""
         return [{"name": label.name, "color": label.color} for label in self.labels]
-
-
-def vocabulary_from_json(content: Any) -> Vocabulary:
-    """The vocabulary that JSON values describe. Raises LabelingError where they do not."""
-    if not isinstance(content, list):
-        raise LabelingError("Expected a list of labels, each with name and color.")
-    return Vocabulary(tuple(_label(item) for item in content))
-
-
-def _label(item: Any) -> VocabularyLabel:
-    if not isinstance(item, Mapping) or not all(isinstance(v, str) for v in item.values()):
-        raise LabelingError("Expected a label with name and color, both text.")
-    if set(item) != {"name", "color"}:
-        raise LabelingError("Expected a label with name and color, and nothing else.")
-    return VocabularyLabel(item["name"], item["color"])

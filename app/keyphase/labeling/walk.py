@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from keyphase.labeling.boundary_line import BoundaryLine, Mark
+from keyphase.labeling.frozen import Frozen
 from keyphase.labeling.labeling import Inapplicable
 from keyphase.labeling.spans import Decision, HeldSpan, Span, hold
 
@@ -21,6 +22,7 @@ class Walk:
     """What edits leave: boundaries, decisions in the order they were made, and the plan.
 
     decided_before_idle  how many of `keeps` came before idle segments were last dropped
+    frozen               what was seen when the recording was done, instead of what is found now
     """
 
     line: BoundaryLine
@@ -28,6 +30,8 @@ class Walk:
     keeps: list[Decision[bool]] = field(default_factory=list)
     decided_before_idle: int | None = None
     plan: HeldPlan | None = None
+    frozen: Frozen | None = None
+    edits_applied: int = 0
     _missed: dict[float, Inapplicable] = field(default_factory=dict)
     _holds: dict[Span, HeldSpan] = field(default_factory=dict)
 
@@ -85,6 +89,11 @@ class Walk:
         if span not in self._holds:
             self._holds[span] = hold(span, self.line)
         return self._holds[span]
+
+    def freeze(self, frozen: Frozen, line: BoundaryLine) -> None:
+        """Go on from what was seen when the recording was done."""
+        self.frozen, self.line = frozen, line
+        self.forget_holds()
 
     def forget_holds(self) -> None:
         """Marks have come, gone or moved: the sides of spans have to be found anew."""

@@ -1,14 +1,15 @@
 """A folder of recordings while it is open: the vocabulary and parameters its recordings share."""
 
 import threading
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.storage.folder_settings import (
     FolderSettings,
+    change_folder_settings,
     read_folder_settings,
-    write_folder_settings,
 )
 from keyphase.labeling.vocabulary import COLORS, Vocabulary
 from keyphase.segmentation import Parameters
@@ -33,15 +34,15 @@ class Folder:
         Raises JournalError where it cannot be kept.
         """
         preferred = COLORS[color % len(COLORS)]
-        self._change_vocabulary(self._settings.vocabulary.with_label(label, preferred))
+        self._change_vocabulary(lambda vocabulary: vocabulary.with_label(label, preferred))
 
     def forget(self, label: str) -> None:
         """Take a label out of the vocabulary; segments that have it keep it."""
-        self._change_vocabulary(self._settings.vocabulary.without_label(label))
+        self._change_vocabulary(lambda vocabulary: vocabulary.without_label(label))
 
     def share(self, parameters: Parameters) -> None:
         """Give all its recordings other parameters. Raises JournalError likewise."""
-        self._change(replace(self._settings, parameters=parameters))
+        self._change(lambda settings: replace(settings, parameters=parameters))
 
     def colored(self, labeling: Labeling) -> Labeling:
         """The labeling with segments named by the vocabulary in the colours of their names."""
@@ -58,11 +59,11 @@ class Folder:
         )
         return replace(labeling, segments=segments)
 
-    def _change_vocabulary(self, vocabulary: Vocabulary) -> None:
-        if vocabulary is not self._settings.vocabulary:
-            self._change(replace(self._settings, vocabulary=vocabulary))
+    def _change_vocabulary(self, change: Callable[[Vocabulary], Vocabulary]) -> None:
+        now = self._settings.vocabulary
+        if change(now) is not now:
+            self._change(lambda each: replace(each, vocabulary=change(each.vocabulary)))
 
-    def _change(self, settings: FolderSettings) -> None:
+    def _change(self, change: Callable[[FolderSettings], FolderSettings]) -> None:
         with self._lock:
-            write_folder_settings(self.path, settings)
-            self._settings = settings
+            self._settings = change_folder_settings(self.path, change)

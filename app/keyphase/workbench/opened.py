@@ -6,7 +6,7 @@ from typing import Any
 
 from keyphase.demonstration import Demonstration
 from keyphase.labeling.document import Document
-from keyphase.labeling.edits import Edit, Label
+from keyphase.labeling.edits import Done, Edit, Label, Reopen
 from keyphase.labeling.label import label
 from keyphase.labeling.labeling import LabeledSegment, Labeling
 from keyphase.labeling.spreading import Change, preview
@@ -45,6 +45,8 @@ class Opened:
         self._saved_at: datetime | None = None
         self.parameters = self.document.parameters
         self.labeling = self.kept_labeling = self._labeling_under(self.parameters)
+        if self.document.needs_freezing and self.journal.read_only is None:
+            self._keep(self.document.apply(Done(), self.labeling))
         self.tracks = SignalTracks(self.demonstration, self.labeling.segmentation.curve)
 
     @property
@@ -116,8 +118,9 @@ class Opened:
 
     def mark_done(self, done: bool) -> None:
         """Say that this recording is, or is not, finished."""
-        self.journal.mark_done(done)
-        self._saved_at = datetime.now()
+        if done != self.document.done or self.labeling.changed_since_done:
+            self.keep_parameters()
+            self._keep(self.document.apply(Done() if done else Reopen(), self.labeling))
 
     def keep_labels(self) -> None:
         """Agree to the recording as it now is, though it was labeled as another."""
@@ -185,6 +188,6 @@ class Opened:
         return [notice] if notice else []
 
     def _state(self) -> State:
-        if self.journal.done:
+        if self.document.done:
             return "done"
         return "touched" if self.document.history.done else "automatic"

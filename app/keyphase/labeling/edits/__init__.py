@@ -5,6 +5,7 @@ from keyphase.labeling.edits.accept_labels import AcceptLabels
 from keyphase.labeling.edits.add import Add
 from keyphase.labeling.edits.base import kind_of
 from keyphase.labeling.edits.contact import Contact
+from keyphase.labeling.edits.done import Done, Reopen
 from keyphase.labeling.edits.drop_idle import DropIdle
 from keyphase.labeling.edits.keep import Keep
 from keyphase.labeling.edits.label import LONGEST_LABEL, Label, check_label
@@ -25,6 +26,7 @@ __all__ = [
     "Add",
     "BringBack",
     "Contact",
+    "Done",
     "DropIdle",
     "Edit",
     "Forget",
@@ -34,6 +36,7 @@ __all__ = [
     "Move",
     "Plan",
     "Remove",
+    "Reopen",
     "Reset",
     "TakeOver",
     "check_label",

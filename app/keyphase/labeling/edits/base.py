@@ -24,11 +24,13 @@ class InForce:
 
     insisted   numbers of edits that a person brought back after their place had gone
     plan       number of the last plan, the only one that counts
+    before_done  edits from before the recording was done, which count again when it is opened
     """
 
     edits: dict[int, "BaseEdit"] = field(default_factory=dict)
     insisted: set[int] = field(default_factory=set)
     plan: int | None = None
+    before_done: dict[int, "BaseEdit"] = field(default_factory=dict)
 
     def forget(self, number: int) -> None:
         """Leave an edit out from here on."""
@@ -39,6 +41,7 @@ class InForce:
         self.edits.clear()
         self.insisted.clear()
         self.plan = None
+        self.before_done = {}
 
 
 class BaseEdit(msgspec.Struct, frozen=True, tag_field="kind", forbid_unknown_fields=True,

@@ -10,6 +10,7 @@ from keyphase.labeling.edits.accept import Accept
 from keyphase.labeling.edits.accept_labels import AcceptLabels
 from keyphase.labeling.edits.add import Add
 from keyphase.labeling.edits.contact import Contact
+from keyphase.labeling.edits.done import Done, Reopen
 from keyphase.labeling.edits.drop_idle import DropIdle
 from keyphase.labeling.edits.keep import Keep
 from keyphase.labeling.edits.label import Label
@@ -37,6 +38,8 @@ Edit = (
     | Forget
     | Reset
     | TakeOver
+    | Done
+    | Reopen
 )
 """Everything a person can do; msgspec tells the kinds apart by their field `kind`."""
 

@@ -1,25 +1,31 @@
 """The journal of one recording: every step is on disk before anyone is told that it is done."""
 
-import os
+import contextlib
 from dataclasses import dataclass
-from io import FileIO
 from pathlib import Path
 
 from keyphase.demonstration import Demonstration, Source
-from keyphase.errors import JournalError
+from keyphase.errors import JournalError, KeyphaseError
 from keyphase.files.writing import write_whole
 from keyphase.labeling.document import Document
+from keyphase.labeling.finished import is_done
+from keyphase.labeling.storage.journal_file import FileChangedError, JournalFile
 from keyphase.labeling.storage.journal_lock import JournalLock
 from keyphase.labeling.storage.journaled import (
+    FORMAT,
     Journaled,
     changes,
     compact,
-    done_record,
     opening,
-    replay,
 )
-from keyphase.labeling.storage.records import ReadRecords, Record, decode, encode
-from keyphase.labeling.storage.state_folder import StateFolder, state_folder
+from keyphase.labeling.storage.old_files import keep_as_old, put_back
+from keyphase.labeling.storage.readings import (
+    Reading,
+    longest_journal,
+    notices_of,
+)
+from keyphase.labeling.storage.records import Record, encode
+from keyphase.labeling.storage.state_folder import StateFolder, state_folder, state_name
 from keyphase.segmentation.parameters import Parameters
 
 _SPARE_RECORDS = 200
@@ -33,9 +39,9 @@ class Journal:
     Close it, or use it in a `with` statement. Not for use by several threads at once.
 
     document   the document as it is on disk
-    done       whether a person has finished with the recording
     changed    the recording's bytes are not those that were labeled; see `keep_labels`
-    notices    what a person should know: lines left out, another place for edits, read-only
+    notices    what a person should know: lines left out, another place for edits, read-only,
+               another program that changed the journal while it was open
     """
 
     def __init__(
@@ -47,16 +53,17 @@ class Journal:
     ) -> None:
         """Open the journal and follow it; it is created by the first step.
 
-        Raises JournalError for a demonstration that was not read from a file, a journal of a
-        later version, and where no folder for it can be written.
+        Where nothing can be written it is open for looking only. Raises JournalError for a
+        demonstration that was not read from a file, and for a journal of a later version.
         """
         self._source = _source(demonstration)
         self._notices: list[str] = []
-        self._file: FileIO | None = None
         self._lock: JournalLock | None = None
+        self._closed = False
         self.read_only: str | None = "opened for looking only" if read_only else None
-        folder = state_folder(self._source.path.parent, create=not read_only)
+        folder = self._folder()
         self._path = journal_path(self._source.path, folder.path)
+        self._file = JournalFile(self._path)
         if folder.notice:
             self._notices.append(folder.notice)
         try:
@@ -82,11 +89,6 @@ class Journal:
         return self._document
 
     @property
-    def done(self) -> bool:
-        """Whether a person has finished with the recording."""
-        return self._done
-
-    @property
     def changed(self) -> bool:
         """Whether the recording's bytes are not those that were labeled."""
         return self._labeled_sha256 not in (None, self._source.sha256)
@@ -99,17 +101,12 @@ class Journal:
     def save(self, document: Document) -> None:
         """Put what is new in `document`, made from this journal's, on disk before returning.
 
-        Raises JournalError where the journal is read-only or the disk refuses; then nothing has
-        changed.
+        Raises JournalError where the journal is closed, read-only or the disk refuses; then
+        nothing has changed.
         """
         before = self._document
         self._append(changes(before.history, document.history, before.next_number))
         self._document = document
-
-    def mark_done(self, done: bool) -> None:
-        """Say that a person has, or has not, finished with the recording; on disk on return."""
-        self._append([done_record(done)])
-        self._done = done
 
     def keep_labels(self) -> None:
         """Agree to the recording as it is now: the labels are about these bytes."""
@@ -117,30 +114,53 @@ class Journal:
         self._labeled_sha256 = self._source.sha256
 
     def close(self) -> None:
-        """Let another process write."""
-        if self._file is not None:
-            self._file.close()
-            self._file = None
+        """Let another process write; from here on nothing can be changed here."""
+        self._closed = True
+        self._file.close()
         if self._lock is not None:
             self._lock.release()
             self._lock = None
 
+    def _folder(self) -> StateFolder:
+        beside = self._source.path.parent
+        try:
+            return state_folder(beside, create=self.read_only is None)
+        except JournalError as error:
+            self._look_only(str(error))
+            return state_folder(beside, create=False)
+
     def _open(self, demonstration: Demonstration, shared: Parameters, folder: StateFolder) -> None:
         if folder.writable:
             self._take_lock()
-        found = folder.newest(self._path.name)
-        data = _read(found) if found else b""
-        read = decode(data)
-        state = replay(read.records)
-        torn = read.torn and self.read_only is None
-        self._notices += _notices(read, state, found or self._path, torn)
-        elsewhere = found is not None and found != self._path
-        if self.read_only is None and (elsewhere or _needs_rewriting(read, state)):
-            keep_old = elsewhere or bool(read.damaged) or state.refused > 0
-            self._rewrite(state, opening(demonstration), keep_old)
-        self._document = Document(demonstration, shared, state.history, state.next_number)
-        self._done = state.done
+        followed, others = longest_journal(folder, self._path.name)
+        state = followed.state if followed else Journaled()
+        if followed:
+            torn = followed.read.torn and self.read_only is None
+            self._notices += notices_of(followed, others, torn=torn)
+        self._document = Document(
+            demonstration,
+            shared,
+            state.history,
+            state.next_number,
+            done_before=state.done_before,
+        )
         self._labeled_sha256 = state.sha256
+        if self.read_only is None:
+            self._begin(followed)
+
+    def _begin(self, followed: Reading | None) -> None:
+        """Make the file one that can be appended to; where that fails, only look."""
+        try:
+            if followed and (followed.path != self._path or _needs_rewriting(followed)):
+                self._rewrite(keep_old=followed.path != self._path or not _is_sound(followed))
+            else:
+                self._file.follow(followed.data if followed else b"")
+        except (JournalError, OSError) as error:
+            self._look_only(str(error))
+
+    def _look_only(self, reason: str) -> None:
+        self.read_only = reason
+        self._notices.append(f"Opened for looking only: {reason.removesuffix('.')}.")
 
     def _take_lock(self) -> None:
         lock = JournalLock(self._path.with_suffix(".lock"))
@@ -148,56 +168,70 @@ class Journal:
             if lock.acquire():
                 self._lock = lock
                 return
-            self.read_only = f"{lock.holder()} is editing {self._source.path.name}"
+            reason = f"{lock.holder()} is editing {self._source.path.name}"
         except OSError as error:
-            self.read_only = f"{self._path.parent} takes no locks ({error.strerror})"
-        self._notices.append(f"Opened for looking only: {self.read_only}.")
+            reason = f"{self._path.parent} takes no locks ({error.strerror})"
+        self._look_only(reason)
 
-    def _rewrite(self, state: Journaled, first: Record, keep_old: bool) -> None:
-        if keep_old and self._path.exists():
-            write_whole(_free_name(self._path), _read(self._path), refusal=JournalError)
-        compacted = b"".join(map(encode, compact(state, first)))
-        write_whole(self._path, compacted, refusal=JournalError)
+    def _rewrite(self, keep_old: bool, more: bytes = b"") -> Path | None:
+        """Write the whole journal from memory; where the one before is kept."""
+        document = self._document
+        state = Journaled(
+            self._labeled_sha256, document.history, document.next_number, document.done_before
+        )
+        data = b"".join(map(encode, compact(state, opening(document.demonstration)))) + more
+        old = keep_as_old(self._path) if keep_old else None
+        try:
+            write_whole(self._path, data, refusal=JournalError)
+        except JournalError:
+            if old is not None:
+                put_back(old, self._path)
+            raise
+        self._file.follow(data)
+        return old
 
     def _append(self, records: list[Record]) -> None:
         if not records:
             return
-        if self.read_only is not None:
-            raise JournalError(f"Nothing can be changed here: {self.read_only}.")
+        if self._closed or self.read_only is not None:
+            reason = self.read_only or "its journal was closed; open the recording again"
+            raise JournalError(f"Nothing can be changed here: {reason}.")
+        first = [opening(self._document.demonstration)] if self._file.is_new else []
+        lines = b"".join(map(encode, records))
         try:
-            self._write(records)
+            self._require_lock()
+            self._file.append(b"".join(map(encode, first)) + lines)
+        except FileChangedError as change:
+            self._write_again(change.what, lines)
         except OSError as error:
             raise JournalError(
                 f"{self._path}: the edit could not be written and was not made "
                 f"({error.strerror}); make room or check the folder."
             ) from error
 
-    def _write(self, records: list[Record]) -> None:
-        file = self._opened()
-        end = file.seek(0, os.SEEK_END)
-        first = [opening(self._document.demonstration)] if end == 0 else []
-        try:
-            _write_all(file, b"".join(map(encode, [*first, *records])))
-            os.fsync(file.fileno())
-        except OSError:
-            self._cut_back(file, end)
-            raise
+    def _require_lock(self) -> None:
+        """The file that is locked may have gone with its folder."""
+        if self._lock is not None and self._lock.still_held():
+            return
+        self._path.parent.mkdir(exist_ok=True)
+        lock = JournalLock(self._path.with_suffix(".lock"))
+        if not lock.acquire():
+            self._look_only(f"{lock.holder()} is editing {self._source.path.name}")
+            raise JournalError(f"Nothing can be changed here: {self.read_only}.")
+        if self._lock is not None:
+            self._lock.release()
+        self._lock = lock
 
-    def _cut_back(self, file: FileIO, end: int) -> None:
-        """Take half a line away, which would make the next one unreadable."""
-        try:
-            file.truncate(end)
-        except OSError as error:
-            self.read_only = f"{self._path} can no longer be written ({error.strerror})"
-
-    def _opened(self) -> FileIO:
-        if self._file is None:
-            is_new = not self._path.exists()
-            self._file = FileIO(self._path, "a+")
-            if is_new:
-                _sync_folder(self._path.parent)
-                _sync_folder(self._path.parent.parent)
-        return self._file
+    def _write_again(self, what: str, lines: bytes) -> None:
+        """Another program changed the file: write it whole from memory, and keep the other."""
+        old = self._rewrite(keep_old=True, more=lines)
+        kept = f"; the other is kept as {old.name}" if old else ""
+        notice = (
+            f"Another program touched the journal {self._path} while it was open ({what}). It was "
+            f"written again with all edits{kept}."
+        )
+        if notice not in self._notices:
+            self._notices.append(notice)
 
 
 @dataclass(frozen=True)
@@ -214,17 +248,19 @@ def summarize(recording: Path) -> JournalSummary:
     A journal that cannot be read counts as none; opening it says what is wrong.
     """
     folder = state_folder(recording.parent, create=False)
-    path = folder.newest(journal_path(recording, folder.path).name)
-    try:
-        state = replay(decode(_read(path)).records) if path else Journaled()
-    except JournalError:
-        state = Journaled()
-    return JournalSummary(touched=bool(state.history.done), done=state.done)
+    followed = None
+    with contextlib.suppress(KeyphaseError, OSError):
+        followed, _ = longest_journal(folder, journal_path(recording, folder.path).name)
+    if followed is None:
+        return JournalSummary(touched=False, done=False)
+    state = followed.state
+    done = is_done(state.history, done_before=state.done_before)
+    return JournalSummary(touched=bool(state.history.done), done=done)
 
 
 def journal_path(recording: Path, folder: Path) -> Path:
     """The journal of a recording in a state folder."""
-    return folder / f"{recording.name}.journal"
+    return folder / state_name(recording, ".journal")
 
 
 def _source(demonstration: Demonstration) -> Source:
@@ -236,52 +272,12 @@ def _source(demonstration: Demonstration) -> Source:
     return demonstration.source
 
 
-def _read(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        raise JournalError(
-            f"{path}: the journal cannot be read ({error.strerror}); check its permissions."
-        ) from error
+def _is_sound(reading: Reading) -> bool:
+    """Whether nothing of the file is lost by writing it anew."""
+    return not reading.read.damaged and reading.state.refused == 0
 
 
-def _needs_rewriting(read: ReadRecords, state: Journaled) -> bool:
-    spare = len(read.records) - len(state.history.steps)
-    return not read.clean or spare > _SPARE_RECORDS
-
-
-def _notices(read: ReadRecords, state: Journaled, path: Path, torn: bool) -> list[str]:
-    notices: list[str] = []
-    if torn:
-        notices.append(
-            "The last line of the journal was incomplete, as after a crash, and was left out."
-        )
-    if read.damaged:
-        lines = ", ".join(map(str, read.damaged[:5])) + (", …" if len(read.damaged) > 5 else "")
-        notices.append(f"Damaged lines of the journal {path} were left out: {lines}.")
-    if state.refused:
-        notices.append(
-            f"{state.refused} records of the journal {path} could not be understood and were left "
-            "out."
-        )
-    return notices
-
-
-def _free_name(path: Path) -> Path:
-    """Where a journal that is replaced is kept as it was."""
-    names = (path.with_suffix(f".old-{i}") for i in range(1, 1_000_000))
-    return next(name for name in names if not name.exists())
-
-
-def _write_all(file: FileIO, data: bytes) -> None:
-    view = memoryview(data)
-    while view:
-        view = view[file.write(view) :]
-
-
-def _sync_folder(folder: Path) -> None:
-    descriptor = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
+def _needs_rewriting(reading: Reading) -> bool:
+    spare = len(reading.read.records) - len(reading.state.history.steps)
+    old = any(record.get("format", FORMAT) != FORMAT for record in reading.read.records[:1])
+    return not reading.read.clean or spare > _SPARE_RECORDS or old

@@ -1,5 +1,10 @@
-"""One writer for each journal: a lock the system lets go of when its process ends, however."""
+"""One writer for each journal: a lock the system lets go of when its process ends, however.
 
+The filelock package empties the file before it has the lock, so that the second to come would wipe
+out the name of the first; hence our own.
+"""
+
+import contextlib
 import fcntl
 import os
 from pathlib import Path
@@ -14,7 +19,7 @@ class JournalLock:
 
     def acquire(self) -> bool:
         """Take the lock; False where another holds it. Raises OSError where it cannot be made."""
-        descriptor = os.open(self._path, os.O_RDWR | os.O_CREAT, 0o644)
+        descriptor = os.open(self._path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
         try:
             fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
@@ -22,10 +27,22 @@ class JournalLock:
             if isinstance(error, BlockingIOError):
                 return False
             raise
-        os.ftruncate(descriptor, 0)
-        os.pwrite(descriptor, f"{os.getpid()}\n".encode(), 0)
         self._descriptor = descriptor
+        # On a full disk the lock holds, though it cannot say for whom.
+        with contextlib.suppress(OSError):
+            os.ftruncate(descriptor, 0)
+            os.pwrite(descriptor, f"{os.getpid()}\n".encode(), 0)
         return True
+
+    def still_held(self) -> bool:
+        """Whether the file that is locked is still the one others would lock."""
+        if self._descriptor is None:
+            return False
+        try:
+            there = os.stat(self._path)
+        except OSError:
+            return False
+        return os.path.samestat(there, os.fstat(self._descriptor))
 
     def holder(self) -> str:
         """Who holds it, for people."""

@@ -12,22 +12,27 @@ from keyphase.labeling.history import History, ParameterChange, Step
 from keyphase.labeling.storage.records import Record
 from keyphase.segmentation.parameters import Parameters
 
-FORMAT = 1
-"""Version of the records; a change that old readers cannot follow raises it."""
+FORMAT = 2
+"""Version of the records; a change that old readers cannot follow raises it. 2: what was seen when
+a recording was done is kept."""
+
+_LARGEST_NUMBER = 2**53
+_LONGEST_NAME = 300
 
 
 @dataclass(frozen=True)
 class Journaled:
     """The state a journal leads to.
 
-    sha256    of the recording when a person last agreed to it; None in an empty journal
-    refused   how many whole records could not be understood
+    sha256       of the recording when a person last agreed to it; None in an empty journal
+    done_before  it was finished by a version that did not keep what was seen
+    refused      how many whole records could not be understood
     """
 
     sha256: str | None = None
     history: History = field(default_factory=History)
     next_number: int = 0
-    done: bool = False
+    done_before: bool = False
     refused: int = 0
 
 
@@ -42,9 +47,9 @@ def replay(records: Iterable[Record]) -> Journaled:
     for record in records:
         try:
             state = _followed(state, record)
-        except (KeyphaseError, KeyError, TypeError, ValueError) as error:
-            if isinstance(error, JournalError):
-                raise
+        except JournalError:
+            raise
+        except (KeyphaseError, ArithmeticError, LookupError, TypeError, ValueError):
             state = replace(state, refused=state.refused + 1)
     return state
 
@@ -74,11 +79,6 @@ def changes(before: History, after: History, next_number: int) -> list[Record]:
     return records
 
 
-def done_record(done: bool) -> Record:
-    """The record that a person has or has not finished with the recording."""
-    return {"op": "done", "done": done}
-
-
 def compact(state: Journaled, first: Record) -> list[Record]:
     """The fewest records that lead to a state again, after `first` about the recording."""
     recording = {**first, "sha256": state.sha256 or first["sha256"], "next": state.next_number}
@@ -86,7 +86,7 @@ def compact(state: Journaled, first: Record) -> list[Record]:
     return [
         recording,
         *changes(empty, state.history, next_number=0),
-        *([done_record(True)] if state.done else []),
+        *([{"op": "done", "done": True}] if state.done_before else []),
     ]
 
 
@@ -100,34 +100,48 @@ def _followed(state: Journaled, record: Record) -> Journaled:
             history = replace(state.history, position=_position(state.history, record["number"]))
             return replace(state, history=history)
         case "done":
-            return replace(state, done=bool(record["done"]))
+            return replace(state, done_before=bool(record["done"]))
         case _:
             raise ValueError("an operation this version does not know")
 
 
 def _with_recording(state: Journaled, record: Record) -> Journaled:
-    if record["format"] > FORMAT:
+    if _whole(record["format"]) > FORMAT:
+        name, software = (_plain(str(record.get(key))) for key in ("name", "software"))
         raise JournalError(
-            f"The journal of {record.get('name')} was written by {record.get('software')}, in a "
+            f"The journal of {name} was written by {software}, in a "
             f"form that keyphase {__version__} cannot read; update keyphase."
         )
-    number = max(state.next_number, int(record.get("next", 0)))
+    number = max(state.next_number, _whole(record.get("next", 0)))
     return replace(state, sha256=str(record["sha256"]), next_number=number)
 
 
 def _with_step(state: Journaled, record: Record) -> Journaled:
-    number = int(record["number"])
+    number = _whole(record["number"])
     change = _change(record)
     position = _position(state.history, record["after"])
-    step = Step(number, str(record["name"]), change)
+    step = Step(number, _plain(str(record["name"])), change)
     history = replace(state.history, position=position).with_step(step)
     return replace(state, history=history, next_number=max(state.next_number, number + 1))
 
 
-def _position(history: History, number: int | None) -> int:
+def _whole(value: Any) -> int:
+    """A number of a step. Raises ValueError for anything else."""
+    if not isinstance(value, int) or isinstance(value, bool) or not 0 <= value <= _LARGEST_NUMBER:
+        raise ValueError("no number of a step")
+    return value
+
+
+def _plain(name: str) -> str:
+    """A name of a step that a page can show, whatever the journal held."""
+    return "".join(c if c.isprintable() else "?" for c in name[:_LONGEST_NAME])
+
+
+def _position(history: History, number: Any) -> int:
     """How many steps are in force after step `number`; where it was lost, those before it."""
     if number is None:
         return 0
+    _whole(number)
     return sum(step.number <= number for step in history.steps)
 
 

@@ -5,10 +5,15 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
+from platformdirs import user_state_path
+
 from keyphase.errors import JournalError
 
 NAME = ".keyphase"
 """Folder beside the recordings that holds their journals and the folder's settings."""
+
+_LONGEST_NAME = 200
+"""Bytes; file systems take 255, and what is kept beside a journal is named after it."""
 
 
 @dataclass(frozen=True)
@@ -24,9 +29,15 @@ class StateFolder:
     writable: bool
     notice: str | None = None
 
+    def both(self, name: str) -> tuple[Path, ...]:
+        """The files of that name in the two places, the one in use first."""
+        return tuple(
+            folder / name for folder in (self.path, self.other) if os.path.lexists(folder / name)
+        )
+
     def newest(self, name: str) -> Path | None:
         """The file of that name, from whichever of the two places it was last written in."""
-        files = [folder / name for folder in (self.path, self.other) if (folder / name).is_file()]
+        files = [file for file in self.both(name) if os.path.isfile(file)]
         return max(files, key=lambda file: file.stat().st_mtime_ns, default=None)
 
 
@@ -52,11 +63,27 @@ def state_folder(recordings: Path, *, create: bool = True) -> StateFolder:
     )
 
 
+def state_name(recording: Path, suffix: str) -> str:
+    """The name under which something about a recording is kept.
+
+    A name that would be too long for a file system is cut and told apart by its hash.
+    """
+    name = os.fsencode(recording.name)
+    if len(name) + len(suffix) <= _LONGEST_NAME:
+        return f"{recording.name}{suffix}"
+    cut = name[: _LONGEST_NAME - len(suffix) - 20].decode("utf-8", "ignore")
+    return f"{cut}~{hashlib.sha256(name).hexdigest()[:16]}{suffix}"
+
+
+def own_state() -> Path:
+    """The user's own folder for keyphase's state; it need not be there."""
+    return user_state_path("keyphase", appauthor=False)
+
+
 def _own(recordings: Path) -> Path:
-    base = os.environ.get("XDG_STATE_HOME") or os.path.expanduser("~/.local/state")
     absolute = Path(os.path.realpath(recordings))
     digest = hashlib.sha256(os.fsencode(absolute)).hexdigest()[:12]
-    return Path(base, "keyphase", f"{absolute.name or 'root'}-{digest}")
+    return own_state() / f"{absolute.name[:60] or 'root'}-{digest}"
 
 
 def _usable(folder: Path) -> bool:
@@ -66,6 +93,6 @@ def _usable(folder: Path) -> bool:
         folder.mkdir(parents=True, exist_ok=True)
         probe.touch()
         probe.unlink()
-    except OSError:
+    except (OSError, ValueError):
         return False
     return True
