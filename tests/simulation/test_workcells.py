@@ -5,7 +5,6 @@ import pytest
 
 from keyphase.errors import SimulationError
 from keyphase.simulation import Disturbance, Reference, Simulation
-from keyphase.simulation.shapes import shapes_of
 from keyphase.simulation.workcells.course import Course
 from keyphase.simulation.workcells.seating import seat_gap_m
 from keyphase.simulation.workcells.setup1 import SETUP1
@@ -217,7 +216,7 @@ def test_parts_at_rest_sleep_until_something_moves_them() -> None:
 
 @both
 def test_every_part_can_be_drawn(cell) -> None:
-    shapes = shapes_of(cell.build())
+    shapes = cell.build().shapes()
     assert {shape.body for shape in shapes} == set(cell.parts)
     assert all((shape.size_m > 0.0).all() for shape in shapes)
     assert "knob" in {shape.name for shape in shapes}

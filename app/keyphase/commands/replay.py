@@ -3,51 +3,50 @@
 Everything heavy is imported where it is used, so that `--help` answers at once.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 import tyro
 
+from keyphase.commands.replay_world import WorldOptions
 from keyphase.errors import ParameterError, SimulationError
 
 if TYPE_CHECKING:
     from keyphase.demonstration import Demonstration
-    from keyphase.simulation.disturbance import Disturbance
-    from keyphase.simulation.replay.spread import Spread
-    from keyphase.simulation.replay.trials import Worlds
+    from keyphase.simulation.replay.input import PlannedReplay
+    from keyphase.simulation.simulated import Cell
     from keyphase.skills.skill import Skill
 
 
 @dataclass(frozen=True)
 class ReplaySegments:
-    """Replay the plan of a segment file in a simulated workcell; 0 where the task succeeds.
+    """Replay the plan of a segment file in a simulated world; 0 where the task succeeds.
 
-    With --trials in many disturbed worlds; then 0 where it succeeds in all of them.
+    With --trials in many disturbed worlds; then 0 where it succeeds in all of them. With --margin
+    it says how far the world may differ until the plan fails.
     """
 
     segments: tyro.conf.Positional[Path]
     """The segment file."""
     workcell: str | None = None
-    """setup1 or setup2; without, the one the demonstration was recorded in."""
+    """setup1, setup2, or `recording`, the world made from the recording; without, the workcell the
+    demonstration was recorded in, and for every other recording the world made from it."""
     demonstration: Path | None = None
     """The recording, where it is neither where the segment file says nor beside it."""
     recipe: Path | None = None
     """How to read a table that is not in keyphase's own form (TOML)."""
     end_conditions: Literal["contact", "configuration"] = "contact"
     """`configuration` leaves the force conditions out, for comparison."""
-    part_height: str = "0"
-    """How much higher table and parts are, such as 10mm."""
-    part_offset: str = "0"
-    """How far aside the part lies, such as 5mm: to the left in a replay, in x and y in trials."""
-    friction: str = "0.3"
-    """Friction between parts and table, such as 0.2..0.6."""
-    sensor_noise: str = "1"
-    """Factor on the noise of the wrist sensor."""
+    world: tyro.conf.OmitArgPrefixes[WorldOptions] = field(default_factory=WorldOptions)
+    """How the world differs from the nominal one."""
     seed: int = 0
     """The same seed gives the same sensor noise and the same disturbed worlds."""
     trials: int = 0
     """How many disturbed worlds: a single height or offset a then means -a..a."""
+    margin: bool = False
+    """How much higher, lower, aside, turned, rougher the world may be until the plan fails, beside
+    the same by pose alone and as one skill."""
     jobs: int = -1
     """How many trials at once; -1 takes all cores."""
     coupling: bool = True
@@ -55,7 +54,7 @@ class ReplaySegments:
     output: Path | None = None
     """Write the replay as a recording (NPZ)."""
     plot: Path | None = None
-    """Write a picture of the trials (SVG)."""
+    """Write a picture of the trials or of the margin (SVG)."""
     skills: Path | None = None
     """Write the skills (JSON)."""
     behavior_tree: Path | None = None
@@ -67,37 +66,36 @@ class ReplaySegments:
 
     def run(self) -> int:
         """Make the skills, write what is asked for, replay, and say what became of it."""
+        from keyphase.simulation.choosing import cell_for, met_by
         from keyphase.simulation.replay.input import planned_replay, with_configuration_ends
         from keyphase.skills.library import skills_of
 
         self._check()
         planned = planned_replay(self.segments, self.demonstration, self.recipe)
+        cell = cell_for(planned.demonstration, self.workcell)
+        demonstration = met_by(planned.demonstration, cell)
+        if self.margin:
+            return self._run_margin(cell, replace(planned, demonstration=demonstration))
         segments = planned.segments
         if self.end_conditions == "configuration":
             segments = with_configuration_ends(segments)
-        skills = skills_of(planned.demonstration, segments)
-        cell = self._workcell(planned.demonstration)
-        self._write_program(planned.demonstration, skills)
+        skills = skills_of(demonstration, segments)
+        self._write_program(demonstration, skills)
         if self.trials:
-            return self._run_trials(cell, planned.demonstration, skills)
-        return self._run_once(cell, planned.demonstration, skills)
+            return self._run_trials(cell, demonstration, skills)
+        return self._run_once(cell, demonstration, skills)
 
     def _check(self) -> None:
         if self.trials < 0:
             raise ParameterError(f"--trials must not be below zero, but is {self.trials}.")
-        if self.trials and self.output:
-            raise ParameterError("--output takes the recording of one replay; leave out --trials.")
-        if self.plot and not self.trials:
-            raise ParameterError("--plot is the picture of trials; add --trials.")
-
-    def _workcell(self, demonstration: "Demonstration") -> str:
-        name = self.workcell or demonstration.metadata.get("workcell")
-        if not isinstance(name, str):
-            raise SimulationError(
-                f"{demonstration.name} was not recorded in a workcell of keyphase; "
-                "choose one with --workcell."
+        if self.trials and self.margin:
+            raise ParameterError("Either --trials or --margin can be asked for; leave one out.")
+        if self.output and (self.trials or self.margin):
+            raise ParameterError(
+                "--output takes the recording of one replay; leave out --trials and --margin."
             )
-        return name
+        if self.plot and not (self.trials or self.margin):
+            raise ParameterError("--plot is the picture of trials or of a margin; add --trials.")
 
     def _write_program(self, demonstration: "Demonstration", skills: "tuple[Skill, ...]") -> None:
         from keyphase.files.writing import write_whole
@@ -117,14 +115,13 @@ class ReplaySegments:
             write_whole(self.program, listing.encode(), refusal=SimulationError)
 
     def _run_once(
-        self, cell: str, demonstration: "Demonstration", skills: "tuple[Skill, ...]"
+        self, cell: "Cell", demonstration: "Demonstration", skills: "tuple[Skill, ...]"
     ) -> int:
         from keyphase.readers import save_npz
         from keyphase.simulation.replay.replay import ReplayOptions, run
         from keyphase.simulation.replay.report import as_json, replay_text, replay_values
-        from keyphase.simulation.workcells.registry import workcell
 
-        simulation = workcell(cell).build(self._disturbance(), self.seed)
+        simulation = cell.build(self.world.disturbance(), self.seed)
         result = run(simulation, skills, demonstration, ReplayOptions(self.coupling))
         if self.output:
             save_npz(result.demonstration, self.output)
@@ -132,7 +129,7 @@ class ReplaySegments:
         return 0 if result.succeeded else 1
 
     def _run_trials(
-        self, cell: str, demonstration: "Demonstration", skills: "tuple[Skill, ...]"
+        self, cell: "Cell", demonstration: "Demonstration", skills: "tuple[Skill, ...]"
     ) -> int:
         from tqdm import tqdm
 
@@ -141,7 +138,7 @@ class ReplaySegments:
         from keyphase.simulation.replay.trials import drawn_worlds, run_trials
         from keyphase.simulation.replay.trials_picture import trials_svg
 
-        worlds = drawn_worlds(self._worlds(), self.trials, self.seed)
+        worlds = drawn_worlds(self.world.worlds(), self.trials, self.seed)
         with tqdm(unit="world", disable=None) as bar:
 
             def progress(done: int, total: int) -> None:
@@ -158,38 +155,37 @@ class ReplaySegments:
                 progress=progress,
             )
         if self.plot:
-            title = f"{cell}, {self.end_conditions} end conditions"
+            title = f"{cell.name}, {self.end_conditions} end conditions"
             write_whole(self.plot, trials_svg(trials, title).encode(), refusal=SimulationError)
         print(as_json(trials_values(trials)) if self.json else trials_text(trials))
         return 0 if trials.successes == len(trials.trials) else 1
 
-    def _worlds(self) -> "Worlds":
-        from keyphase.simulation.replay.spread import spread_of
-        from keyphase.simulation.replay.trials import Worlds
+    def _run_margin(self, cell: "Cell", planned: "PlannedReplay") -> int:
+        from tqdm import tqdm
 
-        return Worlds(
-            part_height_m=spread_of(self.part_height, "--part-height", symmetric=True),
-            part_offset_m=spread_of(self.part_offset, "--part-offset", symmetric=True),
-            friction=spread_of(self.friction, "--friction"),
-            sensor_noise=spread_of(self.sensor_noise, "--sensor-noise"),
-        )
+        from keyphase.files.writing import write_whole
+        from keyphase.simulation.replay.margin import margin_of
+        from keyphase.simulation.replay.margin_plans import margin_plans
+        from keyphase.simulation.replay.margin_report import margin_svg, margin_text, margin_values
+        from keyphase.simulation.replay.report import as_json
 
-    def _disturbance(self) -> "Disturbance":
-        from keyphase.simulation.disturbance import Disturbance
-        from keyphase.simulation.replay.spread import spread_of
+        plans = margin_plans(planned.demonstration, planned.segments)
+        with tqdm(unit="axis", disable=None) as bar:
 
-        return Disturbance(
-            part_height_m=_single(spread_of(self.part_height, "--part-height")),
-            part_offset_m=(0.0, _single(spread_of(self.part_offset, "--part-offset"))),
-            friction=_single(spread_of(self.friction, "--friction")),
-            sensor_noise=_single(spread_of(self.sensor_noise, "--sensor-noise")),
-        )
+            def progress(done: int, total: int) -> None:
+                bar.total = total
+                bar.update(done - bar.n)
 
-
-def _single(spread: "Spread") -> float:
-    if spread.single is None:
-        raise ParameterError(
-            f"One replay takes one value, but {spread.low:g}..{spread.high:g} is a range; "
-            "add --trials."
-        )
-    return spread.single
+            margin = margin_of(
+                cell,
+                planned.demonstration,
+                plans,
+                seed=self.seed,
+                jobs=self.jobs,
+                progress=progress,
+            )
+        if self.plot:
+            title = f"{planned.demonstration.name} in {cell.name}"
+            write_whole(self.plot, margin_svg(margin, title).encode(), refusal=SimulationError)
+        print(as_json(margin_values(margin)) if self.json else margin_text(margin))
+        return 0 if margin.plans[0].nominal == "success" else 1

@@ -11,7 +11,8 @@ import numpy as np
 from keyphase import __version__
 from keyphase.demonstration import Demonstration
 from keyphase.simulation.robot_scene import ARM_JOINTS
-from keyphase.simulation.simulation import Sample, Simulation
+from keyphase.simulation.simulated import Simulated
+from keyphase.simulation.simulation import Sample
 
 ONSET_FORCE_N = 0.2
 """Normal force from which two parts count as touching, in the simulator's own view."""
@@ -20,12 +21,15 @@ ONSET_FORCE_N = 0.2
 def as_demonstration(
     samples: Sequence[Sample], name: str, metadata: Mapping[str, Any]
 ) -> Demonstration:
-    """The samples of one recording, time counted from its first one."""
+    """The samples of one recording, time counted from its first one.
+
+    A world without a robot knows neither joints nor torques.
+    """
 
     def column(channel: str) -> np.ndarray:
         return np.array([getattr(sample, channel) for sample in samples])
 
-    time = column("time_s")
+    time, has_robot = column("time_s"), bool(samples[0].joints_rad.size)
     return Demonstration(
         name=name,
         # Rounded to whole nanoseconds, so that equal steps are written equal.
@@ -33,23 +37,23 @@ def as_demonstration(
         position_m=column("position_m"),
         orientation_wxyz=column("orientation_wxyz"),
         force_N=column("force_N"),
-        torque_Nm=column("torque_Nm"),
-        joints_rad=column("joints_rad"),
+        torque_Nm=column("torque_Nm") if has_robot else None,
+        joints_rad=column("joints_rad") if has_robot else None,
         metadata=metadata,
     )
 
 
-def provenance(simulation: Simulation, operator: str) -> dict[str, Any]:
+def provenance(world: Simulated, operator: str) -> dict[str, Any]:
     """Where a recording comes from, as metadata: program, simulator, operator, workcell."""
     return {
         "recorder": f"keyphase {__version__}",
         "simulator": f"MuJoCo {mujoco.__version__}",
         "operator": operator,
-        "workcell": simulation.workcell.name,
-        "disturbance": simulation.disturbance.as_json(),
+        "workcell": world.workcell.name,
+        "disturbance": world.disturbance.as_json(),
         "joint_names": list(ARM_JOINTS),
-        "contact_names": list(simulation.contacts.names),
-        "contact_changes": list(simulation.workcell.onsets),
+        "contact_names": list(world.contact_names),
+        "contact_changes": list(world.workcell.onsets),
     }
 
 

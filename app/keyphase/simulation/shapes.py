@@ -2,6 +2,7 @@
 # pyright: reportAttributeAccessIssue=false
 """What the parts of a workcell look like, for whoever draws them."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -9,7 +10,6 @@ import mujoco
 import numpy as np
 
 from keyphase.demonstration import Array
-from keyphase.simulation.simulation import Simulation
 
 _KINDS: dict[int, Literal["box", "cylinder"]] = {
     int(mujoco.mjtGeom.mjGEOM_BOX): "box",
@@ -36,14 +36,13 @@ class Shape:
     rgba: tuple[float, float, float, float]
 
 
-def shapes_of(simulation: Simulation) -> tuple[Shape, ...]:
-    """Every shape of every part of the simulated workcell."""
-    model = simulation.model
-    parts = {model.body(name).id: name for name in simulation.workcell.parts}
+def shapes_in(model: mujoco.MjModel, parts: Sequence[str]) -> tuple[Shape, ...]:
+    """Every shape of the parts of these names."""
+    bodies = {model.body(name).id: name for name in parts}
     return tuple(
-        _shape(model.geom(index), parts[int(model.geom_bodyid[index])])
+        _shape(model.geom(index), bodies[int(model.geom_bodyid[index])])
         for index in range(model.ngeom)
-        if int(model.geom_bodyid[index]) in parts
+        if int(model.geom_bodyid[index]) in bodies
     )
 
 

@@ -17,6 +17,7 @@ from keyphase.simulation.contacts import Contacts
 from keyphase.simulation.disturbance import Disturbance
 from keyphase.simulation.impedance import RATE_HZ, CartesianImpedance, Gains, Reference
 from keyphase.simulation.robot_scene import ARM_JOINTS, SENSOR_SITE, TOOL_BODY, TOOL_SITE
+from keyphase.simulation.shapes import Shape, shapes_in
 from keyphase.simulation.wrist_sensor import (
     Load,
     SensorModel,
@@ -75,7 +76,11 @@ class Simulation:
         self._wrist_m, self._wrist_turn = places[wrist], turns[wrist].reshape(3, 3)
         self._substeps = round(1.0 / (RATE_HZ * model.opt.timestep))
         bodies = (model.body(index).name for index in range(1, model.nbody))
-        self._links = tuple(name for name in bodies if name not in workcell.parts)
+        links = tuple(name for name in bodies if name not in workcell.parts)
+        self.bodies = (*links, *workcell.parts)
+        self._links = links
+        self._drawn = [model.body(name).id for name in self.bodies]
+        self._tool_body = int(model.site_bodyid[self._tool])
         self.controller = CartesianImpedance(model, self._tool, joints, Gains())
         self.contacts = Contacts(model, workcell.pairs)
         sensor = SensorModel().worse(disturbance.sensor_noise, disturbance.sensor_drift)
@@ -115,6 +120,30 @@ class Simulation:
             contact_N=contact_N,
         )
 
+    @property
+    def gains(self) -> Gains:
+        """Of the impedance."""
+        return self.controller.gains
+
+    @property
+    def contact_names(self) -> tuple[str, ...]:
+        """Names of what `Sample.contact_N` holds."""
+        return self.contacts.names
+
+    def be_at(self, moment_s: float | None, span_s: tuple[float, float] | None) -> None:
+        """Physics does not ask which moment of a demonstration is being repeated."""
+
+    def exert(self, force_N: ArrayLike, torque_Nm: ArrayLike) -> None:
+        """A hand on the tool point exerts this (3,), (3,), base frame, until told otherwise.
+
+        It acts as joint torques, so that the wrist sensor reads contact only.
+        """
+        data = self.data
+        data.qfrc_applied[:] = 0.0
+        mujoco.mj_applyFT(
+            self.model, data, force_N, torque_Nm, self._tool_m, self._tool_body, data.qfrc_applied
+        )
+
     def push(self, body: str, force_N: ArrayLike) -> None:
         """Push a body at its centre of mass with a force, base frame, until told otherwise.
 
@@ -148,6 +177,14 @@ class Simulation:
     def here(self) -> Reference:
         """The reference that keeps the tool where it is."""
         return Reference(*self.tool_pose())
+
+    def frame(self) -> tuple[Array, Array]:
+        """Positions (B, 3) and orientations (B, 4), w x y z, of `bodies`, base frame."""
+        return self.data.xpos[self._drawn], self.data.xquat[self._drawn]
+
+    def shapes(self) -> tuple[Shape, ...]:
+        """Every shape of every part."""
+        return shapes_in(self.model, self.workcell.parts)
 
     def part_poses(self) -> Mapping[str, tuple[Array, Array]]:
         """Position and orientation of each part the workcell names, by name."""

@@ -11,7 +11,6 @@ from keyphase.errors import SimulationError
 from keyphase.readers import save_npz
 from keyphase.simulation.replay.replay import Replay
 from keyphase.simulation.replay.result import ReplayResult
-from keyphase.simulation.shapes import shapes_of
 from keyphase.simulation.workcells.registry import workcell
 from keyphase.web.protocol.replay_messages import Streamed, replay_message
 from keyphase.web.scene.replay_view import ReplayView, Running
@@ -230,7 +229,7 @@ class ReplaySession:
                 replay_, settings.speed, self._ticked, self._changed, self._telling.report
             )
             simulation = replay_.simulation
-            shapes, goals = shapes_of(simulation), simulation.workcell.goals(simulation)
+            shapes, goals = simulation.shapes(), simulation.workcell.goals(simulation)
             self.running = Running(number, opened, settings, plan, run, shapes, goals)
             self._streamed = Streamed(number, plan)
             running = self.running

@@ -16,7 +16,6 @@ from keyphase.simulation.demonstrating.recorder import Recorder
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.impedance import RATE_HZ, Reference
 from keyphase.simulation.samples import provenance
-from keyphase.simulation.shapes import shapes_of
 from keyphase.simulation.simulation import Sample
 from keyphase.simulation.workcells.workcell import Workcell
 
@@ -54,7 +53,7 @@ class LeadThrough:
         self._stop = threading.Event()
         self._thread: threading.Thread | None = None
         self._simulation = cell.build(disturbance, seed)
-        self.shapes = shapes_of(self._simulation)
+        self.shapes = self._simulation.shapes()
         """What the parts look like."""
         self._follower = Follower(self._simulation.here())
         self._target = self._simulation.here()

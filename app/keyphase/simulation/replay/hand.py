@@ -9,8 +9,7 @@ from numpy.typing import ArrayLike
 from keyphase.demonstration import Array
 from keyphase.errors import SimulationError
 from keyphase.simulation.impedance import Reference, rotation_towards
-from keyphase.simulation.robot_scene import TOOL_SITE
-from keyphase.simulation.simulation import Simulation
+from keyphase.simulation.simulated import Simulated
 
 STIFFNESS_N_M, DAMPING_NS_M = 8000.0, 250.0
 ROTATIONAL_STIFFNESS_NM_RAD, ROTATIONAL_DAMPING_NMS_RAD = 60.0, 1.5
@@ -19,12 +18,10 @@ STRONGEST_N, STRONGEST_NM = 60.0, 8.0
 
 
 class Hand:
-    """Exerts joint torques, so that the wrist sensor reads contact only, as in the paper."""
+    """Acts above the wrist sensor, which reads contact only, as in the paper."""
 
-    def __init__(self, simulation: Simulation) -> None:
-        self._simulation = simulation
-        self._tool = simulation.model.site(TOOL_SITE).id
-        self._body = int(simulation.model.site_bodyid[self._tool])
+    def __init__(self, world: Simulated) -> None:
+        self._world = world
         self.held: Reference | None = None
         self._push_N: Array | None = None
         self._acted = False
@@ -47,27 +44,21 @@ class Hand:
         self._push_N = _bounded(force, STRONGEST_N) if force.any() else None
 
     def act(self) -> None:
-        """Put the hand's force on the arm for the coming tick."""
+        """Put the hand's force on the tool for the coming tick."""
         if not (self.is_on or self._acted):
             return
-        data, self._acted = self._simulation.data, self.is_on
-        data.qfrc_applied[:] = 0.0
-        if not self.is_on:
-            return
-        force, torque = self._wrench()
-        point = data.site_xpos[self._tool]
-        mujoco.mj_applyFT(
-            self._simulation.model, data, force, torque, point, self._body, data.qfrc_applied
-        )
+        self._acted = self.is_on
+        self._world.exert(*self._wrench())
 
     def _wrench(self) -> tuple[Array, Array]:
         pushed = np.zeros(3) if self._push_N is None else self._push_N.copy()
         if self.held is None:
             return pushed, np.zeros(3)
-        data, twist = self._simulation.data, self._simulation.tool_velocity()
-        away = self.held.position_m - data.site_xpos[self._tool]
-        turned = rotation_towards(data.site_xmat[self._tool], self.held.orientation_wxyz)
-        force = STIFFNESS_N_M * away - DAMPING_NS_M * twist[:3]
+        (position, wxyz), twist = self._world.tool_pose(), self._world.tool_velocity()
+        matrix = np.empty(9)
+        mujoco.mju_quat2Mat(matrix, wxyz)
+        turned = rotation_towards(matrix, self.held.orientation_wxyz)
+        force = STIFFNESS_N_M * (self.held.position_m - position) - DAMPING_NS_M * twist[:3]
         torque = ROTATIONAL_STIFFNESS_NM_RAD * turned - ROTATIONAL_DAMPING_NMS_RAD * twist[3:]
         return _bounded(force, STRONGEST_N) + pushed, _bounded(torque, STRONGEST_NM)
 

@@ -33,7 +33,8 @@ from keyphase.simulation.replay.result import (
 )
 from keyphase.simulation.replay.skill import STEP_S, SkillRun, Start, pressing
 from keyphase.simulation.samples import as_demonstration, ground_truth, provenance
-from keyphase.simulation.simulation import Sample, Simulation
+from keyphase.simulation.simulated import Simulated
+from keyphase.simulation.simulation import Sample
 from keyphase.simulation.workcells.course import Course
 from keyphase.skills.connecting import connecting_skill, is_apart
 from keyphase.skills.coupling import Measured
@@ -49,6 +50,9 @@ contact is made, too, before anything follows.
 
 STILL_M_S = 0.002
 """A tool slower than this is still."""
+
+LATEST_S = 0.5
+"""A contact that has not come yet may come as late as this after the demonstrated one."""
 
 REST_S = 0.5
 """How long the tool rests after the last skill before success is judged."""
@@ -72,7 +76,7 @@ class Replay:
 
     def __init__(
         self,
-        simulation: Simulation,
+        simulation: Simulated,
         skills: Sequence[Skill],
         demonstration: Demonstration,
         options: ReplayOptions | None = None,
@@ -93,8 +97,7 @@ class Replay:
         self.results: list[SkillResult] = []
         self.states: list[ReplayState] = []
         self.frames: list[Frame] = []
-        self.bodies = (*simulation.link_poses(), *simulation.workcell.parts)
-        self._bodies = [simulation.model.body(name).id for name in self.bodies]
+        self.bodies = simulation.bodies
         self._hand = Hand(simulation)
         self._course = Course(simulation.workcell)
         self._stage: Stage = "moving"
@@ -123,8 +126,10 @@ class Replay:
         """Advance one tick; after the end nothing moves any more."""
         if self.over:
             return self.state
+        run = self._run
         self._reference = self._next_reference()
         self._hand.act()
+        self.simulation.be_at(self._moment(), None if run is None else run.skill.demonstrated_s)
         self._sample = self.simulation.step(self._reference)
         self._course.watch(self.simulation)
         self._stage_ticks += 1
@@ -163,7 +168,7 @@ class Replay:
         )
 
     def _next_reference(self) -> Reference:
-        stiffness = self.simulation.controller.gains.stiffness_N_m
+        stiffness = self.simulation.gains.stiffness_N_m
         if self._stage == "moving" and self._run is not None:
             return self._run.reference(self._measured(), stiffness)
         return pressing(self._still, self._sample.position_m, self._kept, 1.0, stiffness)
@@ -248,6 +253,16 @@ class Replay:
         velocity = self.simulation.tool_velocity()
         return Measured(sample.position_m, sample.orientation_wxyz, velocity)
 
+    def _moment(self) -> float | None:
+        """The moment of the demonstration that is being repeated, a contact's lateness included."""
+        run = self._run
+        if run is None or run.skill.demonstrated_s is None:
+            return None
+        end_s = run.skill.demonstrated_s[1]
+        if self._stage == "pressing":
+            return end_s + min(self._stage_ticks * STEP_S, PRESSED_S[0])
+        return min(run.moment_s, end_s + LATEST_S)
+
     @property
     def _elapsed_s(self) -> float:
         return len(self.states) * STEP_S
@@ -256,8 +271,7 @@ class Replay:
         run = self._run
         self._peak_N = max(self._peak_N, _length(self._sample.force_N))
         if len(self.states) % _FRAME_TICKS == 0:
-            data, at = self.simulation.data, self._bodies
-            self.frames.append(Frame(self._elapsed_s, data.xpos[at], data.xquat[at]))
+            self.frames.append(Frame(self._elapsed_s, *self.simulation.frame()))
         self.states.append(
             ReplayState(
                 elapsed_s=self._elapsed_s + STEP_S,
@@ -298,7 +312,7 @@ class Replay:
 
 
 def run(
-    simulation: Simulation,
+    simulation: Simulated,
     skills: Sequence[Skill],
     demonstration: Demonstration,
     options: ReplayOptions | None = None,
@@ -319,7 +333,7 @@ def _length(vector: Array) -> float:
     return sqrt(vector.dot(vector))
 
 
-def _approach(simulation: Simulation, first: Skill) -> tuple[Skill, ...]:
+def _approach(simulation: Simulated, first: Skill) -> tuple[Skill, ...]:
     """The connecting move from where the arm is to where the plan starts, if one is needed."""
     here = simulation.here()
     start = first.primitive

@@ -70,6 +70,12 @@ class SkillRun:
         return min(span[0] + self.fraction * self._primitive.duration_s, span[1])
 
     @property
+    def moment_s(self) -> float:
+        """Like `demonstrated_s`, going on beyond its end; zero in a connecting move."""
+        span = self.skill.demonstrated_s
+        return 0.0 if span is None else span[0] + self.fraction * self._primitive.duration_s
+
+    @property
     def demonstrated_fraction(self) -> float:
         """How much of the demonstrated time is done; a contact's motion goes on beyond it."""
         span, at = self.skill.demonstrated_s, self.demonstrated_s

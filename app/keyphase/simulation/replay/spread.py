@@ -8,7 +8,7 @@ import numpy as np
 
 from keyphase.errors import ParameterError
 
-_METRES = {"": 1.0, "m": 1.0, "cm": 1e-2, "mm": 1e-3}
+_UNITS = {"": 1.0, "m": 1.0, "cm": 1e-2, "mm": 1e-3, "deg": math.radians(1.0)}
 _NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([a-z]*)")
 
 
@@ -33,7 +33,8 @@ def spread_of(text: str, name: str, *, symmetric: bool = False) -> Spread:
     """The spread in a text: `0.2..0.6` a range, `0.3` that value.
 
     Where `symmetric`, a single value a is the range from -a to a. Lengths take m, cm or mm and are
-    in metres without. `name` is what messages call it. Raises ParameterError for anything else.
+    in metres without, angles take deg and are in radians without. `name` is what messages call it.
+    Raises ParameterError for anything else.
     """
     low, dots, high = text.partition("..")
     first = _value(low, text, name)
@@ -47,10 +48,10 @@ def spread_of(text: str, name: str, *, symmetric: bool = False) -> Spread:
 
 def _value(text: str, whole: str, name: str) -> float:
     match = _NUMBER.fullmatch(text.strip())
-    value = float(match[1]) * _METRES.get(match[2], math.nan) if match else math.nan
+    value = float(match[1]) * _UNITS.get(match[2], math.nan) if match else math.nan
     if not math.isfinite(value):
         raise ParameterError(
-            f"{name} must be a number or a range a..b, lengths with m, cm or mm, but is "
-            f"'{whole}'; write for instance 10mm or 0.2..0.6."
+            f"{name} must be a number or a range a..b, lengths with m, cm or mm, angles with "
+            f"deg, but is '{whole}'; write for instance 10mm or 0.2..0.6."
         )
     return value

@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import sqrt
 from typing import Any
 
@@ -13,6 +13,7 @@ from keyphase.errors import ParameterError, SimulationError
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.replay.replay import ReplayOptions, run
 from keyphase.simulation.replay.spread import Spread
+from keyphase.simulation.simulated import Cell
 from keyphase.simulation.workcells.registry import workcell
 from keyphase.skills.skill import Skill
 
@@ -21,6 +22,7 @@ CONFIDENCE_Z = 1.959964
 
 _ONLY_NOMINAL_PLACE = Spread(0.0, 0.0)
 _ONLY_NOMINAL_FRICTION = Spread(NOMINAL.friction, NOMINAL.friction)
+_ONE = Spread(1.0, 1.0)
 _ONLY_NOMINAL_NOISE = Spread(NOMINAL.sensor_noise, NOMINAL.sensor_noise)
 
 
@@ -32,12 +34,22 @@ class Worlds:
     part_offset_m  of the part to be met, x and y alike but drawn apart [m]
     friction       between parts and table
     sensor_noise   factor on the noise of the wrist sensor
+    tilt_rad       of the held part in the gripper [rad]
+    part_turn_rad  of the part to be met, about the vertical [rad]
+    mass           factor on the masses of the free parts
+    sensor_bias_N  what the wrist sensor reads too much [N]
+    sensor_drift   factor on how fast its bias wanders
     """
 
     part_height_m: Spread = _ONLY_NOMINAL_PLACE
     part_offset_m: Spread = _ONLY_NOMINAL_PLACE
     friction: Spread = _ONLY_NOMINAL_FRICTION
     sensor_noise: Spread = _ONLY_NOMINAL_NOISE
+    tilt_rad: Spread = _ONLY_NOMINAL_PLACE
+    part_turn_rad: Spread = _ONLY_NOMINAL_PLACE
+    mass: Spread = _ONE
+    sensor_bias_N: Spread = _ONLY_NOMINAL_PLACE
+    sensor_drift: Spread = _ONE
 
 
 @dataclass(frozen=True)
@@ -123,7 +135,7 @@ def drawn_worlds(worlds: Worlds, count: int, seed: int) -> tuple[World, ...]:
 
 
 def run_trials(
-    cell: str,
+    cell: str | Cell,
     demonstration: Demonstration,
     skills: Sequence[Skill],
     worlds: Sequence[World],
@@ -147,7 +159,8 @@ def run_trials(
             f"Trials need at least one world and one job, but there are {len(worlds)} worlds and "
             f"{jobs} jobs; give more, or -1 jobs for all cores."
         )
-    workcell(cell)
+    # By value, as what a script has registered is not known to the processes of the jobs.
+    cell = workcell(cell) if isinstance(cell, str) else cell
     one = delayed(run_trial)
     options = ReplayOptions(coupled)
     todo = [one(cell, demonstration, tuple(skills), world, options) for world in worlds]
@@ -162,14 +175,14 @@ def run_trials(
 
 
 def run_trial(
-    cell: str,
+    cell: Cell,
     demonstration: Demonstration,
     skills: Sequence[Skill],
     world: World,
     options: ReplayOptions | None = None,
 ) -> tuple[tuple[str, ...], Trial]:
     """Replay in one world: the labels of the skills, and what became of it."""
-    simulation = workcell(cell).build(world.disturbance, world.seed)
+    simulation = cell.build(world.disturbance, world.seed)
     try:
         result = run(simulation, skills, demonstration, options)
     except SimulationError as error:
@@ -191,4 +204,16 @@ def _drawn(worlds: Worlds, seed: np.random.SeedSequence) -> World:
         friction=worlds.friction.drawn(random),
         sensor_noise=worlds.sensor_noise.drawn(random),
     )
-    return World(disturbance, int(random.integers(2**31)))
+    seed = int(random.integers(2**31))
+    # Drawn after what could vary first, so that worlds drawn before stay what they were.
+    return World(
+        replace(
+            disturbance,
+            tilt_rad=worlds.tilt_rad.drawn(random),
+            part_turn_rad=worlds.part_turn_rad.drawn(random),
+            mass=worlds.mass.drawn(random),
+            sensor_bias_N=worlds.sensor_bias_N.drawn(random),
+            sensor_drift=worlds.sensor_drift.drawn(random),
+        ),
+        seed,
+    )

@@ -16,7 +16,7 @@ from keyphase.errors import SimulationError
 from keyphase.simulation.disturbance import Disturbance
 from keyphase.simulation.impedance import RATE_HZ, Gains, Reference
 from keyphase.simulation.robot_scene import ARM_JOINTS
-from keyphase.simulation.shapes import Shape, shapes_of
+from keyphase.simulation.shapes import Shape
 from keyphase.simulation.simulation import Simulation
 from keyphase.simulation.workcells.registry import workcell
 
@@ -60,7 +60,7 @@ def parts_path(demonstration: Demonstration) -> PartsPath | None:
             time.append(time_s)
             poses.append(simulation.part_poses())
     return PartsPath(
-        shapes_of(simulation),
+        simulation.shapes(),
         np.array(time),
         {name: np.array([pose[name][0] for pose in poses]) for name in poses[0]},
         {name: np.array([pose[name][1] for pose in poses]) for name in poses[0]},

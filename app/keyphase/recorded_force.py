@@ -1,0 +1,130 @@
+"""What a recorded force says of itself: its offset in free space, and whether it can be one at all.
+
+The surroundings take energy from a tool that moves in contact with them, they do not give it: the
+mean of F·v / (|F| |v|) in contact is below zero. Where it is not, the force has a wrong sign, or
+stands in another frame than is said.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from keyphase.demonstration import Array, Demonstration
+
+RATE_HZ = 200.0
+
+CONTACT_N, CONTACT_SHARE = 1.0, 0.1
+"""A force counts as one from a newton on, and from this part of the 98 % force."""
+
+MOVING_M_S = 0.005
+LEAST_SAMPLES = 10
+
+HELPS = 0.05
+"""A force whose mean share of power is above this helps the motion."""
+
+_FREE_M_S = 0.03
+_LEAST_FREE = 40
+_CALM_S = 0.25
+_SMALL_N = 1.0
+_REST_M = 0.004
+_ALIKE = 0.25
+
+
+@dataclass(frozen=True, eq=False)
+class Even:
+    """A recording at 200 Hz: time_s (N,), position_m (N, 3), orientation_wxyz (N, 4), force_N."""
+
+    time_s: Array
+    position_m: Array
+    orientation_wxyz: Array
+    force_N: Array
+
+    @property
+    def step_s(self) -> float:
+        """Between two samples."""
+        return 1.0 / RATE_HZ
+
+    def velocity(self, smooth_s: float) -> Array:
+        """Velocity (N, 3) of the position averaged over `smooth_s`."""
+        return np.gradient(running_mean(self.position_m, smooth_s), self.step_s, axis=0)
+
+
+def evenly(demonstration: Demonstration) -> Even:
+    """The recording, interpolated; what was not recorded does not turn, or is no force."""
+    time = np.arange(demonstration.start_s, demonstration.end_s, 1.0 / RATE_HZ)
+
+    def at(values: Array) -> Array:
+        return np.stack([np.interp(time, demonstration.time_s, v) for v in values.T], axis=1)
+
+    wxyz, force = demonstration.orientation_wxyz, demonstration.force_N
+    turned = np.tile([1.0, 0.0, 0.0, 0.0], (len(time), 1)) if wxyz is None else at(wxyz)
+    turned /= np.linalg.norm(turned, axis=1)[:, None]
+    return Even(
+        time,
+        at(demonstration.position_m),
+        turned,
+        np.zeros((len(time), 3)) if force is None else at(force),
+    )
+
+
+def running_mean(values: Array, window_s: float) -> Array:
+    """Mean (N, ...) over a centred window, at the ends over what is there of it."""
+    half = round(window_s * RATE_HZ / 2)
+    flat = values.reshape(len(values), -1)
+    sums = np.vstack([np.zeros(flat.shape[1]), np.cumsum(flat, axis=0)])
+    rows = np.arange(len(values))
+    first, last = np.maximum(rows - half, 0), np.minimum(rows + half + 1, len(values))
+    return ((sums[last] - sums[first]) / (last - first)[:, None]).reshape(values.shape)
+
+
+def free_force(even: Even) -> Array:
+    """Force (3,) that is read where nothing is touched; zero where that cannot be told [N].
+
+    The median over the calmest of the moments in which the tool moves. It is taken for an offset
+    if it is small, or if the tool rests under the same force at its start.
+    """
+    force, speed = even.force_N, np.linalg.norm(even.velocity(0.1), axis=1)
+    mean = running_mean(force, _CALM_S)
+    spread = np.sqrt(
+        np.maximum(running_mean((force**2).sum(axis=1), _CALM_S) - (mean**2).sum(axis=1), 0.0)
+    )
+    size, moving = np.linalg.norm(mean, axis=1), speed > _FREE_M_S
+    if moving.sum() < _LEAST_FREE:
+        return np.zeros(3)
+    calm = moving & (spread <= np.percentile(spread[moving], 40))
+    least = calm & (size <= np.percentile(size[calm], 50))
+    free = np.median(force[least], axis=0)
+    length = float(np.linalg.norm(free))
+    start = even.time_s < even.time_s[0] + _CALM_S
+    resting = float(np.linalg.norm(np.ptp(even.position_m[start], axis=0))) < _REST_M
+    away = float(np.linalg.norm(np.median(force[start], axis=0) - free))
+    is_offset = length < _SMALL_N or (resting and away < _ALIKE * length)
+    return free if is_offset else np.zeros(3)
+
+
+def power_share(even: Even) -> float | None:
+    """Mean of F·v / (|F| |v|) while moving in contact, -1 to 1; None where there is no contact."""
+    force = even.force_N - free_force(even)
+    velocity = even.velocity(0.05)
+    speed, size = np.linalg.norm(velocity, axis=1), np.linalg.norm(force, axis=1)
+    least = max(CONTACT_N, CONTACT_SHARE * float(np.percentile(size, 98)))
+    inside = (speed > MOVING_M_S) & (size > least)
+    if inside.sum() < LEAST_SAMPLES:
+        return None
+    power = (force[inside] * velocity[inside]).sum()
+    return float(power / (size[inside] * speed[inside]).sum())
+
+
+def doubtful_force(demonstration: Demonstration) -> str | None:
+    """Why the recorded force cannot be what the surroundings exert on the tool; None if it can."""
+    if demonstration.force_N is None or demonstration.duration_s < 2 * _CALM_S:
+        return None
+    share = power_share(evenly(demonstration))
+    if share is None or share <= HELPS:
+        return None
+    return (
+        f"The recorded force helps the motion ({100 * share:+.0f} % of its power, where the "
+        "surroundings can only take): its sign is wrong, or it stands in another frame than the "
+        "positions; check both in the recipe. Directions, contact ends and a world made from this "
+        "recording are not to be trusted."
+    )

@@ -1,0 +1,59 @@
+"""Which world a recording is replayed in, and whether one that was chosen fits it."""
+
+import numpy as np
+
+from keyphase.demonstration import Demonstration
+from keyphase.errors import SimulationError
+from keyphase.simulation.recorded.cell import NAME, RecordedCell
+from keyphase.simulation.simulated import Cell
+from keyphase.simulation.workcells.registry import workcell, workcell_names
+
+AWAY_M, TURNED_RAD = 0.15, np.radians(45.0)
+"""A recording that begins further from where a workcell's arm stands was made elsewhere."""
+
+
+def cell_for(demonstration: Demonstration, name: str | None = None) -> Cell:
+    """The workcell called `name`, or the world made from the recording where that is asked for.
+
+    Without a name it is the workcell the recording was made in, and for every other recording the
+    world made from it. Raises SimulationError for a name nobody knows, a workcell that does not
+    fit, and where a world would have to be made from a recording without force.
+    """
+    chosen = name or recorded_in(demonstration) or NAME
+    if chosen == NAME:
+        return RecordedCell(demonstration)
+    cell = workcell(chosen)
+    why = unfit(demonstration, cell)
+    if why is not None:
+        raise SimulationError(why)
+    return cell
+
+
+def met_by(demonstration: Demonstration, cell: Cell) -> Demonstration:
+    """What skills are made from for a workcell: in a world made from it, without its offset."""
+    return cell.demonstration if isinstance(cell, RecordedCell) else demonstration
+
+
+def recorded_in(demonstration: Demonstration) -> str | None:
+    """The name of the workcell a recording was made in; None for a stranger's."""
+    name = demonstration.metadata.get("workcell")
+    return name if isinstance(name, str) and name in workcell_names() else None
+
+
+def unfit(demonstration: Demonstration, cell: Cell) -> str | None:
+    """Why a recording cannot be replayed in a workcell; None where it can be tried."""
+    if isinstance(cell, RecordedCell):
+        return None
+    position, wxyz = cell.build().tool_pose()
+    away = float(np.linalg.norm(demonstration.position_m[0] - position))
+    turned = 0.0
+    if demonstration.orientation_wxyz is not None:
+        cosine = min(1.0, abs(float(wxyz @ demonstration.orientation_wxyz[0])))
+        turned = 2.0 * float(np.arccos(cosine))
+    if away <= AWAY_M and turned <= TURNED_RAD:
+        return None
+    return (
+        f"{demonstration.name} does not fit {cell.name}: it begins {1e3 * away:.0f} mm and "
+        f"{np.degrees(turned):.0f}° away from where the arm stands there. Replay it in the world "
+        f"made from it (workcell '{NAME}'), or in a workcell of your own."
+    )

@@ -1,0 +1,105 @@
+"""A world made from a recording, as a workcell: anything with a force can be replayed in it."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cached_property
+from math import sqrt
+
+import numpy as np
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.errors import SimulationError
+from keyphase.recorded_force import Even, doubtful_force, evenly, free_force
+from keyphase.simulation.disturbance import NOMINAL, Disturbance
+from keyphase.simulation.impedance import Gains
+from keyphase.simulation.recorded.surfaces import Surface, surfaces_of
+from keyphase.simulation.recorded.world import RecordedWorld
+from keyphase.skills.coupling import REFERENCE_REACH
+
+NAME = "recording"
+
+WITHIN_M = 0.005
+"""A replay that strays further than this from the recorded path has not repeated it."""
+
+_WINDOW_S = 0.6
+_STIFFEST_N_M = 8000.0
+_RESERVE = 1.5
+
+
+class RecordedCell:
+    """What a recording met, ready to be met again; has the face of a `Workcell`."""
+
+    name = NAME
+    title = "The world made from the recording"
+    events = ()
+    onsets = ()
+    ends_at_contact = False
+
+    def __init__(self, demonstration: Demonstration) -> None:
+        """Raises SimulationError for a recording without force."""
+        if demonstration.force_N is None:
+            raise SimulationError(
+                f"A world is made from a recorded force, but {demonstration.name} has none; "
+                "choose a workcell with --workcell."
+            )
+        even = evenly(demonstration)
+        free = free_force(even)
+        self.even: Even = replace(even, force_N=even.force_N - free)
+        self.demonstration = replace(demonstration, force_N=demonstration.force_N - free)
+        self.doubt = doubtful_force(demonstration)
+        self.surfaces: tuple[Surface, ...] = surfaces_of(self.even)
+        self.parts = ("held", *(f"surface_{n + 1}" for n in range(len(self.surfaces))))
+
+    def build(self, disturbance: Disturbance = NOMINAL, seed: int = 0) -> RecordedWorld:
+        """The world at the recording's start; `seed` sets the sensor's noise."""
+        return RecordedWorld(self, disturbance, seed, self.gains)
+
+    @cached_property
+    def gains(self) -> Gains:
+        """Stiff enough to press as the demonstration did with the reference 10 mm away."""
+        peak = float(np.percentile(np.linalg.norm(self.even.force_N, axis=1), 99.5))
+        usual = Gains()
+        wanted = _RESERVE * peak / REFERENCE_REACH[0]
+        stiffness = min(max(wanted, usual.stiffness_N_m), _STIFFEST_N_M)
+        return replace(
+            usual,
+            stiffness_N_m=stiffness,
+            damping_Ns_m=usual.damping_Ns_m * sqrt(stiffness / usual.stiffness_N_m),
+            greatest_force_N=max(usual.greatest_force_N, 2.0 * peak),
+        )
+
+    def placed(self, disturbance: Disturbance) -> tuple[Array, Array]:
+        """Shift (3,) and turn (3, 3) of the surfaces: about the vertical through the first one."""
+        shift = np.array([*disturbance.part_offset_m, disturbance.part_height_m])
+        c, s = np.cos(disturbance.part_turn_rad), np.sin(disturbance.part_turn_rad)
+        turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+        if not self.surfaces:
+            return shift, turn
+        about = self.surfaces[0].point_m[0]
+        return about - turn @ about + shift, turn
+
+    def off_path(self, position_m: Array, moment_s: float) -> float:
+        """How far a place (3,) is from the recorded path around a moment [m]."""
+        span = (moment_s - _WINDOW_S, moment_s + _WINDOW_S)
+        rows = slice(*np.searchsorted(self.even.time_s, span).tolist())
+        away = self.even.position_m[rows] - position_m
+        if not len(away):
+            away = self.even.position_m[-1:] - position_m
+        return sqrt(float(np.einsum("ij,ij->i", away, away).min()))
+
+    def checks(self, world: RecordedWorld) -> Mapping[str, bool]:
+        """Contacts, path, and whether the force can be what it says."""
+        due = sorted(world.due)
+        met = [world.touched[index] for index in due if index in world.touched]
+        in_order = len(met) == len(due) and met == sorted(met)
+        shift = world.disturbance.part_offset_m
+        moved = sqrt(shift[0] ** 2 + shift[1] ** 2 + world.disturbance.part_height_m**2)
+        checks = {
+            "contacts met in order": in_order,
+            f"path within {1e3 * WITHIN_M:.0f} mm": world.furthest_m <= WITHIN_M + moved,
+        }
+        return checks | ({} if self.doubt is None else {"a force to be trusted": False})
+
+    def goals(self, world: RecordedWorld) -> tuple[str, ...]:
+        """Names of all that success asks, before anything has happened."""
+        return tuple(self.checks(world))

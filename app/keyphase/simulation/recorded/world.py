@@ -1,0 +1,229 @@
+"""A world made from a recording, in motion: the tool meets again what the recording says it met."""
+
+from collections.abc import Mapping
+from math import exp, isfinite, pi
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.errors import SimulationError
+from keyphase.simulation.disturbance import NOMINAL, Disturbance
+from keyphase.simulation.impedance import RATE_HZ, Gains, Reference
+from keyphase.simulation.recorded.body import ToolBody
+from keyphase.simulation.recorded.surfaces import STIFFNESS_N_M, Surface
+from keyphase.simulation.shapes import Shape
+from keyphase.simulation.simulation import Sample
+
+if TYPE_CHECKING:
+    from keyphase.simulation.recorded.cell import RecordedCell
+
+DAMPING_NS_M = 40.0
+ROUGHNESS = 0.02
+"""Friction of a surface besides what is in its normal."""
+
+ASIDE_M, BEHIND_M = 0.04, 0.02
+"""A surface ends this far aside of where it was touched, and this far behind itself."""
+
+TOUCHED_N = 0.2
+NOISE_N = 0.05
+CUTOFF_HZ = 70.0
+
+SUBSTEPS = 2
+
+DISC_M, TIP_M = (0.03, 0.03, 0.001), (0.008, 0.008, 0.008)
+GREY, RED = (0.45, 0.47, 0.50, 0.7), (0.80, 0.10, 0.10, 1.0)
+_CREEP_M_S = 0.005
+_MEASURED_EVERY = 5
+_DUE_S = 0.05
+_AFTER_S = 0.3
+
+
+class RecordedWorld:
+    """One world being simulated; made by `RecordedCell.build`."""
+
+    def __init__(
+        self, cell: "RecordedCell", disturbance: Disturbance, seed: int, gains: Gains
+    ) -> None:
+        self.workcell, self.disturbance = cell, disturbance
+        self.gains = gains
+        self.contact_names = ()
+        self.bodies = cell.parts
+        self._random = np.random.default_rng(seed)
+        self._place = cell.placed(disturbance)
+        self._friction = ROUGHNESS + max(disturbance.friction - NOMINAL.friction, 0.0)
+        drawn = self._random.standard_normal(3)
+        self._bias = disturbance.sensor_bias_N * drawn / np.linalg.norm(drawn)
+        self._gain = 1.0 - exp(-2.0 * pi * CUTOFF_HZ / RATE_HZ)
+        self.reset()
+
+    def reset(self) -> None:
+        """Back to the recording's start, under the force that was recorded there."""
+        even, start = self.workcell.even, self.workcell.even.time_s[0]
+        still = np.zeros(3)
+        self.body = ToolBody(even.position_m[0], even.orientation_wxyz[0], still, still.copy())
+        self.touched: dict[int, float] = {}
+        self.due: set[int] = set()
+        self.furthest_m = 0.0
+        self._ticks, self._pushed = 0, (np.zeros(3), np.zeros(3))
+        self._moment: float | None = float(start)
+        self._planes = self._standing()
+        self._force = self._contact()[0]
+        self._passed = self._force
+        self.start_parts = self.part_poses()
+
+    def be_at(self, moment_s: float | None, span_s: tuple[float, float] | None = None) -> None:
+        """The moment of the demonstration that is being repeated; None: nothing of it is.
+
+        `span_s` is the stretch that the skill repeats: what was met in it is to be met again.
+        """
+        self._moment = moment_s
+        if moment_s is None or span_s is None:
+            return
+        for index, surface in enumerate(self.workcell.surfaces):
+            begun = surface.made_s - _DUE_S <= moment_s <= surface.lost_s
+            if begun and surface.made_s <= span_s[1] + _AFTER_S:
+                self.due.add(index)
+
+    def step(self, reference: Reference) -> Sample:
+        """One control tick of 4 ms towards `reference`.
+
+        Raises SimulationError when the tool is thrown away.
+        """
+        self._planes = self._standing()
+        h, mean = 1.0 / (SUBSTEPS * RATE_HZ), np.zeros(3)
+        for _ in range(SUBSTEPS):
+            force, torque = self.body.pull(reference, self.gains)
+            contact, _ = self._contact()
+            mean += contact / SUBSTEPS
+            pushed, twisted = self._pushed
+            self.body.advance(force + contact + pushed, torque + twisted, h)
+        self._ticks += 1
+        self._force = mean
+        if not isfinite(mean.dot(mean)) or np.abs(self.body.position_m).max() > 50.0:
+            raise SimulationError(
+                f"{self.workcell.name} diverged after {self._ticks / RATE_HZ:.3f} s; "
+                "use smaller disturbances."
+            )
+        self._note()
+        return self._sample()
+
+    def exert(self, force_N: Array, torque_Nm: Array) -> None:
+        """A hand on the tool exerts this (3,), (3,), base frame, until told otherwise."""
+        self._pushed = (force_N, torque_Nm)
+
+    def tool_pose(self) -> tuple[Array, Array]:
+        """Position (3,) and orientation (4,), w x y z, of the tool point in the base frame."""
+        return self.body.position_m.copy(), self.body.orientation_wxyz.copy()
+
+    def tool_velocity(self) -> Array:
+        """Velocity (6,) of the tool point in the base frame: m/s, then rad/s."""
+        return np.concatenate((self.body.velocity_m_s, self.body.angular_velocity_rad_s))
+
+    def here(self) -> Reference:
+        """The reference that keeps the tool where it is, under the force that it is under."""
+        position, wxyz = self.tool_pose()
+        return Reference(position - self._force / self.gains.stiffness_N_m, wxyz)
+
+    def part_poses(self) -> Mapping[str, tuple[Array, Array]]:
+        """The tool, and the surfaces where they are met."""
+        poses = {"held": self.tool_pose()}
+        standing = {index: (point, normal) for index, point, normal in self._planes}
+        for index, name in enumerate(self.workcell.parts[1:]):
+            surface = self.workcell.surfaces[index]
+            at = standing.get(index, self._moved(surface.point_m[0], surface.normal[0]))
+            poses[name] = (at[0], _upright(at[1]))
+        return poses
+
+    def frame(self) -> tuple[Array, Array]:
+        """Positions (B, 3) and orientations (B, 4) of the parts; there is no robot."""
+        positions, orientations = zip(*self.part_poses().values(), strict=True)
+        return np.array(positions), np.array(orientations)
+
+    def shapes(self) -> tuple[Shape, ...]:
+        """The tool's point as a ball-like cylinder, each surface as a disc."""
+        return tuple(_disc(name, name != "held") for name in self.workcell.parts)
+
+    def _standing(self) -> list[tuple[int, Array, Array]]:
+        """Index, point and normal of the surfaces that the tool could meet now."""
+        if self._moment is None:
+            return []
+        found = []
+        for index, surface in enumerate(self.workcell.surfaces):
+            if surface.stands(self._moment):
+                point, normal = self._plane(surface)
+                away = self.body.position_m - point
+                depth = -float(away.dot(normal))
+                aside = away + depth * normal
+                if depth < BEHIND_M and aside.dot(aside) < ASIDE_M**2:
+                    found.append((index, point, normal))
+        return found
+
+    def _plane(self, surface: Surface) -> tuple[Array, Array]:
+        assert self._moment is not None
+        shift, turn = self._place
+        point, normal = surface.plane(turn.T @ (self.body.position_m - shift), self._moment)
+        return self._moved(point, normal)
+
+    def _moved(self, point: Array, normal: Array) -> tuple[Array, Array]:
+        shift, turn = self._place
+        return turn @ point + shift, turn @ normal
+
+    def _contact(self) -> tuple[Array, dict[int, float]]:
+        """Force (3,) of all surfaces on the tool, and of each along its normal."""
+        total, each = np.zeros(3), {}
+        velocity = self.body.velocity_m_s
+        for index, point, normal in self._planes:
+            depth = float((point - self.body.position_m).dot(normal))
+            if depth <= 0.0:
+                continue
+            closing = float(velocity.dot(normal))
+            pressed = max(STIFFNESS_N_M * depth - DAMPING_NS_M * closing, 0.0)
+            slip = velocity - closing * normal
+            speed = max(float(np.sqrt(slip.dot(slip))), _CREEP_M_S)
+            total += pressed * (normal - (self._friction / speed) * slip)
+            each[index] = pressed
+        return total, each
+
+    def _note(self) -> None:
+        for index, pressed in self._contact()[1].items():
+            if pressed > TOUCHED_N:
+                self.touched.setdefault(index, self._ticks / RATE_HZ)
+        if self._moment is not None and self._ticks % _MEASURED_EVERY == 0:
+            away = self.workcell.off_path(self.body.position_m, self._moment)
+            self.furthest_m = max(self.furthest_m, away)
+
+    def _sample(self) -> Sample:
+        self._passed = self._passed + self._gain * (self._force - self._passed)
+        noise = NOISE_N * self.disturbance.sensor_noise * self._random.standard_normal(3)
+        position, wxyz = self.tool_pose()
+        return Sample(
+            time_s=self._ticks / RATE_HZ,
+            position_m=position,
+            orientation_wxyz=wxyz,
+            joints_rad=np.zeros(0),
+            force_N=self._passed + noise + self._bias,
+            torque_Nm=np.zeros(3),
+            contact_N=np.zeros(0),
+        )
+
+
+def _disc(name: str, is_surface: bool) -> Shape:
+    size, color = (DISC_M, GREY) if is_surface else (TIP_M, RED)
+    down = -0.5 * size[2] if is_surface else 0.0
+    return Shape(
+        name=name,
+        body=name,
+        kind="cylinder",
+        size_m=np.array(size),
+        position_m=np.array([0.0, 0.0, down]),
+        orientation_wxyz=np.array([1.0, 0.0, 0.0, 0.0]),
+        rgba=color,
+    )
+
+
+def _upright(normal: Array) -> Array:
+    """Quaternion that turns the z axis into `normal`."""
+    axis, w = np.array([-normal[1], normal[0], 0.0]), 1.0 + float(normal[2])
+    wxyz = np.array([w, *axis]) if w > 1e-9 else np.array([0.0, 1.0, 0.0, 0.0])
+    return wxyz / np.linalg.norm(wxyz)

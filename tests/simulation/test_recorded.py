@@ -1,0 +1,117 @@
+"""A world made from a recording: what was met is met again, and what is doubtful is not trusted."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from drawn_contact import DOWN_S, PRESSED_N, its_plan, pressed_slide, reversed_force
+from replaying import bundled
+
+from keyphase.errors import SimulationError
+from keyphase.recorded_force import doubtful_force, evenly, free_force, power_share
+from keyphase.simulation import Disturbance
+from keyphase.simulation.choosing import cell_for, unfit
+from keyphase.simulation.recorded.cell import RecordedCell
+from keyphase.simulation.replay.replay import run
+from keyphase.skills.library import skills_of
+
+
+def replayed(demonstration, disturbance=None, segments=None):
+    cell = RecordedCell(demonstration)
+    world = cell.build(disturbance or Disturbance())
+    skills = skills_of(cell.demonstration, segments or its_plan())
+    return run(world, skills, cell.demonstration), world
+
+
+def test_the_plan_of_a_recording_meets_its_contact_again_and_succeeds() -> None:
+    result, world = replayed(pressed_slide())
+    assert result.succeeded, result.outcome()
+    assert [each.outcome for each in result.results] == ["contact", "reached"]
+    assert PRESSED_N < result.peak_force < 2.0 * PRESSED_N
+    assert world.touched[0] == pytest.approx(DOWN_S - 0.25, abs=0.15)
+
+
+@pytest.mark.parametrize("height_m", [0.008, -0.008])
+def test_a_surface_that_lies_elsewhere_is_met_there(height_m) -> None:
+    result, _ = replayed(pressed_slide(), Disturbance(part_height_m=height_m))
+    met = result.results[0].ended_m[2]
+    nominal = replayed(pressed_slide())[0].results[0].ended_m[2]
+    assert met - nominal == pytest.approx(height_m, abs=1.5e-3)
+    assert result.succeeded, result.outcome()
+
+
+def test_a_plan_that_skips_the_contact_does_not_succeed() -> None:
+    stroke = replace(its_plan()[0], end_s=0.5, end_condition=its_plan()[1].end_condition)
+    wrong = [stroke, replace(its_plan()[0], start_s=0.5)]
+    lifted = pressed_slide()
+    lifted = replace(lifted, position_m=lifted.position_m + np.array([0.0, 0.0, 0.0]))
+    result, _ = replayed(lifted, Disturbance(part_height_m=-0.03), wrong)
+    assert not result.succeeded
+    assert "plan carried out" in result.outcome()
+
+
+def test_a_constant_offset_of_the_sensor_is_no_contact() -> None:
+    resting = pressed_slide((0.0, 3.0, 14.0))
+    hold = np.arange(100) / 250
+    still = replace(
+        resting,
+        time_s=np.r_[hold, resting.time_s + 0.4],
+        position_m=np.r_[np.repeat(resting.position_m[:1], 100, 0), resting.position_m],
+        orientation_wxyz=np.tile([1.0, 0.0, 0.0, 0.0], (len(resting) + 100, 1)),
+        force_N=np.r_[np.repeat(resting.force_N[:1], 100, 0), resting.force_N],
+    )
+    assert free_force(evenly(still)) == pytest.approx([0.0, 3.0, 14.0], abs=0.1)
+    assert len(RecordedCell(still).surfaces) == 1
+
+
+def test_the_surroundings_take_energy_and_a_force_that_gives_is_doubted() -> None:
+    right, wrong = pressed_slide(), reversed_force(pressed_slide())
+    share = power_share(evenly(right))
+    assert share is not None
+    assert share < -0.1
+    assert doubtful_force(right) is None
+    assert "helps the motion" in str(doubtful_force(wrong))
+
+
+def test_a_world_made_from_a_doubtful_force_is_never_a_success() -> None:
+    result, _ = replayed(reversed_force(pressed_slide()))
+    assert not result.succeeded
+    assert "a force to be trusted" in result.outcome()
+
+
+def test_without_force_no_world_can_be_made() -> None:
+    with pytest.raises(SimulationError, match="has none"):
+        RecordedCell(replace(pressed_slide(), force_N=None))
+
+
+def test_a_recording_of_a_workcell_is_replayed_there_and_a_strangers_in_its_own_world() -> None:
+    assert cell_for(bundled("setup2")[0]).name == "setup2"
+    assert cell_for(pressed_slide()).name == "recording"
+    assert cell_for(bundled("setup2")[0], "recording").name == "recording"
+
+
+def test_a_strangers_recording_is_refused_in_a_workcell_it_does_not_fit() -> None:
+    with pytest.raises(SimulationError, match="does not fit setup1"):
+        cell_for(pressed_slide(), "setup1")
+    assert unfit(bundled("setup1")[0], cell_for(bundled("setup1")[0])) is None
+
+
+def test_the_recording_of_its_replay_has_no_joints() -> None:
+    again = replayed(pressed_slide())[0].demonstration
+    assert again.joints_rad is None
+    assert again.torque_Nm is None
+    assert again.metadata["workcell"] == "recording"
+
+
+def test_the_same_seed_gives_the_same_replay() -> None:
+    first, second = (replayed(pressed_slide())[0].demonstration for _ in range(2))
+    assert np.array_equal(first.force_N, second.force_N)
+    assert np.array_equal(first.position_m, second.position_m)
+
+
+def test_its_parts_can_be_drawn() -> None:
+    cell = RecordedCell(pressed_slide())
+    world = cell.build()
+    assert world.bodies == ("held", "surface_1")
+    assert [shape.body for shape in world.shapes()] == ["held", "surface_1"]
+    assert world.frame()[0].shape == (2, 3)
