@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from keyphase.commands.batch import segment_all
+from keyphase.batch.segmenting import segment_all
 from keyphase.demonstration import Demonstration
 from keyphase.errors import KeyphaseError, ParameterError, SegmentFileError
 from keyphase.labeling.segment_file import read_segment_file
@@ -92,11 +92,20 @@ def test_one_after_another_or_several_at_once_gives_the_same_bytes(tmp_path):
         assert (tmp_path / "out1" / name).read_bytes() == (tmp_path / "out2" / name).read_bytes()
 
 
-def test_an_output_that_cannot_be_written_is_reported(tmp_path):
+def test_an_output_that_cannot_be_written_is_refused_before_any_work(tmp_path):
     path = record(tmp_path / "one.npz")
     (tmp_path / "out").write_text("in the way")
-    report = segment_all([path], tmp_path / "out", jobs=1)
-    assert len(report.refused) == 1
+    with pytest.raises(SegmentFileError, match="cannot be made"):
+        segment_all([path], tmp_path / "out", jobs=1)
+
+
+def test_a_refusal_stands_in_the_manifest_and_is_tried_again(tmp_path):
+    bad = tmp_path / "bad.npz"
+    bad.write_bytes(b"no archive")
+    for _ in range(2):
+        assert len(segment_all([bad], tmp_path / "out", jobs=1).refused) == 1
+    lines = (tmp_path / "out" / "keyphase-manifest.jsonl").read_text().splitlines()
+    assert ["bad.npz" in json.loads(line)["refused"] for line in lines] == [True, True]
 
 
 def test_nothing_to_segment_and_no_jobs_are_refused(tmp_path):
@@ -112,3 +121,79 @@ def test_real_recordings_are_segmented_and_refer_to_themselves(real_data, tmp_pa
     assert content["demonstration"]["name"] == "leadthrough"
     assert len(content["segments"]) > 2
     assert read_segment_file(report.written[0].segment_file).demonstration.rate_hz > 9
+
+
+def test_what_an_earlier_run_has_done_is_not_done_again(tmp_path):
+    for name in ("a.npz", "b.npz"):
+        record(tmp_path / "in" / name)
+    first = segment_all([tmp_path / "in"], tmp_path / "out", jobs=1)
+    again = segment_all([tmp_path / "in"], tmp_path / "out", jobs=1)
+    assert [one.went_before for one in first.written] == [False, False]
+    assert [one.went_before for one in again.written] == [True, True]
+
+
+@pytest.mark.parametrize("change", ["recording", "parameters", "segment file", "again"])
+def test_what_has_changed_since_is_done_again(tmp_path, change):
+    path = record(tmp_path / "one.npz")
+    segment_all([path], tmp_path / "out", jobs=1)
+    parameters = Parameters(merge_tolerance_s=0.2) if change == "parameters" else Parameters()
+    if change == "recording":
+        save_npz(Demonstration("one", np.arange(9) / 9, np.zeros((9, 3))), path)
+    if change == "segment file":
+        (tmp_path / "out" / "one.segments.json").unlink()
+    report = segment_all(
+        [path], tmp_path / "out", parameters=parameters, jobs=1, again=change == "again"
+    )
+    assert [one.went_before for one in report.written] == [False]
+    assert (tmp_path / "out" / "one.segments.json").is_file()
+
+
+def test_a_manifest_torn_by_a_kill_costs_only_its_last_line(tmp_path):
+    for name in ("a.npz", "b.npz"):
+        record(tmp_path / "in" / name)
+    segment_all([tmp_path / "in"], tmp_path / "out", jobs=1)
+    manifest = tmp_path / "out" / "keyphase-manifest.jsonl"
+    manifest.write_bytes(manifest.read_bytes()[:-20])
+    again = segment_all([tmp_path / "in"], tmp_path / "out", jobs=1)
+    assert [one.went_before for one in again.written] == [True, False]
+
+
+def test_the_shards_together_are_all_and_none_twice(tmp_path):
+    for number in range(5):
+        record(tmp_path / "in" / f"{number}.npz")
+    done = [
+        {
+            one.recording.name
+            for one in segment_all(
+                [tmp_path / "in"], tmp_path / "out", jobs=1, shard=f"{number}/3"
+            ).written
+        }
+        for number in (1, 2, 3)
+    ]
+    assert sum(map(len, done)) == 5
+    assert len(set().union(*done)) == 5
+
+
+@pytest.mark.parametrize("shard", ["0/3", "4/3", "1", "a/b", "1/0"])
+def test_a_shard_that_is_none_is_refused(tmp_path, shard):
+    path = record(tmp_path / "one.npz")
+    with pytest.raises(ParameterError, match="such as 3/16"):
+        segment_all([path], tmp_path / "out", jobs=1, shard=shard)
+
+
+def test_a_defect_in_one_recording_is_named_and_the_others_go_on(tmp_path, monkeypatch):
+    import keyphase.readers
+
+    for name in ("a.npz", "b.npz"):
+        record(tmp_path / "in" / name)
+    read = keyphase.readers.read
+
+    def broken(path, recipe=None):
+        if path.name == "a.npz":
+            raise ZeroDivisionError("by chance")
+        return read(path, recipe)
+
+    monkeypatch.setattr(keyphase.readers, "read", broken)
+    report = segment_all([tmp_path / "in"], tmp_path / "out", jobs=1)
+    assert "a.npz: something is wrong inside keyphase" in report.refused[0].reason
+    assert [one.recording.name for one in report.written] == ["b.npz"]

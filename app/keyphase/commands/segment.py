@@ -3,11 +3,16 @@
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import tyro
 
+from keyphase.batch.backends import Backend
 from keyphase.errors import KeyphaseError
 from keyphase.segmentation.parameters import Parameters
+
+if TYPE_CHECKING:
+    from keyphase.batch.tasks import BatchReport
 
 
 @dataclass(frozen=True)
@@ -24,6 +29,16 @@ class SegmentRecordings:
     """Write a CSV beside each segment file."""
     jobs: int = -1
     """How many at once; -1 takes all cores."""
+    shard: str | None = None
+    """Which part of the recordings, such as 3/16 for the third of sixteen machines."""
+    backend: Backend = "cores"
+    """Where to run: this machine's cores, or a Dask or Ray cluster."""
+    address: str | None = None
+    """Address of the cluster's scheduler; without, a cluster of this machine is started."""
+    again: bool = False
+    """Do again what an earlier run into the same folder has done."""
+    report: Path | None = None
+    """Write what became of every recording (JSON)."""
     parameters: tyro.conf.OmitArgPrefixes[Parameters] = field(default_factory=Parameters)
 
     def run(self) -> int:
@@ -32,7 +47,9 @@ class SegmentRecordings:
             raise KeyphaseError("Name at least one recording or folder to segment.")
         from tqdm import tqdm
 
-        from keyphase.commands.batch import segment_all
+        from keyphase.batch.report import report_json
+        from keyphase.batch.segmenting import segment_all
+        from keyphase.files.writing import write_whole
 
         with tqdm(unit="recording", disable=None) as bar:
 
@@ -47,11 +64,28 @@ class SegmentRecordings:
                 parameters=self.parameters,
                 csv=self.csv,
                 jobs=self.jobs,
+                shard=self.shard,
+                backend=self.backend,
+                address=self.address,
+                again=self.again,
                 progress=progress,
             )
-        print(f"{len(report.written)} segment files in {self.output}")
-        if report.refused:
-            print(f"{len(report.refused)} refused:", file=sys.stderr)
-            for refusal in report.refused:
-                print(f"  {refusal.reason}", file=sys.stderr)
-        return 1 if report.refused or not report.written else 0
+        if self.report:
+            write_whole(self.report, report_json(report).encode())
+        return _tell(report, self.output)
+
+
+def _tell(report: "BatchReport", output: Path) -> int:
+    """Print what a person should know; 0 where all went well."""
+    from keyphase.batch.report import report_lines
+
+    before = sum(one.went_before for one in report.written)
+    for line in report_lines(report):
+        print(line)
+    done = f", {before} of them by an earlier run" if before else ""
+    print(f"{len(report.written)} segment files in {output}{done}")
+    if report.refused:
+        print(f"{len(report.refused)} refused:", file=sys.stderr)
+        for refusal in report.refused:
+            print(f"  {refusal.reason}", file=sys.stderr)
+    return 1 if report.refused or not report.written else 0

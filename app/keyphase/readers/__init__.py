@@ -36,6 +36,7 @@ __all__ = [
     "find_recordings",
     "fingerprint",
     "load_recipe",
+    "own_or_folder_recipe",
     "parse_recipe",
     "read",
     "save_csv",
@@ -79,6 +80,12 @@ def fingerprint(path: Path | str, *, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> 
     if form is not None:
         return fingerprint_of(path, part, form, limit_bytes)
     return read_whole(path, limit_bytes).source.sha256
+
+
+def own_or_folder_recipe(path: Path) -> Path | None:
+    """The recipe that would read a recording where none is given: its own, or its folder's."""
+    file = split_part(path)[0]
+    return own_recipe(file) or folder_recipe(file)
 
 
 def _read_table(
