@@ -10,10 +10,12 @@ monitor, fed the recorded poses and forces, says "contact" within 0.25 s of the 
 import argparse
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import suppress
+from itertools import islice
 from pathlib import Path
 
 from keyphase.demonstration import Demonstration
-from keyphase.errors import SkillError
+from keyphase.errors import SimulationError, SkillError
 from keyphase.readers import read
 from keyphase.segmentation import Parameters, segment
 from keyphase.segmentation.end_condition import ContactEnd
@@ -66,14 +68,20 @@ def counted(demonstration: Demonstration) -> Counter[str]:
     return count
 
 
+def _made(cell: str) -> Iterator[Demonstration]:
+    """Demonstrations of a set-up by the scripted operator; a few seeds do not accomplish it."""
+    from keyphase.simulation import record
+
+    for seed in range(100_000):
+        with suppress(SimulationError):
+            yield record(cell, seed=seed)
+
+
 def demonstrations(paths: list[Path], recorded: int) -> Iterator[tuple[str, Demonstration]]:
     """Recordings with the name of their group."""
     if recorded:
-        from keyphase.simulation import record
-
-        for number in range(recorded):
-            cell = ("setup1", "setup2")[number % 2]
-            yield cell, record(cell, seed=number // 2)
+        for cell in ("setup1", "setup2"):
+            yield from ((cell, made) for made in islice(_made(cell), recorded // 2))
         return
     for path in paths or [CHECKOUT / "data", REAL]:
         files = sorted(path.rglob("*.npz")) if path.is_dir() else [path]

@@ -7,14 +7,17 @@ from replaying import NAMES, bundled, nominal, plan, replayed
 from keyphase.demonstration import Demonstration
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
 from keyphase.simulation import Disturbance
-from keyphase.simulation.replay.contact import (
-    KeptContact,
-    after_contact,
-    kept_contact,
+from keyphase.skills.connecting import connecting_skill
+from keyphase.skills.contacts import (
+    kept_force,
+    press_after,
     pressing_direction,
+    shift_beyond,
     square,
 )
-from keyphase.simulation.replay.guard import SPEED_M_S, guard_of
+from keyphase.skills.coupling import Reference
+from keyphase.skills.execution.guard import SPEED_M_S, guard_of
+from keyphase.skills.execution.pressing import pressing
 from keyphase.skills.library import skill_of, skills_of
 
 DOWN = np.array([0.0, 0.0, -1.0])
@@ -77,10 +80,10 @@ def test_a_guard_moves_with_its_skill() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_the_demonstration_stayed_in_its_first_contact_and_kept_it(name) -> None:
     down, following = first_contact(name)
-    after = after_contact(bundled(name)[0], down)
-    assert after.stayed
-    assert after.direction @ DOWN > 0.99
-    kept = kept_contact(after.kept(), bundled(name)[0], following)
+    press = press_after(bundled(name)[0], down)
+    assert press is not None
+    assert press.direction @ DOWN > 0.99
+    kept = kept_force(bundled(name)[0], following, press.direction)
     assert kept is not None
     assert kept.force_N.min() > 1.0
 
@@ -88,51 +91,85 @@ def test_the_demonstration_stayed_in_its_first_contact_and_kept_it(name) -> None
 def test_a_push_that_goes_on_does_not_stay_in_its_contact() -> None:
     demonstration = bundled("setup2")[0]
     contacts = [s for s in plan("setup2") if isinstance(s.end_condition, ContactEnd)]
-    assert not after_contact(demonstration, skill_of(demonstration, contacts[1])).stayed
+    assert press_after(demonstration, skill_of(demonstration, contacts[1])) is None
 
 
 def test_a_demonstration_that_leaves_a_contact_does_not_keep_it() -> None:
     demonstration = bundled("setup1")[0]
     down, _ = first_contact("setup1")
-    contact = after_contact(demonstration, down).kept()
+    press = press_after(demonstration, down)
+    assert press is not None
     forward = skill_of(demonstration, plan("setup1")[0])
-    assert kept_contact(contact, demonstration, forward) is None
+    assert kept_force(demonstration, forward, press.direction) is None
+
+
+def test_a_plan_knows_what_it_presses_without_its_demonstration() -> None:
+    skills = skills_of(bundled("setup1")[0], plan("setup1"))
+    down = next(k for k, skill in enumerate(skills) if skill.press is not None)
+    assert skills[down].kept == ()
+    assert [force.met for force in skills[down + 1].kept] == [True]
+
+
+def aside() -> tuple[Demonstration, object]:
+    time = np.arange(500) / 250.0
+    path = np.outer(time, (0.05, 0.0, 0.0))
+    segment = plan("setup1")[0]
+    values = {**vars(segment), "start_s": 0.0, "end_s": 1.5}
+    values["end_condition"] = ContactEnd((0.0, 0.0, 1.0), 1.0)
+    moved = Demonstration("aside", time, path, force_N=np.zeros((500, 3)))
+    return moved, type(segment)(**values)
 
 
 def test_travel_that_does_not_go_against_the_force_is_not_pressed_along() -> None:
-    time = np.arange(500) / 250.0
-    aside = Demonstration(
-        "aside", time, np.outer(time, (0.05, 0.0, 0.0)), force_N=np.zeros((500, 3))
-    )
-    segment = plan("setup1")[0]
-    values = {**vars(segment), "start_s": 0.0, "end_s": 1.5}
-    end = ContactEnd((0.0, 0.0, 1.0), 1.0)
-    sliding = skill_of(aside, type(segment)(**{**values, "end_condition": end}))
-    assert np.allclose(pressing_direction(sliding), DOWN)
+    assert np.allclose(pressing_direction(skill_of(*aside())), DOWN)
 
 
 def test_contacts_are_kept_at_right_angles() -> None:
-    floor = KeptContact(DOWN, np.array([2.0]))
-    tilted = np.array([0.0, 0.96, -0.28])
-    wall = square(KeptContact(tilted, np.array([3.0])), (floor,))
+    wall = square(np.array([0.0, 0.96, -0.28]), (DOWN,))
     assert wall is not None
-    assert np.allclose(wall.direction, (0.0, 1.0, 0.0))
-    assert square(floor, (floor,)) is None
+    assert np.allclose(wall, (0.0, 1.0, 0.0))
+    assert square(DOWN, (DOWN,)) is None
 
 
 def test_a_contact_that_is_gone_is_not_followed_far() -> None:
-    contact = KeptContact(DOWN, np.array([4.0]))
-    fallen, path = np.array([0.0, 0.0, 0.05]), np.array([0.0, 0.0, 0.1])
-    assert -contact.pressed_m(fallen, path, 0.5, 2000.0) == pytest.approx(0.1 - 0.01)
+    path = Reference(np.array([0.0, 0.0, 0.1]), np.array([1.0, 0, 0, 0]), np.zeros(6), np.zeros(6))
+    fallen = np.array([0.0, 0.0, 0.05])
+    reference = pressing(path, fallen, [(DOWN, 4.0)], 2000.0)
+    assert reference.position_m[2] == pytest.approx(0.1 - 0.01)
 
 
 def test_the_way_that_is_slid_tells_the_surface() -> None:
     demonstration = bundled("setup1")[0]
     _, slide = first_contact("setup1")
     tilted = np.array([0.0, 0.25, -np.sqrt(1 - 0.25**2)])
-    kept = kept_contact(KeptContact(tilted, np.array([2.0])), demonstration, slide)
+    kept = kept_force(demonstration, slide, tilted)
     assert kept is not None
-    assert kept.direction @ DOWN > 0.999
+    assert kept.direction[0] @ DOWN > 0.999
+
+
+def pushed_into(stiffness_N_m: float) -> tuple[Demonstration, object]:
+    """A tool that comes down at 50 mm/s and sinks in until 6 N, from 0.3 s of nothing on."""
+    time = np.arange(500) / 250.0
+    depth = np.minimum(0.05 * time, 0.075 + 6.0 / stiffness_N_m)
+    force = np.maximum(depth - 0.075, 0.0) * stiffness_N_m
+    path = np.outer(depth, DOWN)
+    segment = plan("setup1")[0]
+    values = {**vars(segment), "start_s": 0.0, "end_s": 1.55}
+    values["end_condition"] = ContactEnd((0.0, 0.0, 1.0), 3.0)
+    sunk = Demonstration("sunk", time, path, force_N=np.outer(force, -DOWN))
+    return sunk, type(segment)(**values)
+
+
+def test_only_a_stiff_contact_tells_to_a_tenth_where_it_is() -> None:
+    hard, soft = pushed_into(20_000.0), pushed_into(600.0)
+    assert shift_beyond(hard[0], skill_of(*hard), np.zeros(3)) == 0.0
+    assert shift_beyond(soft[0], skill_of(*soft), np.zeros(3)) == pytest.approx(0.003)
+
+
+def test_a_connecting_move_presses_nothing() -> None:
+    here, there = np.zeros(3), np.array([0.1, 0.0, 0.0])
+    move = connecting_skill(here, np.array([1.0, 0, 0, 0]), there, np.array([1.0, 0, 0, 0]))
+    assert kept_force(bundled("setup1")[0], move, DOWN) is None
 
 
 def test_without_force_conditions_nothing_is_pressed() -> None:

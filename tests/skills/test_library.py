@@ -12,11 +12,12 @@ from keyphase.segmentation import segment as segment_demonstration
 from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.skills import quaternions
 from keyphase.skills.connecting import PEAK_SPEED_M_S, PEAK_TURN_RAD_S, connecting_skill
+from keyphase.skills.execution.shift import shift_after
 from keyphase.skills.fitting import angular_velocity_of
 from keyphase.skills.library import skill_of, skills_of
 from keyphase.skills.path import path_of
 from keyphase.skills.rollout import rollout
-from keyphase.skills.skill import describe, drawn, shift_after
+from keyphase.skills.skill import describe, drawn
 
 CONTACT = ContactEnd((0.0, 0.0, 1.0), 3.0)
 DOWN = segment(0.0, 1.2, CONTACT, "down until contact")

@@ -14,6 +14,7 @@ from keyphase.segmentation.end_condition.derived import ALONG_THE_WAY
 from keyphase.segmentation.end_condition.watch import Arming, arming_for
 from keyphase.skills.agreement import agrees_with
 from keyphase.skills.connecting import connecting_skill, is_apart
+from keyphase.skills.contacts import with_contacts
 from keyphase.skills.fitting import Fit, fit_primitive
 from keyphase.skills.path import Path, direction_of_travel, extended, path_of
 from keyphase.skills.primitive import Primitive
@@ -67,7 +68,7 @@ def skills_of(
     """Skills of `segments` in the order given, which may repeat and reorder them.
 
     Where a skill starts away from where the one before it ended (5 mm, 3 degrees), a connecting
-    move is put in between, unless `connect` is False.
+    move is put in between, unless `connect` is False. Each holds what it is to press.
 
     Raises SkillError for a segment that cannot be made executable.
     """
@@ -75,7 +76,7 @@ def skills_of(
         skill_of(demonstration, s, offset_m=offset_m, beyond_contact=beyond_contact, fit=fit)
         for s in segments
     ]
-    return connected(skills) if connect else tuple(skills)
+    return with_contacts(demonstration, connected(skills) if connect else skills)
 
 
 def skill_of(

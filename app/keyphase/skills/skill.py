@@ -7,6 +7,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.segmentation.end_condition.watch import DEBOUNCE_S, Arming
+from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.primitive import Primitive
 from keyphase.skills.rollout import Rollout, rollout
 
@@ -31,6 +32,9 @@ class Skill:
     force_limit_N         change of the force against its start that no end condition expects
     demonstrated_s        (start, end) in the demonstration, None for a connecting move
     arming                from where on, and how, a force is taken for its contact; None without one
+    press                 how it presses the contact it ended in; None where it moves on
+    kept                  forces it keeps up while it moves
+    shift_beyond_m        how much must be missing for its contact to shift what follows, None: none
     agrees                whether its own demonstration ends it as planned, within 0.25 s of where
                           it did; None where there was nothing to ask
     """
@@ -48,6 +52,9 @@ class Skill:
     force_limit_N: float
     demonstrated_s: tuple[float, float] | None = None
     arming: Arming | None = None
+    press: Press | None = None
+    kept: tuple[KeptForce, ...] = ()
+    shift_beyond_m: float | None = 0.0
     agrees: bool | None = None
 
     @property
@@ -82,19 +89,6 @@ def until(skill: Skill) -> str:
         f"until within {1e3 * end.position_tolerance_m:.3g} mm and "
         f"{np.degrees(end.rotation_tolerance_rad):.3g} deg of {_millimetres(skill.end_position_m)}"
     )
-
-
-def shift_after(skill: Skill, ended_m: Array, shift_m: Array) -> Array:
-    """How far (3,) the skills that follow are to be moved against their demonstration [m].
-
-    Where a contact was met higher, lower or aside of the demonstrated one, what follows happens
-    there: the difference along the contact's direction adds to the shift this skill ran with.
-    ended_m (3,) is where it ended. Without a contact the shift stays.
-    """
-    if skill.travel_direction is None:
-        return shift_m
-    direction = np.asarray(skill.travel_direction)
-    return shift_m + direction * float((ended_m - shift_m - skill.end_position_m) @ direction)
 
 
 def _millimetres(position_m: Array) -> str:

@@ -15,7 +15,7 @@ from typing import Literal
 from keyphase.demonstration import Array
 from keyphase.simulation.replay.replay import Replay
 from keyphase.simulation.replay.result import ReplayState
-from keyphase.simulation.replay.skill import STEP_S
+from keyphase.skills.execution.executor import STEP_S
 
 Phase = Literal["running", "paused", "over"]
 

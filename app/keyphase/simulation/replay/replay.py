@@ -5,60 +5,29 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import count
-from math import sqrt
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from keyphase.demonstration import Array, Demonstration
+from keyphase.demonstration import Demonstration
 from keyphase.errors import SimulationError
-from keyphase.segmentation.end_condition import AFTER_S
 from keyphase.simulation.impedance import Reference
-from keyphase.simulation.replay.contact import (
-    AfterContact,
-    KeptContact,
-    after_contact,
-    kept_contact,
-    square,
-)
 from keyphase.simulation.replay.hand import Hand
-from keyphase.simulation.replay.result import (
-    Frame,
-    ReplayResult,
-    ReplayState,
-    SkillResult,
-    Stage,
-    greatest_force,
-    went_on,
-)
-from keyphase.simulation.replay.skill import STEP_S, SkillRun, Start, pressing
+from keyphase.simulation.replay.result import Frame, ReplayResult, ReplayState, greatest_force
 from keyphase.simulation.samples import as_demonstration, ground_truth, provenance
 from keyphase.simulation.simulated import Simulated
 from keyphase.simulation.simulation import Sample
 from keyphase.simulation.workcells.course import Course
+from keyphase.skills import coupling
 from keyphase.skills.connecting import connecting_skill, is_apart
-from keyphase.skills.coupling import Measured
-from keyphase.skills.end_monitor import Outcome
-from keyphase.skills.skill import Skill, shift_after
-
-PRESSED_S = (AFTER_S[1], 1.0)
-"""A contact that was met is pressed at least this long, and at most that long, until it is still.
-
-The end condition's force step is the demonstrated mean until 0.22 s after the contact; so long the
-contact is made, too, before anything follows.
-"""
-
-STILL_M_S = 0.002
-"""A tool slower than this is still."""
+from keyphase.skills.execution.executor import PRESSED_S, STEP_S, Executor
+from keyphase.skills.execution.result import SkillResult
+from keyphase.skills.execution.sensed import Sensed
+from keyphase.skills.skill import Skill
 
 LATEST_S = 0.5
 """A contact that has not come yet may come as late as this after the demonstrated one."""
 
-REST_S = 0.5
-"""How long the tool rests after the last skill before success is judged."""
-
 _FRAME_TICKS = 10
-_AT_REST = np.zeros(6)
 
 
 @dataclass(frozen=True)
@@ -71,7 +40,8 @@ class ReplayOptions:
 class Replay:
     """A plan being replayed: `step` advances one tick of 4 ms; not stepping is a pause.
 
-    What is to be seen of it is in `state`, what has ended in `results`, the whole in `result`.
+    What is executed is an `Executor`; the simulation is its robot. What is to be seen of it is in
+    `state`, what has ended in `results`, the whole in `result`.
     """
 
     def __init__(
@@ -94,23 +64,18 @@ class Replay:
         self.simulation, self.demonstration = simulation, demonstration
         self.options = options or ReplayOptions()
         self.skills = (*_approach(simulation, skills[0]), *skills)
-        self.results: list[SkillResult] = []
         self.states: list[ReplayState] = []
         self.frames: list[Frame] = []
         self.bodies = simulation.bodies
         self._hand = Hand(simulation)
         self._course = Course(simulation.workcell)
-        self._stage: Stage = "moving"
         self._stopped = False
-        self._shift = np.zeros(3)
-        self._kept: tuple[KeptContact, ...] = ()
-        self._reference = simulation.here()
-        self._run: SkillRun | None = None
-        self._outcome: Outcome | None = None
-        self._after: AfterContact
-        self._stage_ticks = 0
-        self._sample = simulation.step(self._reference)
-        self._begin(_AT_REST)
+        self._executor = Executor(
+            self.skills,
+            self._sensed(simulation.step(simulation.here())),
+            stiffness_N_m=simulation.gains.stiffness_N_m,
+            coupled=self.options.coupled,
+        )
 
     @property
     def state(self) -> ReplayState:
@@ -118,23 +83,27 @@ class Replay:
         return self.states[-1]
 
     @property
+    def results(self) -> list[SkillResult]:
+        """How the skills that are over ended."""
+        return self._executor.results
+
+    @property
     def over(self) -> bool:
         """Whether there is nothing more to step."""
-        return self._stage == "over"
+        return self._executor.over
 
     def step(self) -> ReplayState:
         """Advance one tick; after the end nothing moves any more."""
         if self.over:
             return self.state
-        run = self._run
-        self._reference = self._next_reference()
+        reference = self._executor.reference
         self._hand.act()
+        run = self._executor.run
         self.simulation.be_at(self._moment(), None if run is None else run.skill.demonstrated_s)
-        self._sample = self.simulation.step(self._reference)
+        sample = self.simulation.step(_followed(reference))
         self._course.watch(self.simulation)
-        self._stage_ticks += 1
-        self._note()
-        self._go_on()
+        self._note(sample, reference)
+        self._executor.step(self._sensed(sample), waits=self._hand.is_on)
         return self.state
 
     def push(self, force_N: ArrayLike) -> None:
@@ -149,9 +118,7 @@ class Replay:
         """End the replay at once."""
         if not self.over:
             self._stopped = True
-            if self._stage in ("moving", "pressing"):
-                self._note_result(None)
-            self._stage = "over"
+            self._executor.stop()
 
     def result(self) -> ReplayResult:
         """What the replay was, once it is over."""
@@ -167,137 +134,36 @@ class Replay:
             demonstration=self._recording(),
         )
 
-    def _next_reference(self) -> Reference:
-        stiffness = self.simulation.gains.stiffness_N_m
-        if self._stage == "moving" and self._run is not None:
-            return self._run.reference(self._measured(), stiffness)
-        return pressing(self._still, self._sample.position_m, self._kept, 1.0, stiffness)
-
-    def _go_on(self) -> None:
-        """Enter the next stage where this one is over."""
-        if self._stage == "moving":
-            assert self._run is not None
-            self._outcome = self._run.outcome(self._sample, waits=self._hand.is_on)
-            if self._outcome == "contact":
-                self._meet()
-            elif self._outcome is not None:
-                self._end_skill(self._carried())
-        elif self._stage == "pressing":
-            if self._has_settled():
-                self._shift = self._after.shift(self._sample.position_m, self._shift)
-                self._end_skill(_AT_REST)
-        elif self._stage_ticks * STEP_S >= REST_S:
-            self._stage = "over"
-
-    def _meet(self) -> None:
-        """A contact was met: press it as the demonstration did, or move on as it did."""
-        assert self._run is not None
-        self._after = after_contact(self.demonstration, self._run.skill)
-        contact = square(self._after.kept(), self._kept)
-        if not self._after.stayed or contact is None:
-            self._shift = shift_after(self._run.skill, self._sample.position_m, self._shift)
-            self._end_skill(self._carried())
-        else:
-            self._kept = (*self._kept, contact)
-            self._enter("pressing")
-
-    def _has_settled(self) -> bool:
-        least_s, most_s = PRESSED_S
-        time_s = self._stage_ticks * STEP_S
-        speed = _length(self.simulation.tool_velocity()[:3])
-        return time_s >= most_s or (time_s >= least_s and speed < STILL_M_S)
-
-    def _end_skill(self, velocity: Array) -> None:
-        """Note how the skill ended; begin the next one with a velocity (6,), or rest."""
-        self._note_result(self._outcome)
-        if not went_on(self.results[-1]):
-            # What was not expected is not pressed on against.
-            self._reference, self._kept = self.simulation.here(), ()
-            self._rest()
-        elif len(self.results) == len(self.skills):
-            self._rest()
-        else:
-            self._begin(velocity)
-
-    def _begin(self, velocity: Array) -> None:
-        """Begin the next skill, taking over a velocity (6,)."""
-        skill = self.skills[len(self.results)]
-        if skill.connecting:
-            self._shift = np.zeros(3)
-        kept = (kept_contact(contact, self.demonstration, skill) for contact in self._kept)
-        self._kept = tuple(contact for contact in kept if contact is not None)
-        begin = Start(
-            self._measured(), self._reference, velocity, self._sample.force_N, self._shift
-        )
-        self._run = SkillRun(skill, begin, self._kept, self.options.coupled)
-        self._skill_start_s = self._elapsed_s
-        self._peak_N = 0.0
-        self._enter("moving")
-
-    def _rest(self) -> None:
-        self._run = None
-        self._enter("resting")
-
-    def _enter(self, stage: Stage) -> None:
-        self._stage, self._stage_ticks = stage, 0
-        at = self._reference
-        self._still = Reference(at.position_m, at.orientation_wxyz)
-
-    def _carried(self) -> Array:
-        """The velocity (6,) of the reference."""
-        velocity = self._reference.velocity_m_s
-        return np.concatenate((velocity, self._reference.angular_velocity_rad_s))
-
-    def _measured(self) -> Measured:
-        sample = self._sample
+    def _sensed(self, sample: Sample) -> Sensed:
         velocity = self.simulation.tool_velocity()
-        return Measured(sample.position_m, sample.orientation_wxyz, velocity)
+        return Sensed(sample.position_m, sample.orientation_wxyz, velocity, sample.force_N)
 
     def _moment(self) -> float | None:
         """The moment of the demonstration that is being repeated, a contact's lateness included."""
-        run = self._run
+        executor, run = self._executor, self._executor.run
         if run is None or run.skill.demonstrated_s is None:
             return None
         end_s = run.skill.demonstrated_s[1]
-        if self._stage == "pressing":
-            return end_s + min(self._stage_ticks * STEP_S, PRESSED_S[0])
+        if executor.stage == "pressing":
+            return end_s + min(executor.in_stage_s, PRESSED_S[0])
         return min(run.moment_s, end_s + LATEST_S)
 
-    @property
-    def _elapsed_s(self) -> float:
-        return len(self.states) * STEP_S
-
-    def _note(self) -> None:
-        run = self._run
-        self._peak_N = max(self._peak_N, _length(self._sample.force_N))
+    def _note(self, sample: Sample, reference: coupling.Reference) -> None:
+        """Keep the tick that the executor's present stage and skill asked for."""
+        executor, run = self._executor, self._executor.run
         if len(self.states) % _FRAME_TICKS == 0:
-            self.frames.append(Frame(self._elapsed_s, *self.simulation.frame()))
+            self.frames.append(Frame(executor.elapsed_s, *self.simulation.frame()))
         self.states.append(
             ReplayState(
-                elapsed_s=self._elapsed_s + STEP_S,
-                stage=self._stage,
-                skill=None if run is None else len(self.results),
+                elapsed_s=executor.elapsed_s + STEP_S,
+                stage=executor.stage,
+                skill=executor.skill,
                 fraction=1.0 if run is None else min(run.fraction, 1.0),
                 demonstrated_s=None if run is None else run.demonstrated_s,
-                sample=self._sample,
-                reference=self._reference,
-                acceleration=_AT_REST if run is None else run.acceleration,
+                sample=sample,
+                reference=_followed(reference),
+                acceleration=reference.acceleration,
                 held=self._hand.is_on,
-            )
-        )
-
-    def _note_result(self, outcome: Outcome | None) -> None:
-        assert self._run is not None
-        self.results.append(
-            SkillResult(
-                skill=len(self.results),
-                label=self._run.skill.label,
-                outcome=outcome,
-                start_s=self._skill_start_s,
-                end_s=self._elapsed_s,
-                peak_force_N=self._peak_N,
-                ended_m=self._sample.position_m,
-                shift_m=self._run.shift_m,
             )
         )
 
@@ -329,8 +195,10 @@ def run(
     return replay.result()
 
 
-def _length(vector: Array) -> float:
-    return sqrt(vector.dot(vector))
+def _followed(reference: coupling.Reference) -> Reference:
+    """The executor's reference as the impedance takes it."""
+    velocity = reference.velocity
+    return Reference(reference.position_m, reference.orientation_wxyz, velocity[:3], velocity[3:])
 
 
 def _approach(simulation: Simulated, first: Skill) -> tuple[Skill, ...]:

@@ -2,41 +2,15 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.simulation.impedance import Reference
 from keyphase.simulation.simulation import Sample
-from keyphase.skills.end_monitor import Outcome
+from keyphase.skills.execution.result import SkillResult, Stage, went_on
 from keyphase.skills.library import FORCE_LIMIT_FACTOR, LEAST_FORCE_LIMIT_N
 from keyphase.skills.skill import Skill
-
-Stage = Literal["moving", "pressing", "resting", "over"]
-"""A skill moves; a contact that was met is pressed; the plan is done and the tool rests; over."""
-
-
-@dataclass(frozen=True, eq=False)
-class SkillResult:
-    """How one skill ended.
-
-    skill         its index in the plan
-    outcome       None where the replay was stopped in it
-    start_s, end_s  in the replay's time, the pressing of a contact included
-    peak_force_N  largest measured force
-    ended_m       (3,) where the tool was then
-    shift_m       (3,) how far it ran away from its demonstration
-    """
-
-    skill: int
-    label: str
-    outcome: Outcome | None
-    start_s: float
-    end_s: float
-    peak_force_N: float
-    ended_m: Array
-    shift_m: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,8 +135,3 @@ def greatest_force(demonstration: Demonstration) -> float:
         return LEAST_FORCE_LIMIT_N
     demonstrated = float(np.linalg.norm(demonstration.force_N, axis=1).max())
     return max(FORCE_LIMIT_FACTOR * demonstrated, LEAST_FORCE_LIMIT_N)
-
-
-def went_on(result: SkillResult) -> bool:
-    """Whether the plan goes on after a skill: it met its own end condition."""
-    return result.outcome in ("reached", "contact")

@@ -13,7 +13,7 @@ import viser
 
 from keyphase.demonstration import Array
 from keyphase.simulation.replay.result import Frame, ReplayResult, ReplayState
-from keyphase.simulation.replay.skill import STEP_S
+from keyphase.skills.execution.executor import STEP_S
 from keyphase.web.protocol.replay_messages import middle_of_skill, path_of_skill
 from keyphase.web.scene.force_arrow import ForceArrow
 from keyphase.web.scene.lent_yumi import LentYumi

@@ -1,0 +1,1 @@
+"""Executing skills: pose, velocity and wrench in, reference out; no simulator, no demonstration."""

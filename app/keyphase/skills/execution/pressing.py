@@ -1,0 +1,69 @@
+"""Following a force where one is kept up, and the primitive's pose everywhere else.
+
+A recorded pose lies on the surface that was touched; the force with which the hand pressed is in
+the recorded force alone. Along the direction of a contact the demonstrated force is therefore
+followed, and everywhere else the demonstrated pose.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.skills.changed import changed
+from keyphase.skills.coupling import Measured, Reference, State
+from keyphase.skills.pressed import KeptForce
+
+FURTHEST_M = 0.01
+"""How far beyond the skill's own path a contact is followed."""
+
+TOUCHING_N = 0.5
+"""A force above this is a touch."""
+
+Pressed = tuple[Array, float]
+"""Direction (3,) and force [N]."""
+
+
+def pressed_now(kept: Sequence[KeptForce], fraction: float, force_N: Array) -> list[Pressed]:
+    """What is to be pressed at a fraction of the demonstrated time, under a measured force (3,)."""
+    touching = float(force_N.dot(force_N)) > TOUCHING_N**2
+    now = [each.at(fraction) for each in kept if each.met or touching]
+    return [one for one in now if one is not None]
+
+
+def given_way(measured: Measured, state: State, pressed: Sequence[Pressed]) -> Measured:
+    """What was measured, with the primitive's own motion along what is pressed.
+
+    Where a force is followed, the pose is whatever it is, and no error of the coupling.
+    """
+    if not pressed:
+        return measured
+    position, velocity = measured.position_m, measured.velocity.copy()
+    for d, _ in pressed:
+        position = position + float((state.position_m - position).dot(d)) * d
+        velocity[:3] += float((state.reference_velocity[:3] - velocity[:3]).dot(d)) * d
+    return Measured(position, measured.orientation_wxyz, velocity)
+
+
+def pressing(
+    reference: Reference, position_m: Array, pressed: Sequence[Pressed], stiffness_N_m: float
+) -> Reference:
+    """The reference with the spring pressed as wanted for a tool at `position_m` (3,).
+
+    At rest along what is pressed; a surface that falls away is not followed further than 10 mm
+    beyond the skill's own path.
+    """
+    if not pressed:
+        return reference
+    at, velocity = reference.position_m, reference.velocity.copy()
+    for d, force in pressed:
+        here = float(position_m.dot(d)) + force / stiffness_N_m
+        wanted = min(here, float(reference.position_m.dot(d)) + FURTHEST_M)
+        at = at + (wanted - float(at.dot(d))) * d
+        velocity[:3] -= float(velocity[:3].dot(d)) * d
+    return changed(reference, position_m=at, velocity=velocity)
+
+
+def still(position_m: Array, orientation_wxyz: Array) -> Reference:
+    """The reference that keeps a tool at a pose."""
+    return Reference(position_m, orientation_wxyz, np.zeros(6), np.zeros(6))

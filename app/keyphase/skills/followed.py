@@ -1,0 +1,72 @@
+"""The force that a skill follows by the recorded state of contact, moment by moment."""
+
+import numpy as np
+from scipy.ndimage import uniform_filter1d
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.segmentation.end_condition.travel import RATE_HZ, sampled
+from keyphase.skills.pressed import KeptForce
+from keyphase.skills.skill import Skill
+
+FOLLOWED_N = 1.0
+"""A recorded force above this is followed."""
+
+MOST_ALONG = 0.7
+"""It is not followed where more than this part of it lies along the way: there it is a push."""
+
+SLOW_M_S = 0.008
+"""A tool slower than this does not move."""
+
+SETTLED_S = 0.1
+"""A contact that is made within a skill is followed from so long after it on."""
+
+GRID_PER_S, LEAST_GRID, MOST_GRID = 25.0, 51, 1001
+"""Directions and forces are kept so often, within these numbers."""
+
+_FORCE_WINDOW_S, _WAY_WINDOW_S = 0.2, 0.1
+
+
+def followed_force(demonstration: Demonstration, skill: Skill, free_N: Array) -> KeptForce | None:
+    """Where the demonstration of a skill presses without moving along its force, that force.
+
+    The direction presses against the recorded force, without the friction that lies along the
+    way; the force is averaged over 0.2 s. None where nothing is to be followed. `free_N` (3,) is
+    the force in free space.
+    """
+    if skill.demonstrated_s is None or demonstration.force_N is None:
+        return None
+    moments, position, force = sampled(demonstration, *skill.demonstrated_s)
+    assert force is not None
+    if len(moments) < 3:
+        return None
+    smooth = _mean(force - free_N, _FORCE_WINDOW_S)
+    velocity = np.gradient(_mean(position, _WAY_WINDOW_S), 1.0 / RATE_HZ, axis=0)
+    speed = np.linalg.norm(velocity, axis=1)
+    moves = speed > SLOW_M_S
+    way = velocity / np.maximum(speed, 1e-9)[:, None]
+    # Friction lies along the way: what presses the surface is square to it.
+    friction = np.where(moves, (smooth * way).sum(axis=1), 0.0)
+    normal = smooth - friction[:, None] * way
+    size = np.linalg.norm(normal, axis=1)
+    along = np.abs((smooth * way).sum(axis=1)) / np.maximum(np.linalg.norm(smooth, axis=1), 1e-9)
+    pressed = size > FOLLOWED_N
+    follows = _settled(pressed) & (~moves | (along < MOST_ALONG))
+    if not follows.any():
+        return None
+    count = int(np.clip(round(GRID_PER_S * (moments[-1] - moments[0])), LEAST_GRID, MOST_GRID))
+    rows = np.round(np.linspace(0, len(moments) - 1, count)).astype(int)
+    direction = -normal / np.maximum(size, 1e-9)[:, None]
+    profile = np.where(follows, size, 0.0)[rows]
+    return KeptForce(direction[rows], profile, met=False) if profile.any() else None
+
+
+def _settled(pressed: np.ndarray) -> np.ndarray:
+    """Where it is pressed and has been so for 0.1 s, or since the beginning."""
+    window = max(round(SETTLED_S * RATE_HZ), 1)
+    padded = np.concatenate([np.full(window, pressed[0]), pressed])
+    held = np.cumsum(padded)
+    return (held[window:] - held[:-window]) >= window
+
+
+def _mean(values: Array, window_s: float) -> Array:
+    return uniform_filter1d(values, max(round(window_s * RATE_HZ), 1), axis=0, mode="nearest")
