@@ -209,11 +209,23 @@ class KeyphasePage:
             self.page.wait_for_timeout(500)
         return picture
 
-    def threshold_slider(self) -> tuple[float, float]:
-        """Where the thumb of the panel's threshold slider is."""
-        box = self.scene.locator(".multi-slider-thumb").first.bounding_box()
-        assert box, "the panel has no threshold slider"
-        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    @property
+    def panel(self) -> Locator:
+        """The panel at the right."""
+        return self.page.locator("#panel")
+
+    def slider(self, title: str) -> tuple[float, float]:
+        """Where the thumb of a slider of the panel is."""
+        found = self.panel.get_by_label(title, exact=True).first
+        box = found.bounding_box()
+        assert box, f"the panel has no slider {title}"
+        share = float(found.evaluate("node => node.style.getPropertyValue('--share')"))
+        return box["x"] + 4 + share * (box["width"] - 8), box["y"] + box["height"] / 2
+
+    def set_parameter(self, name: str, value: float | str | None) -> None:
+        """As if a control of the panel had been let go there; drawn when this returns."""
+        told = "([name, value]) => keyphase.actions.setParameter(name, value, false)"
+        self.change(lambda: self.page.evaluate(told, [name, value]))
 
     def text(self, selector: str) -> str:
         return re.sub(r"\s+", " ", self.page.locator(selector).first.inner_text()).strip()

@@ -182,6 +182,9 @@ def test_split_while_playing_snaps_to_the_nearest_evidence_unless_switched_off(
     _play_until(timeline, peak["time_s"] - 0.03)
 
     def marked() -> list[float]:
+        timeline.page.evaluate("time => keyphase.actions.seek(time)", peak["time_s"] - 0.03)
+        timeline.page.evaluate("() => keyphase.actions.play({ playing: true })")
+        timeline.until("keyphase.state.playhead.playing")
         timeline.change(lambda: timeline.press("t"))
         added = [b["time_s"] for b in timeline.document["boundaries"] if b["origin"] == "user"]
         timeline.change(lambda: timeline.press("Control+z"))
@@ -229,7 +232,7 @@ def test_the_menu_of_the_selected_segment_opens_and_acts_by_keys(
     editor.press("]")
     editor.until("keyphase.state.selected === 1")
     editor.press(key)
-    assert editor.text("#menu h5") == "Segment 2"
+    assert editor.text("#menu .menu-heading") == "Segment 2"
     editor.press("ArrowDown")
     while "Split here" not in editor.text("#menu button:focus"):
         editor.press("ArrowDown")
@@ -244,7 +247,7 @@ def test_the_menu_of_the_current_boundary_opens_by_keys_and_escape_closes_it(
     editor.press("Home")
     editor.press(".")
     editor.press("Shift+F10")
-    assert editor.text("#menu h5") == "Boundary 1"
+    assert editor.text("#menu .menu-heading") == "Boundary 1"
     editor.settle()
     editor.picture("menu_of_a_boundary")
     editor.press("Escape")

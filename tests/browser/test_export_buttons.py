@@ -16,13 +16,23 @@ def test_control_s_writes_the_segment_file(folder: Path, serve: Serve, visit: Vi
     assert len(written["segments"]) == page.segments.count()
 
 
-def test_the_panel_has_a_button_for_every_export(folder: Path, serve: Serve, visit: Visit) -> None:
-    page = visit(serve(folder / "setup1.npz"))
+def test_the_panel_says_which_file_each_export_writes_and_how_it_is_read(
+    folder: Path, serve: Serve, visit: Visit
+) -> None:
+    page = visit(serve(folder / "setup1.npz"), scene=False)
     page.wait_for_document()
-    scene = page.wait_for_scene()
-    scene.get_by_role("tab", name="Export").click()
-    assert scene.get_by_role("button").filter(has_text="JSON").count() >= 1
-    assert scene.get_by_role("button").filter(has_text="CSV").count() >= 1
-    scene.get_by_role("button").filter(has_text="Segment file").click()
-    page.page.get_by_text("Written to").wait_for()
-    assert (folder / "setup1.segments.json").exists()
+    page.panel.get_by_role("tab", name="Export").click()
+    for kind, file in (("json", "setup1.segments.json"), ("skills", "setup1.skills.json")):
+        button = page.panel.locator(f"[data-export='{kind}']")
+        assert file in button.inner_text()
+        button.click()
+        page.page.get_by_text(f"{file}").first.wait_for()
+        page.until(f"keyphase.state.saved?.path.endsWith('{file}')")
+        page.settle()
+        assert (folder / file).exists()
+        assert str(folder / file) in page.panel.locator(".saved-card .path").inner_text()
+    lines = page.panel.locator(".saved-card .lines").inner_text()
+    found: dict[str, object] = {}
+    exec(lines, found)
+    assert found["skills"]
+    page.picture("exported")

@@ -94,7 +94,7 @@ def test_the_panels_button_applies_parameters_to_all_by_clicks(
     page = visit(serve(folder))
     page.wait_for_document()
     page.change(lambda: _one_gaussian(page))
-    page.wait_for_scene().get_by_role("button", name="Apply to all…").click()
+    page.panel.get_by_role("button", name="Apply to all…").click()
     page.page.locator("#spread button:enabled", has_text="Apply to all").wait_for()
     page.picture("spread_by_mouse")
     page.page.locator("#spread").get_by_role("button", name="Apply to all").click()
@@ -104,7 +104,7 @@ def test_the_panels_button_applies_parameters_to_all_by_clicks(
 
 
 def test_parameters_are_not_applied_where_a_person_thinks_better_of_it(two: KeyphasePage) -> None:
-    two.change(lambda: two.page.evaluate("() => keyphase.actions.setThreshold(1e6, false, null)"))
+    two.set_parameter("force_threshold", 1e6)
     two.page.evaluate("() => keyphase.actions.spread('look')")
     two.until("keyphase.state.spread?.items.length === 2")
     told = two.state("spread")
@@ -223,7 +223,7 @@ def test_edits_that_lost_their_place_are_brought_back_or_forgotten(two: Keyphase
     two.change(lambda: two.page.evaluate("t => keyphase.actions.moveBoundary(t, t + 0.05)", moved))
     last = two.document["boundaries"][-1]["time_s"]
     two.change(lambda: two.page.evaluate("t => keyphase.actions.moveBoundary(t, t + 0.05)", last))
-    two.change(lambda: two.page.evaluate("() => keyphase.actions.setThreshold(1e6, false, null)"))
+    two.set_parameter("force_threshold", 1e6)
     two.change(lambda: _one_gaussian(two))
     lost = two.document["inapplicable"]
     assert lost

@@ -14,10 +14,13 @@ ROUTE = (
     "help",
     "add-recording",
     "queue-sort",
-    "queue-row",
+    "queue-rows",
     "least-certain",
     "next-recording",
     "viser",
+    "tab-segment",
+    "number",
+    "Reset to automatic",
     "splitter",
     "play",
     "Split",
@@ -89,16 +92,19 @@ def test_every_button_says_what_it_does(editor: KeyphasePage) -> None:
     assert nameless == []
 
 
-def test_a_recording_chosen_in_the_list_by_keys_keeps_the_focus(
+def test_the_list_is_one_stop_of_tab_and_a_recording_is_chosen_in_it_by_arrows(
     folder: Path, serve: Serve, visit: Visit
 ) -> None:
     page = visit(serve(folder), scene=False)
     page.wait_for_document()
-    page.tab_to("at.dataset.recording === '2'")
+    page.tab_to("at.id === 'queue-rows'")
+    page.press("ArrowDown")
     page.press("Enter")
     page.until("keyphase.state.document.name === 'synthetic_setup1'")
     page.settle()
-    assert page.page.evaluate("() => document.activeElement.dataset.recording") == "2"
+    assert page.page.evaluate("() => document.activeElement.id") == "queue-rows"
+    page.press("Tab")
+    assert page.page.evaluate("() => document.activeElement.id") == "least-certain"
 
 
 def test_a_track_is_folded_and_hidden_by_keys(timeline: KeyphasePage) -> None:

@@ -30,12 +30,13 @@ def server(tmp_path: Path, serve: Serve) -> PageServer:
 def page(server: PageServer, visit: Visit) -> KeyphasePage:
     """Its page with the Record tab open."""
     page = visit(server, size=(1280, 1000))
-    page.wait_for_scene().get_by_role("tab", name="Record").click()
+    page.wait_for_scene()
+    page.panel.get_by_role("tab", name="Record").click()
     return page
 
 
 def press(page: KeyphasePage, button: str) -> None:
-    page.scene.get_by_role("button", name=button, exact=True).click()
+    page.panel.get_by_role("button", name=button, exact=True).click()
 
 
 def wait_until_at_rest(server: PageServer, page: KeyphasePage, least_s: float) -> None:
@@ -48,9 +49,9 @@ def wait_until_at_rest(server: PageServer, page: KeyphasePage, least_s: float) -
 
 
 def force_shown(page: KeyphasePage) -> float:
-    shown = [field.input_value() for field in page.scene.locator("input").all()]
-    (force,) = [float(value.removesuffix(" N")) for value in shown if value.endswith(" N")]
-    return force
+    return float(
+        page.panel.get_by_role("meter").get_attribute("aria-valuetext", timeout=5_000)[:-2]
+    )
 
 
 @pytest.mark.slow
@@ -58,7 +59,7 @@ def test_a_contact_made_by_dragging_is_seen_as_it_is_pressed_and_found_in_the_re
     tmp_path: Path, server: PageServer, page: KeyphasePage
 ) -> None:
     press(page, "Record")
-    page.scene.get_by_role("button", name="Stop", exact=True).wait_for()
+    page.panel.get_by_role("button", name="Stop", exact=True).wait_for()
     page.wait_for_scene()
     scene = page.box("#viser")
     before = page.picture("free").count(ARROW, scene, tolerance=40)
@@ -87,7 +88,7 @@ def test_a_take_is_undone_and_brought_back(
     tmp_path: Path, server: PageServer, page: KeyphasePage
 ) -> None:
     press(page, "Record")
-    page.scene.get_by_role("button", name="Stop", exact=True).wait_for()
+    page.panel.get_by_role("button", name="Stop", exact=True).wait_for()
     wait_until_at_rest(server, page, 2.0)
     press(page, "Stop")
     page.wait_for_document()
@@ -104,7 +105,7 @@ def test_a_take_is_kept_when_the_browser_closes_midway(
     tmp_path: Path, server: PageServer, page: KeyphasePage, visit: Visit
 ) -> None:
     press(page, "Record")
-    page.scene.get_by_role("button", name="Stop", exact=True).wait_for()
+    page.panel.get_by_role("button", name="Stop", exact=True).wait_for()
     wait_until_at_rest(server, page, 2.0)
     page.page.goto("about:blank")
     again = visit(server)

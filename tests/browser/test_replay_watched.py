@@ -35,7 +35,8 @@ def page(server: PageServer, visit: Visit) -> KeyphasePage:
     page = visit(server, size=(1280, 720))
     page.wait_for_document()
     page.change(lambda: page.press("i"))
-    page.wait_for_scene().get_by_role("tab", name="Replay").click()
+    page.wait_for_scene()
+    page.panel.get_by_role("tab", name="Replay").click()
     return page
 
 
@@ -49,12 +50,8 @@ def steer(page: KeyphasePage, name: str) -> None:
     page.page.locator("#replay-transport").get_by_role("button", name=name).click()
 
 
-def open_folder(page: KeyphasePage, name: str) -> None:
-    page.scene.get_by_text(name, exact=True).click()
-
-
 def button(page: KeyphasePage, name: str):
-    return page.scene.get_by_role("button", name=name, exact=True)
+    return page.panel.get_by_role("button", name=name, exact=True)
 
 
 def plays_without_a_server(browser: Browser | None, film: Path) -> None:
@@ -70,7 +67,7 @@ def plays_without_a_server(browser: Browser | None, film: Path) -> None:
 def test_pulled_aside_by_the_gizmo_it_waits_and_goes_on(
     server: PageServer, page: KeyphasePage
 ) -> None:
-    page.scene.locator("input[type=checkbox]:visible").last.check()
+    page.panel.get_by_label("Push the tool").check()
     button(page, "Step").click()
     page.until("keyphase.state.replay?.current === 1")
     phase(page, "paused")
@@ -89,14 +86,13 @@ def test_pulled_aside_by_the_gizmo_it_waits_and_goes_on(
 
 @pytest.mark.slow
 def test_trials_tell_how_far_they_are_and_can_be_cancelled(page: KeyphasePage) -> None:
-    open_folder(page, "Trials")
     button(page, "Run trials").click()
-    expect(page.scene.get_by_text(re.compile(r"^[1-9]\d* of 20 worlds"))).to_be_visible(
+    expect(page.panel.get_by_text(re.compile(r"^[1-9]\d* of 20 worlds"))).to_be_visible(
         timeout=60_000
     )
-    button(page, "Cancel trials").click()
-    expect(page.scene.get_by_text("Cancelled.")).to_be_visible(timeout=30_000)
-    expect(button(page, "Cancel trials")).to_be_hidden()
+    button(page, "Cancel").click()
+    expect(page.panel.get_by_text("Cancelled.")).to_be_visible(timeout=30_000)
+    expect(button(page, "Cancel")).to_be_hidden()
     assert page.page.locator("dialog.trials").count() == 0
 
 
@@ -117,7 +113,7 @@ def test_skills_and_force_are_named_in_the_scene_and_outcomes_told_in_the_panel(
     ]
     assert re.fullmatch(r"\d+\.\d N", force)
     expect(page.page.locator("#names .name.selected")).to_have_text("5 Slide left until contact")
-    expect(page.scene.get_by_role("row").nth(2)).to_contain_text("1 Forwardreached")
+    expect(page.panel.get_by_role("row").nth(2)).to_contain_text("1 Forwardreached")
     page.picture("replay_named")
 
 
@@ -128,14 +124,14 @@ def test_the_plan_and_the_replay_are_carried_elsewhere(
     server.session.replay.configure(lambda settings: replace(settings, speed=4.0))
     button(page, "Run").click()
     phase(page, "over")
-    open_folder(page, "Carry on elsewhere")
-    for name, file in (
-        ("Behaviour tree (XML)", "setup1.xml"),
-        ("Program listing", "setup1.program.txt"),
-        ("Skills (JSON)", "setup1.skills.json"),
-        ("Shareable replay (HTML)", "setup1.replay.html"),
+    page.panel.get_by_role("tab", name="Export").click()
+    for kind, file in (
+        ("behavior tree", "setup1.xml"),
+        ("program", "setup1.program.txt"),
+        ("skills", "setup1.skills.json"),
+        ("page", "setup1.replay.html"),
     ):
-        button(page, name).click()
+        page.panel.locator(f"[data-export='{kind}']").click()
         expect(page.page.get_by_text(re.compile(f"Written to .*{file}"))).to_be_visible(
             timeout=30_000
         )

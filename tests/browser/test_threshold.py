@@ -1,13 +1,12 @@
 """Moving the threshold, by its line and by the panel's slider, changes both views."""
 
+import pytest
 from driver import ACCENT, SEGMENT_COLORS, KeyphasePage, Picture
 
 
 def line_height(page: KeyphasePage) -> float:
     """Where the threshold line is told to be on the page [px]."""
-    told = page.page.evaluate(
-        "() => keyphase.timeline.thresholdY(keyphase.state.document.threshold)"
-    )
+    told = page.page.evaluate("() => keyphase.timeline.thresholdY()")
     return page.box(".surface").y + told
 
 
@@ -27,7 +26,7 @@ def test_the_line_stays_where_it_was_dragged(editor: KeyphasePage) -> None:
     x = row.x + 0.5 * row.width
     target = line_height(editor) - 20
     editor.change(lambda: editor.drag((x, line_height(editor)), (x, target)))
-    editor.until("keyphase.state.heldThreshold === null")
+    editor.until("!('force_threshold' in keyphase.state.held)")
     editor.page.mouse.move(10, 10)
     editor.settle()
     assert abs(drawn_height(editor, editor.picture("threshold_dragged")) - target) < 2
@@ -69,8 +68,8 @@ def test_the_panels_slider_moves_the_line_and_recolors_the_trajectory(
     before = scene_editor.picture("slider_before")
     segments = scene_editor.segments.count()
     height = drawn_height(scene_editor, before)
-    middle = scene_editor.threshold_slider()
-    scene_editor.drag(middle, (middle[0] + 130, middle[1]), steps=6)
+    middle = scene_editor.slider("Threshold")
+    scene_editor.drag(middle, (middle[0] + 60, middle[1]), steps=6)
     scene_editor.until("keyphase.state.document.boundaries.every(b => !b.contact_change)")
     scene_editor.settle()
     scene_editor.wait_for_scene()
@@ -82,22 +81,24 @@ def test_the_panels_slider_moves_the_line_and_recolors_the_trajectory(
         assert before.count_hue(color, view) != after.count_hue(color, view)
 
 
-def test_dragging_the_line_moves_the_panels_value(scene_editor: KeyphasePage) -> None:
-    scene = scene_editor.wait_for_scene()
-    row = scene_editor.row("error")
+def test_dragging_the_line_moves_the_panels_value(editor: KeyphasePage) -> None:
+    row = editor.row("error")
     x = row.x + 0.5 * row.width
-    target = line_height(scene_editor) - 25
-    wanted = scene_editor.page.evaluate(
-        "y => keyphase.timeline.errorAt(y)", target - scene_editor.box(".surface").y
-    )
-    scene_editor.drag((x, line_height(scene_editor)), (x, target))
-    scene_editor.until(f"Math.abs(keyphase.state.document.threshold / {wanted} - 1) < 0.05")
-    threshold = scene_editor.document["parameters"]["force_threshold"]
-    scene.wait_for_function(
-        """wanted => [...document.querySelectorAll('input')].some(
-             field => Math.abs(Number(field.value) - wanted) <= 0.01 * wanted)""",
-        arg=threshold,
-    )
+    target = line_height(editor) - 25
+    editor.change(lambda: editor.drag((x, line_height(editor)), (x, target)))
+    editor.until("!('force_threshold' in keyphase.state.held)")
+    threshold = editor.document["parameters"]["force_threshold"]
+    shown = editor.panel.get_by_label("Threshold, value").input_value()
+    assert float(shown) == pytest.approx(threshold, rel=1e-3)
+
+
+def test_a_slider_falls_into_the_notch_of_its_automatic_value(editor: KeyphasePage) -> None:
+    thumb = editor.slider("Threshold")
+    editor.change(lambda: editor.drag(thumb, (thumb[0] + 40, thumb[1])))
+    assert editor.document["parameters"]["force_threshold"] is not None
+    away = editor.slider("Threshold")
+    editor.change(lambda: editor.drag(away, (thumb[0] + 1, thumb[1])))
+    assert editor.document["parameters"]["force_threshold"] is None
 
 
 def test_every_move_is_timed_from_the_hand_to_the_frame(timeline: KeyphasePage) -> None:
@@ -110,32 +111,25 @@ def test_every_move_is_timed_from_the_hand_to_the_frame(timeline: KeyphasePage) 
     assert {one["source"] for one in measured} == {"line"}
 
 
-_FOCUS_NUMBER = """wanted => [...document.querySelectorAll('input')].find(
-  field => Math.abs(Number(field.value) / wanted - 1) < 0.01).focus()"""
+def test_the_threshold_is_typed_and_given_back_by_keys_alone(editor: KeyphasePage) -> None:
+    automatic = editor.document["threshold"]
+    editor.tab_to("at.getAttribute('aria-label') === 'Threshold, value'")
+    editor.press("Control+a")
+    editor.page.keyboard.type("5000")
+    editor.press("Enter")
+    editor.until("keyphase.state.document.parameters.force_threshold === 5000")
+    assert contacts(editor) == 0
+
+    editor.page.locator("#help").focus()
+    editor.press("Control+k")
+    editor.page.keyboard.type("threshold back")
+    editor.press("Enter")
+    editor.until("keyphase.state.document.parameters.force_threshold === null")
+    assert editor.document["threshold"] == automatic
 
 
-def test_the_threshold_is_typed_and_given_back_by_keys_alone(scene_editor: KeyphasePage) -> None:
-    scene = scene_editor.wait_for_scene()
-    automatic = scene_editor.document["threshold"]
-    scene.evaluate(_FOCUS_NUMBER, automatic)
-    scene_editor.press("Control+a")
-    scene_editor.page.keyboard.type("5000")
-    scene_editor.press("Enter")
-    scene_editor.until("keyphase.state.document.parameters.force_threshold === 5000")
-    assert contacts(scene_editor) == 0
-
-    scene_editor.page.locator("#help").focus()
-    scene_editor.press("Control+k")
-    scene_editor.page.keyboard.type("threshold back")
-    scene_editor.press("Enter")
-    scene_editor.until("keyphase.state.document.parameters.force_threshold === null")
-    assert scene_editor.document["threshold"] == automatic
-
-
-def test_the_panels_button_gives_all_parameters_back(scene_editor: KeyphasePage) -> None:
-    scene = scene_editor.wait_for_scene()
-    scene_editor.change(
-        lambda: scene_editor.page.evaluate("() => keyphase.actions.setThreshold(5000, false, null)")
-    )
-    scene_editor.change(lambda: scene.get_by_role("button", name="Reset to automatic").click())
-    assert scene_editor.document["parameters"]["force_threshold"] is None
+def test_the_panels_button_gives_all_parameters_back(editor: KeyphasePage) -> None:
+    editor.set_parameter("force_threshold", 5000)
+    reset = editor.panel.get_by_role("button", name="Reset to automatic")
+    editor.change(lambda: reset.click())
+    assert editor.document["parameters"]["force_threshold"] is None

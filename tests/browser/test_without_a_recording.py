@@ -22,15 +22,30 @@ def test_an_unreadable_recording_says_why(tmp_path: Path, serve: Serve, visit: V
     assert page.page.locator(".gutter:visible").count() == 0
 
 
-def test_a_lost_connection_is_shown(folder: Path, serve: Serve, visit: Visit) -> None:
+def test_a_stopped_server_is_told_of_and_the_page_comes_back_with_it(
+    folder: Path, serve: Serve, visit: Visit
+) -> None:
     server = serve(folder / "setup1.npz")
     page = visit(server, scene=False)
     page.wait_for_document()
-    page.page.evaluate("() => keyphase.socket.drop()")
+    page.change(lambda: page.press("i"))
+    saved_at = page.document["saved_at"]
+    server.stop()
     page.until("keyphase.state.connected === false")
     page.settle()
     assert page.text("#saved") == "Not connected"
-    assert page.page.locator(".gutter:visible").count() > 5
-    page.until("keyphase.state.connected === true")
+    assert f"Everything up to {saved_at} is saved" in page.text(".banner.gone")
+    page.picture("stopped")
+
+    segments = page.document["segments"]
+    page.press("x")
+    page.page.get_by_text("keyphase is not running: nothing was changed.").wait_for()
+    assert page.document["segments"] == segments
+
+    serve(folder / "setup1.npz", port=server.port)
+    page.until("keyphase.state.connected === true && !keyphase.state.readOnly")
     page.settle()
-    assert page.text("#saved") != "Not connected"
+    assert page.page.locator(".banner.gone").count() == 0
+    assert page.document["segments"] == segments
+    page.change(lambda: page.press("x"))
+    page.errors.clear()

@@ -38,6 +38,8 @@ export function documentOf(end, boundaries, given = {}) {
     rate_hz: 100,
     boundaries,
     segments,
+    plan: [],
+    proposed_drops: [],
     peaks: [],
     ...given,
   };

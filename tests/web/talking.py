@@ -62,12 +62,6 @@ def cookie(server: PageServer, token: str | None = None) -> dict[str, str]:
     return {"Cookie": f"{cookie_name(server.port)}={token or server.access.token}"}
 
 
-def control(server: PageServer, label: str) -> str:
-    """What browsers call the control of the panel with that label."""
-    handles = server.viser.gui._gui_input_handle_from_uuid  # pyright: ignore
-    return next(uuid for uuid, handle in handles.items() if getattr(handle, "label", None) == label)
-
-
 def visers_socket(server: PageServer, page: str = PAGE) -> async_connect:
     """The websocket that viser's client opens in the frame of a page."""
     return async_connect(

@@ -13,7 +13,6 @@ from talking import (
     WAIT_S,
     PageClient,
     StartServer,
-    control,
     cookie,
     get,
     visers_socket,
@@ -91,18 +90,6 @@ def test_visers_websocket_brings_the_scene(server: PageServer) -> None:
             return await asyncio.wait_for(socket.recv(), 20)
 
     assert len(asyncio.run(first_frame())) > 100
-
-
-def test_a_control_moved_in_a_browser_reaches_the_session(page: PageClient) -> None:
-    """Through viser's websocket, our filter, viser's panel and the session to the page."""
-    server = page.server
-    slider = control(server, "Ratio")
-    message = {"type": "GuiUpdateMessage", "uuid": slider, "updates": {"value": 35.0}}
-
-    asyncio.run(_say_to_viser(server, message))
-    document = page.wait_for("document", lambda m: m["parameters"]["force_ratio"] == 35.0)
-
-    assert document["parameters"]["force_ratio"] == 35.0
 
 
 def test_the_frame_may_connect_again_without_the_focus(server: PageServer) -> None:
@@ -240,11 +227,3 @@ def test_starting_again_on_a_port_that_was_left(start_server: StartServer) -> No
     first.viser.stop()
 
     assert start_server(port=first.port).port == first.port
-
-
-async def _say_to_viser(server: PageServer, message: dict[str, object]) -> None:
-    async with visers_socket(server) as socket:
-        await asyncio.wait_for(socket.recv(), 20)
-        await socket.send(msgspec.msgpack.encode(CAMERA))
-        await socket.send(msgspec.msgpack.encode(message))
-        await (await socket.ping())

@@ -5,7 +5,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import msgspec
 import numpy as np
-from talking import CAMERA, Message, PageClient, control, visers_socket
+from talking import CAMERA, Message, PageClient, visers_socket
 
 from keyphase.web.scene.palette import SEGMENT_COLORS, painted
 from keyphase.web.server import PageServer
@@ -120,18 +120,6 @@ def test_a_hidden_part_is_hidden_in_the_scene(page: PageClient) -> None:
 
     assert not _node(page.server, "/gaussians").visible  # type: ignore
     assert _node(page.server, "/path").visible  # type: ignore
-
-
-def test_the_panel_shows_what_the_page_sets(page: PageClient) -> None:
-    page.send("set", parameter="force_threshold", value=100.0)
-    page.send("set", parameter="gaussians", value=4)
-    page.wait_for("document", lambda m: m["parameters"]["gaussians"] == 4)
-    _drawn(page.server)
-    handles = page.server.viser.gui._gui_input_handle_from_uuid  # pyright: ignore
-    threshold, gaussians = (control(page.server, name) for name in ("Threshold", "Gaussians"))
-
-    assert handles[threshold].value == (2.0,)
-    assert handles[gaussians].value == "4"
 
 
 def test_the_scene_is_built_anew_while_other_threads_draw_in_it(page: PageClient) -> None:

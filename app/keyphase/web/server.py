@@ -15,25 +15,20 @@ from keyphase.robot.arms import robot_arms, yumi_arms
 from keyphase.robot.description import RobotDescription
 from keyphase.segmentation.parameters import RANGES
 from keyphase.simulation.demonstrating.recorder import recover
-from keyphase.web.panel import Panel
 from keyphase.web.protocol.controls import Controls, RecordTeller
 from keyphase.web.protocol.dispatch import hear
-from keyphase.web.record_tab import RecordTab
-from keyphase.web.replay_tab import ReplayCloser, ReplayTab
-from keyphase.web.robot_folder import RobotFolder
 from keyphase.web.scene.ground_shadow import shadow_of
 from keyphase.web.scene.parts_view import PartsView
-from keyphase.web.scene.replay_scene import ReplayScene
+from keyphase.web.scene.replay_scene import ReplayCloser, ReplayScene
 from keyphase.web.scene.robot_view import RobotView
 from keyphase.web.scene.scene import Scene
 from keyphase.web.scene.workcell_scene import WorkcellCloser, WorkcellScene
 from keyphase.web.transport.access import Access, Grant
 from keyphase.web.transport.lasting_keys import LastingKeys
-from keyphase.web.transport.one_port import control_of, serve, silent, usable_port
+from keyphase.web.transport.one_port import serve, silent, usable_port
 from keyphase.web.transport.opening import BrowserFile, open_in_browser
 from keyphase.web.transport.proving import prove
 from keyphase.web.transport.site import OurSite
-from keyphase.web.transport.viser_controls import takes
 from keyphase.workbench.lead_through_session import LeadThroughSession
 from keyphase.workbench.library import Library
 from keyphase.workbench.session import Session
@@ -74,18 +69,15 @@ class PageServer:
         self.parts = PartsView(self.viser, self.session.telling)
         self.robot.on_stand = self.scene.stand_anew
         self._put_in_order_of_need()
-        self.panel = Panel(self.viser, self.session, read_only=read_only)
         # The robot first: where it stands decides how the scene is seen.
         self.session.views.add(self.robot)
         self.session.views.add(self.scene)
         self.session.views.add(self.parts)
-        self.session.views.add(self.panel)
         self.lead_through = LeadThroughSession(
             self._folder, self.session.queue, self.session.telling
         )
-        with self.panel.segment_tab:
-            RobotFolder(self.viser, self.robot, self.session.telling)
-        self._offer_recording()
+        if not read_only:
+            self._offer_recording()
         self._offer_replay()
         self._offer_controls()
         self.session.queue.open_first()
@@ -96,7 +88,7 @@ class PageServer:
         self.port = usable_port(host, port, self._keys.ports())
         keys = self._keys.of(self.port)
         self.access = Access(host, keys.token, keys.looking_token)
-        site = OurSite(self.access, self.session.sockets, self.accepts)
+        site = OurSite(self.access, self.session.sockets)
         self.viser = serve(site, host, self.port)
         try:
             prove(host, self.port)
@@ -116,21 +108,13 @@ class PageServer:
         self._browser_file = open_in_browser(link, self._keys.folder)
         return self._browser_file is not None
 
-    def accepts(self, uuid: str, value: object) -> bool:
-        """Whether a browser may set the control it calls `uuid` to `value`."""
-        return takes(control_of(self.viser, uuid), value)
-
     def _put_in_order_of_need(self) -> None:
         """What is asked for comes first, then what is seen beside it, then other recordings."""
         self.robot.paths.gives_way = lambda: not (self.session.is_free and self.parts.is_free)
         self.session.queue.may_look = lambda: self.robot.is_free
 
     def _offer_recording(self) -> None:
-        if self.panel.record_tab is None:
-            return
-        lead, telling = self.lead_through, self.session.telling
-        with self.panel.record_tab:
-            lead.add(RecordTab(self.viser, lead, telling))
+        lead = self.lead_through
         lead.add(WorkcellScene(self.viser, self.scene, self.robot, lead))
         self.session.views.add(WorkcellCloser(lead))
 
@@ -149,15 +133,9 @@ class PageServer:
         self.session.controls = controls
 
     def _offer_replay(self) -> None:
-        """The scene first: what follows in the panel may take its time."""
         replay, telling = self.session.replay, self.session.telling
         self._replay_scene = ReplayScene(self.viser, self.scene, self.robot, replay, telling)
         replay.add(self._replay_scene)
-        if self.panel.replay_tab is None:
-            return
-        with self.panel.replay_tab:
-            scene = self._replay_scene
-            replay.add(ReplayTab(self.viser, replay, telling, scene.offer_push, scene.share))
         self.session.views.add(ReplayCloser(replay))
 
     def stop(self) -> None:

@@ -23,6 +23,8 @@ from keyphase.web.scene.replay_push import PushGizmo
 from keyphase.web.scene.replay_view import ReplayView, Running
 from keyphase.web.scene.robot_view import RobotView
 from keyphase.web.scene.scene import Scene
+from keyphase.web.scene.views import View
+from keyphase.workbench.opened import Opened
 from keyphase.workbench.recordings import printable
 from keyphase.workbench.replay_exports import write_page
 from keyphase.workbench.replay_run import Tick
@@ -230,3 +232,17 @@ def parts_in(result: ReplayResult, frame: Frame) -> PartPoses:
     """Where everything that is no link of the robot was."""
     poses = zip(result.bodies, frame.position_m, frame.orientation_wxyz, strict=True)
     return {name: (position, wxyz) for name, position, wxyz in poses}
+
+
+class ReplayCloser(View):
+    """Shows a replay no more when a person turns to another recording."""
+
+    def __init__(self, session: ReplaySession) -> None:
+        self._session = session
+
+    def show_document(self, opened: Opened) -> None:
+        """This recording is to be seen; its workcell is proposed."""
+        running = self._session.running
+        if running and running.opened.demonstration is not opened.demonstration:
+            self._session.leave()
+        self._session.propose(opened.demonstration)

@@ -112,11 +112,6 @@ def usable_port(host: str, wanted: int, preferred: Iterator[int] | list[int]) ->
         raise KeyphaseError(_taken(host, wanted, str(error))) from error
 
 
-def control_of(server: viser.ViserServer, uuid: str) -> Any:
-    """The control of the panel that browsers call `uuid`, or None."""
-    return server.gui._gui_input_handle_from_uuid.get(uuid)  # type: ignore[reportPrivateUsage]
-
-
 @contextlib.contextmanager
 def silent() -> Iterator[None]:
     """viser prints a banner when it starts and a line when it stops; ours is the link."""

@@ -22,7 +22,7 @@ from keyphase.web.transport.responses import (
     text,
     viser_policy,
 )
-from keyphase.web.transport.viser_messages import Accepts, admits
+from keyphase.web.transport.viser_messages import admits
 from keyphase.web.transport.viser_page import ViserPage, viser_page
 
 INDEX = "/app/static/index.html"
@@ -30,12 +30,11 @@ INDEX = "/app/static/index.html"
 
 
 class OurSite:
-    """Gate, files and sockets; `accepts` says which control may take which value."""
+    """Gate, files and sockets."""
 
-    def __init__(self, access: Access, sockets: PageSockets, accepts: Accepts) -> None:
+    def __init__(self, access: Access, sockets: PageSockets) -> None:
         self._access = access
         self._sockets = sockets
-        self._accepts = accepts
         self._owners = PageOwners()
         self._files: StaticFiles = page_files()
         self._viser: ViserPage = viser_page()
@@ -80,7 +79,7 @@ class OurSite:
 
     def admits(self, connection: ServerConnection, message: bytes) -> bool:
         """Whether viser may hear a message from its client."""
-        return admits(message, self._grant(connection), self._accepts)
+        return admits(message, self._grant(connection))
 
     def _grant(self, connection: ServerConnection) -> Grant:
         assert connection.request is not None

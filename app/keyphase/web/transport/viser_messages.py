@@ -1,8 +1,6 @@
 """What viser's client may say to viser, which checks nothing of it by itself."""
 
 import math
-from collections.abc import Callable
-from typing import Any
 
 import msgspec
 
@@ -10,7 +8,6 @@ from keyphase.web.transport.access import Grant
 
 _LOOKING = frozenset({"ViewerCameraMessage", "GetRenderResponseMessage"})
 _EVERYTHING = _LOOKING | {
-    "GuiUpdateMessage",
     "SceneNodeClickMessage",
     "SceneNodeDragMessage",
     "ScenePointerMessage",
@@ -23,15 +20,12 @@ _LARGEST_NUMBER = 1e9
 _DEEPEST = 6
 _MOST_ITEMS = 64
 
-Accepts = Callable[[str, object], bool]
-"""Whether the control with a given id may take a given value."""
 
-
-def admits(raw: bytes, grant: Grant, accepts: Accepts) -> bool:
+def admits(raw: bytes, grant: Grant) -> bool:
     """Whether a message from viser's client may pass.
 
-    It must be of a kind the page needs, hold only finite numbers and short texts, and set nothing
-    but the value of a control that accepts it. Who may only look moves the camera, no more.
+    It must be of a kind the scene needs and hold only finite numbers and short texts. viser's
+    controls are not used, so none can be set. Who may only look moves the camera, no more.
     """
     try:
         message = msgspec.msgpack.decode(raw)
@@ -44,16 +38,7 @@ def admits(raw: bytes, grant: Grant, accepts: Accepts) -> bool:
         return False
     if kind == "GetRenderResponseMessage":
         return True
-    if not _is_plain(message):
-        return False
-    return kind != "GuiUpdateMessage" or _sets_a_value(message, accepts)
-
-
-def _sets_a_value(message: dict[str, Any], accepts: Accepts) -> bool:
-    uuid, updates = message.get("uuid"), message.get("updates")
-    if not isinstance(uuid, str) or not isinstance(updates, dict) or set(updates) != {"value"}:
-        return False
-    return accepts(uuid, updates["value"])
+    return _is_plain(message)
 
 
 def _is_plain(value: object, depth: int = 0) -> bool:

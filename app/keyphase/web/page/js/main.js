@@ -1,6 +1,7 @@
 /** Puts the page together: state, socket, parts. */
 
 import { sceneFrames } from "./scene/viser_client.js";
+import { createAddress } from "./actions/address.js";
 import { createActions } from "./actions/actions.js";
 import { createCommands } from "./actions/commands.js";
 import { createBanners } from "./panels/banners.js";
@@ -10,10 +11,12 @@ import { createExplain } from "./panels/overlays/explain.js";
 import { createHeader } from "./panels/header.js";
 import { createKeys, letGoOfButton } from "./actions/keys.js";
 import { createKeysSheet } from "./panels/overlays/keys_sheet.js";
+import { createOwnChanges } from "./model/own_changes.js";
 import { createLatency } from "./model/latency.js";
 import { createMenu } from "./panels/overlays/menu.js";
 import { createNotices } from "./panels/overlays/notices.js";
 import { createPalette } from "./panels/overlays/palette.js";
+import { createPanel } from "./panels/panel/panel.js";
 import { createPlan } from "./panels/plan.js";
 import { createPlayback } from "./model/playback.js";
 import { createQueue } from "./panels/queue.js";
@@ -52,7 +55,8 @@ let socket = null;
 const send = (message) => socket?.send(message) ?? false;
 const latency = createLatency(store, send, sceneFrames);
 const signals = createSignals(store, send, () => wantedTracks(store.state));
-const actions = createActions(store, send, latency);
+const own = createOwnChanges(store);
+const actions = createActions(store, send, latency, own);
 const dialogs = {
   openPalette: (query) => palette.open(query),
   openKeys: () => keysSheet.open(),
@@ -78,7 +82,7 @@ function wantedTracks(state) {
 }
 
 // The token in the link has done its work; it should not stay in the address or the history.
-history.replaceState(null, "", location.pathname);
+history.replaceState(null, "", location.pathname + location.hash);
 placeIcons();
 createTheme(store, send);
 // A comparison is with what is shown now, whatever has been edited since.
@@ -97,10 +101,12 @@ const pointer = attachPointer(
 createSplitter(store, timeline.naturalHeight);
 createHeader(store, actions, dialogs);
 createBanners(store, actions);
-createQueue(store, actions);
+createQueue(store, actions, menu);
 createTransport(store, actions, menu);
 createPlan(store, actions);
 createStatus(store);
+createPanel(store, actions);
+createAddress(store, actions);
 const replay = createReplay(store, replayActions);
 createEmpty(store, actions);
 createSpread(store, actions);
@@ -138,22 +144,33 @@ const receive = createReceiver(store, {
   signals,
   replay,
   upload: () => upload,
+  own,
 });
 socket = openSocket(pageId, {
   onBroken: (why) => receive({ type: "notice", level: "error", text: why }),
   onMessage: receive,
   onSignals: (frame) => signals.receive(frame),
   onState(connected) {
-    if (!connected) upload.broke();
+    if (!connected) {
+      upload.broke();
+      own.forget();
+    }
+    const { document: doc, lostAt } = store.state;
     store.set(
       connected
-        ? { connected }
-        : { connected, saving: false, greeted: store.state.document !== null },
+        ? { connected, lostAt: null }
+        : {
+            connected,
+            saving: false,
+            readOnly: true,
+            greeted: doc !== null,
+            lostAt: lostAt ?? new Date(),
+          },
     );
   },
 });
 const upload = createUpload(store, socket, actions);
-const sceneFrame = createScene(store, pageId, { onKey, onSlide: latency.slid });
+const sceneFrame = createScene(store, pageId, { onKey });
 createNames(store, actions, () => sceneFrame.contentWindow);
 askForShadows(store, send, () => sceneFrame.contentWindow);
 store.set({ dark: firstDark(), snap: true });

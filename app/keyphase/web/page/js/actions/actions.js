@@ -6,6 +6,7 @@
 import { segmentAt } from "../model/segments.js";
 import { unsureBoundaries } from "../model/unsure.js";
 import { SPEEDS } from "../model/playback.js";
+import { createPanelActions } from "./panel_actions.js";
 import { createRecordingActions } from "./recording_actions.js";
 import { nearestEvidence, REACH_PX } from "../model/snapping.js";
 import { clampView, zoomView } from "../lib/scale.js";
@@ -17,18 +18,30 @@ const TOLD_BACK_MS = 500;
  * @param {import("../lib/store.js").Store} store
  * @param {(message: import("../model/types.js").Message) => boolean} send
  * @param {ReturnType<typeof import("../model/latency.js").createLatency>} latency
+ * @param {ReturnType<typeof import("../model/own_changes.js").createOwnChanges>} own
  */
-export function createActions(store, send, latency) {
+export function createActions(store, send, latency, own) {
   const { state } = store;
   const doc = () => state.document;
   const middle = ({ start_s: start, end_s: end }) => (start + end) / 2;
 
+  /** Whether nothing may be changed now; where a person could not know, they are told. */
+  function refuses() {
+    if (state.connected === false)
+      store.set({
+        notice: { level: "warning", text: "keyphase is not running: nothing was changed." },
+      });
+    return state.readOnly;
+  }
+
   /** One edit; numbered, so that the page can tell how long it took to see. */
   function edit(change) {
-    if (!doc() || state.readOnly) return;
+    if (!doc() || refuses()) return;
     store.set({ saving: true });
     const timeStamp = window.event?.timeStamp ?? performance.now();
-    send({ type: "edit", edit: change, event: latency.began(timeStamp, "edit") });
+    const event = latency.began(timeStamp, "edit");
+    if (send({ type: "edit", edit: change, event })) own.edited(event, change);
+    else store.set({ saving: false });
   }
 
   function selectedSegment() {
@@ -59,7 +72,7 @@ export function createActions(store, send, latency) {
   const actions = {
     send,
     open: (id) => send({ type: "open", id }),
-    exportAs: (kind) => send({ type: "export", kind }),
+    exportAs: (kind) => doc() && send({ type: "export", kind }),
 
     seek(time) {
       if (!doc()) return;
@@ -243,13 +256,21 @@ export function createActions(store, send, latency) {
     redo: () => !state.readOnly && send({ type: "redo" }),
     resetEdits: () => edit({ kind: "reset" }),
     resetParameters: () => send({ type: "reset" }),
-    setThreshold(value, held, event) {
-      const number = latency.began(event?.timeStamp ?? performance.now(), "line");
-      send({ type: "set", parameter: "force_threshold", value, event: number, held });
+    /**
+     * A parameter as it is being held, or as it was let go; null is the automatic value.
+     * @param {string} name
+     * @param {*} value
+     * @param {boolean} held
+     * @param {Event} [input] what the hand did
+     * @param {import("../model/latency.js").Source} [source]
+     */
+    setParameter(name, value, held, input, source = "slider") {
+      if (!doc() || refuses()) return;
+      const event = latency.began(input?.timeStamp ?? performance.now(), source);
+      if (send({ type: "set", parameter: name, value, event, held }))
+        own.moved(event, name, value, held);
     },
-    automaticThreshold: () =>
-      !state.readOnly &&
-      send({ type: "set", parameter: "force_threshold", value: null, held: false }),
+    automaticThreshold: () => actions.setParameter("force_threshold", null, false),
 
     zoom(factor, anchor = state.clock) {
       if (!doc()) return;
@@ -269,5 +290,9 @@ export function createActions(store, send, latency) {
     bringBack: (index) => edit({ kind: "bring_back", edit: index }),
     forget: (index) => edit({ kind: "forget", edit: index }),
   };
-  return Object.assign(actions, createRecordingActions(store, send, actions));
+  return Object.assign(
+    actions,
+    createRecordingActions(store, send, actions),
+    createPanelActions(store, send),
+  );
 }

@@ -19,7 +19,7 @@ export function createKeys(store, actions, commands, escape) {
       if (escape()) event.preventDefault();
       return;
     }
-    if (isPressable(event)) return;
+    if (isPressable(event) || isSliding(event)) return;
     const key = keyOf(event);
     const { document: doc } = store.state;
     if (/^[1-9]$/.test(key)) {
@@ -40,24 +40,34 @@ export function createKeys(store, actions, commands, escape) {
  * @param {HTMLElement} to
  */
 export function letGoOfButton({ detail, target }, to) {
-  const button = /** @type {HTMLElement} */ (target)?.closest?.("button");
+  const button = /** @type {HTMLElement} */ (target)?.closest?.(
+    "button, summary, input[type=checkbox]",
+  );
   if (detail && button && button === document.activeElement && !button.closest("dialog, form"))
     to.focus({ preventScroll: true });
 }
 
-/** Whether the key belongs to a text field, ours or the panel's; one just closed has it no more. */
+const TEXT_FIELDS =
+  'input:not([type="range"], [type="checkbox"]), textarea, select, [contenteditable]';
+
+/** Whether the key belongs to a field that takes text or a choice; one just closed has it no more. */
 function isTyping({ target }) {
-  const field = /** @type {HTMLElement} */ (target)?.closest?.(
-    "input, textarea, select, [contenteditable]",
-  );
-  if (!field || field.closest("dialog:not([open]), [hidden]")) return false;
-  return field.getAttribute("type") !== "range";
+  const field = /** @type {HTMLElement} */ (target)?.closest?.(TEXT_FIELDS);
+  return Boolean(field && !field.closest("dialog:not([open]), [hidden]"));
+}
+
+const SLIDES = ["Home", "End", "PageUp", "PageDown"];
+
+/** A slider that has the focus moves by these keys. */
+function isSliding({ key, target }) {
+  return SLIDES.includes(key) && target instanceof HTMLInputElement && target.type === "range";
 }
 
 /** Space and Enter press the button that has the focus. */
 function isPressable({ key, target }) {
   const node = /** @type {HTMLElement} */ (target);
   return (
-    (key === " " || key === "Enter") && Boolean(node?.closest?.("button, [role=tab], summary, a"))
+    (key === " " || key === "Enter") &&
+    Boolean(node?.closest?.('button, [role=tab], summary, a, input[type="checkbox"]'))
   );
 }

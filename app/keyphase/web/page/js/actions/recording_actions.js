@@ -1,5 +1,9 @@
 /** What a person can do with whole recordings: finish, compare, share, go from one to the next. */
 
+import { plural } from "../lib/format.js";
+import { nextUndone, recordingBeside } from "../model/recording_list.js";
+import { unsureBoundaries } from "../model/unsure.js";
+
 /**
  * @param {import("../lib/store.js").Store} store
  * @param {(message: import("../model/types.js").Message) => boolean} send
@@ -15,13 +19,12 @@ export function createRecordingActions(store, send, actions) {
     },
     toggleDone: () => own.setDone(doc().state !== "done"),
     doneAndOn() {
+      const undecided = unsureBoundaries(doc()).length;
+      const next = nextUndone(state);
       own.setDone(true);
-      const { items, current } = state.recordings;
-      const at = items.findIndex(({ id }) => id === current);
-      const open = [...items.slice(at + 1), ...items.slice(0, at)].find(
-        (item) => item.state !== "done" && !item.error,
-      );
-      if (open) actions.open(open.id);
+      store.set({ notice: { level: "info", text: farewell(undecided, next) } });
+      if (next) actions.open(next.id);
+      else store.set({ tab: "export" });
     },
     /** "look" what these parameters would change in the other recordings, "apply" it, or "leave" it. */
     spread: (step) => !state.readOnly && send({ type: "spread", step }),
@@ -63,9 +66,7 @@ export function createRecordingActions(store, send, actions) {
     keepLabels: () => send({ type: "keep_labels" }),
 
     nextRecording(direction) {
-      const { items, current } = state.recordings;
-      const at = items.findIndex(({ id }) => id === current);
-      const next = items[at + direction];
+      const next = recordingBeside(state, direction);
       if (next) actions.open(next.id);
     },
     leastCertain() {
@@ -74,6 +75,16 @@ export function createRecordingActions(store, send, actions) {
     },
   };
   return own;
+}
+
+/** What a recording that is called done leaves behind, and where one goes. */
+function farewell(undecided, next) {
+  const left = undecided
+    ? ` with ${plural(undecided, "boundary", "boundaries")} unsure (Ctrl Z)`
+    : "";
+  return next
+    ? `Done${left}. Next: ${next.name}.`
+    : `Done${left}. No recording is left: export them.`;
 }
 
 /** The recording with the lowest confidence that is not done. */

@@ -42,6 +42,6 @@ export function halfWidth([low, high]) {
 }
 
 /** One thing or several: plural(2, "edit") is "2 edits". @param {number} count @param {string} noun */
-export function plural(count, noun) {
-  return `${count} ${noun}${count === 1 ? "" : "s"}`;
+export function plural(count, noun, several = `${noun}s`) {
+  return `${count} ${count === 1 ? noun : several}`;
 }

@@ -2,26 +2,51 @@
 
 /**
  * @param {import("../lib/store.js").Store} store
- * @param {{latency: any, playback: any, notices: any, signals: any, replay: any, upload: () => any}} parts
+ * @param {{latency: any, playback: any, notices: any, signals: any, replay: any, upload: () => any,
+ *   own: ReturnType<typeof import("./own_changes.js").createOwnChanges>}} parts
  * @returns {(message: import("./types.js").Message) => void}
  */
-export function createReceiver(store, { latency, playback, notices, signals, replay, upload }) {
+export function createReceiver(
+  store,
+  { latency, playback, notices, signals, replay, upload, own },
+) {
   const { state } = store;
   let client = "";
 
   const hear = {
     hello(message) {
       client = message.client;
-      store.set({ greeted: true, lookingOnly: message.read_only, readOnly: message.read_only });
+      store.set({
+        greeted: true,
+        lookingOnly: message.read_only,
+        readOnly: message.read_only,
+        defaults: message.defaults ?? {},
+        command: message.command ?? null,
+      });
     },
-    recordings: (message) =>
-      store.set({ recordings: message, ...(message.items.length ? {} : { document: null }) }),
-    workcell: (message) => store.set({ workcell: message.open }),
+    recordings(message) {
+      store.set({ recordings: message });
+      if (!message.items.length) own.closed();
+    },
+    record: (message) => store.set({ record: message, workcell: message.workcell !== null }),
+    replay_settings: (message) => store.set({ replaySettings: message }),
+    robot: (message) => store.set({ robot: message }),
+    following: (message) => store.set({ following: message.page }),
+    push: (message) => store.set({ pushOffered: message.offered }),
+    shown: (message) => store.set({ shown: message.parts }),
+    trials_run(message) {
+      store.set({ trials: message });
+      if (message.over && message.svg)
+        notices.show({
+          level: "info",
+          text: message.outcome,
+          act: { text: "Show", run: () => store.set({ tab: "replay" }) },
+        });
+    },
     document(message) {
       const before = state.document;
       const other = before?.id !== message.id;
       store.set({
-        document: message,
         recording: message.id,
         selected: message.selected,
         saving: false,
@@ -29,6 +54,7 @@ export function createReceiver(store, { latency, playback, notices, signals, rep
         labels: message.labels,
         ...(other ? fresh(message) : {}),
       });
+      own.arrived(message, message.cause?.client === client ? message.cause.event : null);
       if (other) signals.refresh();
       if (!other && message.boundaries.length !== before.boundaries.length)
         store.set({ hovered: null, explained: null, current: null });
@@ -49,12 +75,20 @@ export function createReceiver(store, { latency, playback, notices, signals, rep
     spread: (message) => store.set({ spread: state.lookingOnly ? null : message }),
     replay: (message) => replay.replay(message),
     replay_samples: (message) => replay.samples(message),
-    trials: (message) => replay.trials(message),
+    refused(message) {
+      store.set({ saving: false });
+      own.refused(message.event);
+      notices.show({ level: "warning", text: message.text });
+    },
     notice(message) {
       store.set({ saving: false });
+      if (message.level !== "info") own.refused(null);
       notices.show(message);
     },
-    saved: (message) => notices.show({ level: "info", text: `Written to ${message.path}` }),
+    saved(message) {
+      store.set({ saved: { path: message.path, recording: state.recording } });
+      notices.show({ level: "info", text: `Written to ${message.path}` });
+    },
   };
 
   return (message) => hear[message.type]?.(message);
@@ -73,7 +107,6 @@ function fresh(doc) {
     drag: null,
     range: null,
     ghost: [],
-    heldThreshold: null,
     renaming: null,
     comparison: null,
     spread: null,

@@ -17,14 +17,17 @@
  * @typedef {{revision: number, cause: ?{event: number, client: string}, id: string, name: string,
  *   folder: string, start_s: number, end_s: number, rate_hz: number, channels: string[],
  *   force_channels: number, edits: number, notices: string[], parameters: Object<string, *>,
- *   threshold: number|null, automatic_threshold: number|null, boundaries: Boundary[],
+ *   threshold: number|null, automatic_threshold: number|null,
+ *   motion_threshold?: number|null, automatic_motion_threshold?: number|null, boundaries: Boundary[],
  *   segments: Segment[], peaks: Peak[], gaussians: Object[], plan: PlanEntry[],
  *   proposed_drops: number[], inapplicable: {edit: Object, text: string}[],
  *   selected: number|null, undo: string|null, redo: string|null, saved_at: string|null,
  *   labels: {name: string, color: string}[],
  *   state: "automatic"|"touched"|"done", locked: string|null, changed: boolean}} Doc
  *
- * @typedef {{id: string, name: string, state: "automatic"|"touched"|"done",
+ * @typedef {{id: string, name: string, color: string}} OtherPage  who else is at a recording
+ * @typedef {{id: string, name: string, folder?: string, pages?: OtherPage[],
+ *   state: "automatic"|"touched"|"done",
  *   confidence: number|null, strip: {share: number, color: number|null}[],
  *   error: string|null}} Recording
  *

@@ -12,11 +12,20 @@ const MOST_IN_SMALL = 1;
  */
 export function createBanners(store, actions) {
   const node = byId("banners");
-  store.later(["document", "lookingOnly", "small"], ({ document: doc, lookingOnly, small }) => {
+  store.later(["document", "lookingOnly", "small", "connected", "following"], (state) => {
+    const { document: doc, lookingOnly, small, connected } = state;
     const most = small ? MOST_IN_SMALL : MOST;
-    const lines = doc
-      ? [...state(doc, lookingOnly, actions), ...inapplicable(doc, actions, most)]
-      : [];
+    const gone = doc !== null && connected === false;
+    document.documentElement.toggleAttribute("data-gone", gone);
+    const lines = gone
+      ? [serverGone(state, actions)]
+      : doc
+        ? [
+            ...followed(state, actions),
+            ...toDecide(doc, lookingOnly, actions),
+            ...inapplicable(doc, actions, most),
+          ]
+        : [];
     const before = node.children.length;
     node.replaceChildren(...lines);
     // Lines come and go at the cost of the scene; the timeline keeps its height.
@@ -24,7 +33,30 @@ export function createBanners(store, actions) {
   });
 }
 
-function state(doc, lookingOnly, actions) {
+/** The server has stopped, or cannot be reached; the page comes back by itself. */
+function serverGone({ document: doc, lostAt, command }, actions) {
+  const until = doc.saved_at ?? lostAt?.toTimeString().slice(0, 8);
+  const text = `keyphase stopped. Everything up to ${until} is saved. Waiting for it to come back.`;
+  const lost = line(text, command && button("Copy the command", () => actions.copy(command)));
+  lost.classList.add("gone");
+  lost.setAttribute("role", "alert");
+  return lost;
+}
+
+/** Whose page this one goes with. */
+function followed({ following, recordings }, actions) {
+  if (!following) return [];
+  const pages = recordings.items.flatMap((item) => item.pages ?? []);
+  const name = pages.find(({ id }) => id === following)?.name ?? "another page";
+  return [
+    line(
+      `Following ${name}.`,
+      button("Stop following", () => actions.follow(null)),
+    ),
+  ];
+}
+
+function toDecide(doc, lookingOnly, actions) {
   const lines = [];
   if (lookingOnly) lines.push(line("This link is for looking: nothing can be changed here."));
   else if (doc.locked) lines.push(line(`Read only: ${doc.locked}.`));

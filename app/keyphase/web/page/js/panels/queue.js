@@ -1,52 +1,119 @@
 /** The recordings at the left: what is left to do, and where doubt is greatest. */
 
-import { segmentFill } from "../lib/colors.js";
-import { byId, el, redraw, svg } from "../lib/dom.js";
 import { leastCertainOf } from "../actions/recording_actions.js";
+import { byId, el } from "../lib/dom.js";
+import { byFolder, commonBeginning, LOOK_BELOW, shownRecordings } from "../model/recording_list.js";
+import { drawRow, rowId, stateMark } from "./queue_row.js";
 
-const UNSURE_BELOW = 0.7;
-const MOST_PIECES = 90;
 const STATES = ["done", "touched", "automatic"];
+/** With more recordings than this a filter helps. */
+const FILTER_FROM = 8;
 
 /**
  * @param {import("../lib/store.js").Store} store
  * @param {any} actions
+ * @param {{forRecording: (item: import("../model/types.js").Recording, event: MouseEvent) => void}} menu
  */
-export function createQueue(store, actions) {
+export function createQueue(store, actions, menu) {
   const rows = byId("queue-rows");
   const sort = byId("queue-sort");
+  const filter = /** @type {HTMLInputElement} */ (byId("queue-filter"));
   sort.addEventListener("click", actions.toggleOrder);
   byId("least-certain").addEventListener("click", actions.leastCertain);
   byId("previous-recording").addEventListener("click", () => actions.nextRecording(-1));
   byId("next-recording").addEventListener("click", () => actions.nextRecording(1));
+  filter.addEventListener("input", () => store.set({ filter: filter.value }));
+  attachRowKeys(rows, store, actions);
 
   store.later(
-    ["recordings", "leastCertainFirst", "small"],
-    ({ recordings, leastCertainFirst, small }) => {
-      const { items, current } = recordings;
+    ["recordings", "recording", "leastCertainFirst", "small", "filter"],
+    ({ recordings, leastCertainFirst, small, recording }) => {
+      const { items } = recordings;
       byId("queue-count").textContent = String(items.length);
       byId("queue-progress").replaceChildren(...progress(items));
       byId("queue-states").replaceChildren(...counts(items, small));
       sort.classList.toggle("on", leastCertainFirst);
       sort.setAttribute("aria-pressed", String(leastCertainFirst));
-      const shown = leastCertainFirst
-        ? items.toSorted((a, b) => (a.confidence ?? 2) - (b.confidence ?? 2))
-        : items;
-      redraw(
-        rows,
-        "recording",
-        shown.map((item) => drawRow(item, item.id === current, actions)),
-      );
+      filter.hidden = items.length < FILTER_FROM;
+      const shown = shownRecordings(store.state);
+      rows.replaceChildren(...drawFolders(shown, leastCertainFirst, rowOf));
       rows.querySelector(".on")?.scrollIntoView({ block: "nearest" });
-      const least = leastCertainOf(recordings);
-      byId("least-certain-value").textContent = least ? least.confidence.toFixed(2) : "";
-      byId("least-certain-value").classList.toggle(
-        "low",
-        Boolean(least && least.confidence < UNSURE_BELOW),
-      );
-      /** @type {HTMLButtonElement} */ (byId("least-certain")).disabled = !least;
+      const active = shown.find(({ id }) => id === recording);
+      if (active) rows.setAttribute("aria-activedescendant", rowId(active));
+      else rows.removeAttribute("aria-activedescendant");
+      drawLeastCertain(recordings);
     },
   );
+
+  function rowOf(item, common) {
+    return drawRow(item, {
+      on: item.id === (store.state.recording ?? store.state.recordings.current),
+      common,
+      open: () => actions.open(item.id),
+      menu: (event) => menu.forRecording(item, event),
+    });
+  }
+}
+
+/** Rows with a heading above those of each folder, unless all are of one or doubt gives the order. */
+function drawFolders(shown, leastCertainFirst, rowOf) {
+  const folders = leastCertainFirst ? [{ folder: "", items: shown }] : byFolder(shown);
+  return folders.flatMap(({ folder, items }) => {
+    const common = commonBeginning(items.map(({ name }) => name));
+    const heading = el("div", {
+      class: "queue-folder",
+      role: "presentation",
+      title: folder,
+      text: folder,
+    });
+    return [...(folders.length > 1 ? [heading] : []), ...items.map((item) => rowOf(item, common))];
+  });
+}
+
+/** The list is one stop of the Tab key; arrows go from row to row, Enter opens. */
+function attachRowKeys(rows, store, actions) {
+  const move = (to) => {
+    const shown = shownRecordings(store.state);
+    const at = shown.findIndex(
+      (item) => rowId(item) === rows.getAttribute("aria-activedescendant"),
+    );
+    const next = shown[Math.min(Math.max(to(at, shown.length), 0), shown.length - 1)];
+    if (!next) return;
+    rows.setAttribute("aria-activedescendant", rowId(next));
+    for (const row of rows.querySelectorAll(".active")) row.classList.remove("active");
+    const row = byId(rowId(next));
+    row.classList.add("active");
+    row.scrollIntoView({ block: "nearest" });
+  };
+  const keys = {
+    ArrowDown: () => move((at) => at + 1),
+    ArrowUp: () => move((at) => at - 1),
+    Home: () => move(() => 0),
+    End: () => move((_, count) => count - 1),
+    Enter: () => open(),
+    " ": () => open(),
+  };
+  const open = () => {
+    const id = rows.getAttribute("aria-activedescendant");
+    const item = store.state.recordings.items.find((one) => rowId(one) === id);
+    if (item) actions.open(item.id);
+  };
+  rows.addEventListener("keydown", (event) => {
+    if (!keys[event.key] || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    keys[event.key]();
+  });
+}
+
+function drawLeastCertain(recordings) {
+  const least = leastCertainOf(recordings);
+  const value = byId("least-certain-value");
+  value.textContent = least ? least.confidence.toFixed(2) : "";
+  value.classList.toggle("low", Boolean(least && least.confidence < LOOK_BELOW));
+  const button = /** @type {HTMLButtonElement} */ (byId("least-certain"));
+  button.disabled = !least;
+  button.title = least ? `Open ${least.name}, where doubt is greatest (U)` : "Nothing is unsure";
 }
 
 function progress(items) {
@@ -69,98 +136,4 @@ function counts(items, small) {
       `${count} ${names[state]}`.trim(),
     );
   });
-}
-
-/** Dotted ring automatic, half ring touched, tick done. */
-function stateMark(state) {
-  const mark = svg("svg", {
-    class: "state",
-    width: 14,
-    height: 14,
-    viewBox: "0 0 14 14",
-    role: "img",
-    "aria-label": state,
-  });
-  if (state === "done") {
-    mark.append(
-      svg("circle", { cx: 7, cy: 7, r: 6, style: { fill: "var(--good)" } }),
-      svg("path", {
-        d: "m4.2 7.2 2 2 3.7-4",
-        "stroke-width": 1.5,
-        style: { stroke: "var(--pane)", fill: "none" },
-      }),
-    );
-  } else if (state === "touched") {
-    mark.append(
-      svg("circle", {
-        cx: 7,
-        cy: 7,
-        r: 5.3,
-        "stroke-width": 1.4,
-        style: { stroke: "var(--accent)", fill: "none" },
-      }),
-      svg("path", { d: "M7 3.5a3.5 3.5 0 0 1 0 7z", style: { fill: "var(--accent)" } }),
-    );
-  } else {
-    mark.append(
-      svg("circle", {
-        cx: 7,
-        cy: 7,
-        r: 5.3,
-        "stroke-width": 1.4,
-        "stroke-dasharray": "2.2 1.9",
-        style: { stroke: "var(--text-4)", fill: "none" },
-      }),
-    );
-  }
-  return mark;
-}
-
-/** A strip of many segments in as many pieces as there are pixels to show them. */
-function coarse(strip) {
-  if (strip.length <= MOST_PIECES) return strip;
-  const pieces = [];
-  let share = 0;
-  let longest = strip[0];
-  for (const piece of strip) {
-    share += piece.share;
-    if (piece.share > longest.share) longest = piece;
-    if (share < 1 / MOST_PIECES) continue;
-    pieces.push({ share, color: longest.color });
-    share = 0;
-    longest = { share: 0, color: null };
-  }
-  return pieces;
-}
-
-function drawRow(item, on, actions) {
-  const sure = item.confidence === null ? "" : item.confidence.toFixed(2);
-  const low = item.confidence !== null && item.confidence < UNSURE_BELOW && item.state !== "done";
-  const row = el(
-    "button",
-    {
-      type: "button",
-      class: `queue-row ${on ? "on" : ""}`,
-      role: "option",
-      "aria-selected": String(on),
-      data: { recording: item.id },
-      title: item.error ?? item.name,
-      on: { click: () => actions.open(item.id) },
-    },
-    stateMark(item.state),
-    el("span", { class: "queue-name", text: item.name }),
-    el("span", { class: `queue-confidence ${low ? "low" : ""}`, text: sure }),
-  );
-  row.append(
-    item.error
-      ? el("span", { class: "queue-error", text: "cannot be read" })
-      : el(
-          "span",
-          { class: "queue-strip" },
-          ...coarse(item.strip).map(({ share, color }) =>
-            el("i", { style: { flex: String(share), background: segmentFill({ color }) } }),
-          ),
-        ),
-  );
-  return row;
 }

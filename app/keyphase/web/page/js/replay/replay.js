@@ -7,7 +7,6 @@ import { createReplayPlan } from "./plan.js";
 import { withRows } from "./samples.js";
 import { placeText } from "./schedule.js";
 import { createReplayTimeline } from "./timeline.js";
-import { showTrials } from "./trials.js";
 import { createReplayTransport } from "./transport.js";
 
 const PLACES = ["timeline", "transport", "plan"];
@@ -68,7 +67,6 @@ export function createReplay(store, actions) {
           : { replay: message },
       ),
     samples: (message) => store.set({ samples: withRows(store.state.samples, message) }),
-    trials: showTrials,
   };
 }
 

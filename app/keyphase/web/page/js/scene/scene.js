@@ -1,4 +1,4 @@
-/** viser's client in its frame, what lies over it, and the inputs inside it we have to know of. */
+/** viser's client in its frame, and what lies over it. */
 
 import { sceneFrames } from "./viser_client.js";
 import { createCalmScene } from "./calm_scene.js";
@@ -8,10 +8,10 @@ import { time as timeText } from "../lib/format.js";
 /**
  * @param {import("../lib/store.js").Store} store
  * @param {string} page what this page calls itself
- * @param {{onKey: (event: KeyboardEvent) => void, onSlide: (value: number, at: number) => void}} handlers
+ * @param {{onKey: (event: KeyboardEvent) => void}} handlers
  * @returns {HTMLIFrameElement} viser's frame
  */
-export function createScene(store, page, { onKey, onSlide }) {
+export function createScene(store, page, { onKey }) {
   const calm = createCalmScene(sceneFrames);
   let segments = "";
   store.on(["clock", "selected", "dark", "recording"], calm.changed);
@@ -27,8 +27,6 @@ export function createScene(store, page, { onKey, onSlide }) {
     const inside = frame.contentWindow;
     // Keys pressed while the scene has the focus never reach our page by themselves.
     inside.addEventListener("keydown", onKey);
-    watchSliders(frame.contentDocument, onSlide);
-    watchHolding(inside, store);
     calm.watch(inside);
   });
   frame.src = `/viser/${page}/`;
@@ -110,56 +108,4 @@ function legend(doc) {
     ),
   );
   return parts;
-}
-
-/** A control of the panel is being dragged, as something on the timeline may be. */
-function watchHolding(inside, store) {
-  inside.addEventListener(
-    "pointerdown",
-    ({ target }) => {
-      if (target.tagName !== "CANVAS") store.set({ holding: true });
-    },
-    true,
-  );
-  for (const end of ["pointerup", "pointercancel"])
-    inside.addEventListener(end, () => store.set({ holding: false }), true);
-}
-
-const INPUTS = ["pointerdown", "pointermove", "keydown", "input", "change", "wheel"];
-
-/**
- * Notes every value a slider or number field of the panel shows and the input event behind it,
- * so that latency can be counted from the hand and not from the network.
- * @param {Document} inside
- * @param {(value: number, at: number) => void} onSlide
- */
-function watchSliders(inside, onSlide) {
-  let inputAt = 0;
-  for (const type of INPUTS)
-    inside.addEventListener(type, (event) => (inputAt = event.timeStamp), true);
-  // The frame's clock started at another moment than ours.
-  const shift =
-    (inside.defaultView?.performance.timeOrigin ?? performance.timeOrigin) - performance.timeOrigin;
-  const notice = (mutations) => {
-    for (const { target } of mutations) {
-      const value = shownBy(/** @type {HTMLElement} */ (target));
-      if (Number.isFinite(value) && inputAt) onSlide(value, inputAt + shift);
-    }
-  };
-  new MutationObserver(notice).observe(inside, {
-    subtree: true,
-    attributes: true,
-    attributeFilter: ["aria-valuenow", "style"],
-  });
-}
-
-/** The threshold's slider spans so many decades, from 1 on. */
-const DECADES = 4;
-
-/** What a slider's thumb shows: its value, or for the threshold's the decades. NaN for others. */
-function shownBy(thumb) {
-  if (thumb.hasAttribute("aria-valuenow")) return Number(thumb.getAttribute("aria-valuenow"));
-  if (thumb.classList.contains("multi-slider-thumb"))
-    return (DECADES * parseFloat(thumb.style.left)) / 100;
-  return NaN;
 }

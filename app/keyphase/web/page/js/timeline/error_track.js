@@ -6,6 +6,7 @@
 import { cssColor } from "../lib/colors.js";
 import { el, svg } from "../lib/dom.js";
 import { height as heightText } from "../lib/format.js";
+import { valueInForce } from "../model/parameters.js";
 import { curvesOf, valueAt } from "../model/signals.js";
 import { createCurves, eachSample, extent } from "./curves.js";
 import { eachColumn, isDense } from "./dense_curve.js";
@@ -95,8 +96,8 @@ export function createErrorTrack({ plot, marks, gutter }, store) {
 }
 
 /** The threshold as the person sees it: under the finger while dragging, else what is set. */
-export function thresholdOf({ document: doc, heldThreshold }) {
-  return heldThreshold ?? doc.threshold;
+export function thresholdOf({ document: doc, held }) {
+  return doc.parameters.variant === "paper" ? valueInForce(doc, held, "force_threshold") : null;
 }
 
 function timesRatio({ times, values }, ratio) {

@@ -12,6 +12,9 @@ import { reachOf } from "../model/drag.js";
 import { clampView, createScale } from "../lib/scale.js";
 import { nearestEvidence, REACH_PX } from "../model/snapping.js";
 
+/** So near the automatic threshold, as a share of it, the line is caught. */
+const CATCHES = 0.08;
+
 /**
  * @param {import("../lib/store.js").Store} store
  * @param {any} timeline
@@ -104,22 +107,25 @@ function pan(store, timeline, actions, start) {
 }
 
 function dragThreshold(store, timeline, actions) {
+  const { document: doc } = store.state;
+  const given = doc.parameters.force_threshold;
   const tell = (point, held) => {
     const value = timeline.errorAt(point.y);
     if (!(value > 0)) return;
-    const threshold = Number(value.toPrecision(4));
-    store.set({ heldThreshold: held ? threshold : null });
-    actions.setThreshold(threshold, held, point.event);
+    actions.setParameter("force_threshold", caught(value, doc), held, point.event, "line");
   };
   return {
     cursor: "ns-resize",
     move: (point) => tell(point, true),
-    end: (point, moved) => (moved ? tell(point, false) : store.set({ heldThreshold: null })),
-    cancel() {
-      store.set({ heldThreshold: null });
-      actions.setThreshold(store.state.document.threshold, false, null);
-    },
+    end: (point, moved) => moved && tell(point, false),
+    cancel: () => actions.setParameter("force_threshold", given, false),
   };
+}
+
+/** Near the automatic threshold the line falls back to it. */
+function caught(value, { automatic_threshold: automatic }) {
+  if (automatic && Math.abs(Math.log(value / automatic)) < CATCHES) return null;
+  return Number(value.toPrecision(4));
 }
 
 function dragBoundary(store, timeline, actions, index, start, readOnly) {

@@ -45,7 +45,7 @@ function overviewHit({ document: doc, view, plotWidth }, x) {
 }
 
 function nearThreshold(state, timeline, y, reach) {
-  const at = timeline.thresholdY(state.heldThreshold ?? state.document.threshold);
+  const at = timeline.thresholdY();
   return at !== null && Math.abs(at - y) <= reach;
 }
 

@@ -8,7 +8,7 @@ import { drawBand } from "./band.js";
 import { drawBoundaries, drawGhosts, drawIntervals } from "./boundaries.js";
 import { drawComparison } from "./comparison.js";
 import { withDrag } from "../model/drag.js";
-import { createErrorTrack } from "./error_track.js";
+import { createErrorTrack, thresholdOf } from "./error_track.js";
 import { createGutter } from "./gutter.js";
 import { createHeadGutters } from "./head_gutters.js";
 import { drawOverviewCurve, drawOverviewStrip, drawWindow } from "./overview.js";
@@ -228,7 +228,7 @@ export function createTimeline(pane, store, actions) {
     drawSegments,
   );
   store.on(["view", "layout", "plotWidth", "whole", "fine", "folded"], drawTracks);
-  store.on(["document", "heldThreshold", "logarithmic"], drawError);
+  store.on(["document", "held", "logarithmic"], drawError);
   store.on(["clock", "view", "layout", "plotWidth", "recording"], drawPlayhead);
   store.on(["pointer", "clock", "fine", "whole"], readValues);
   store.on(["dark"], (state) => {
@@ -246,11 +246,12 @@ export function createTimeline(pane, store, actions) {
     layout: () => layout,
     /** Height the timeline wants, all rows shown. */
     naturalHeight: () => layOut(store.state).height,
-    /** The error at a height of the surface, and the threshold line's height there. */
+    /** The error at a height of the surface, and the height of the threshold's line. */
     errorAt: (y) =>
       tracks.get("error")?.errorAt(y - layout.rows.get("error").y + scroller.scrollTop),
-    thresholdY(threshold) {
+    thresholdY() {
       const row = layout.rows.get("error");
+      const threshold = store.state.document ? thresholdOf(store.state) : null;
       if (!row || row.folded || threshold === null) return null;
       return (
         Math.min(Math.max(tracks.get("error")?.y(threshold) ?? NaN, 2), row.height - 2) +

@@ -41,8 +41,9 @@ export function createMenu(store, actions) {
   }
 
   function drawItem(item) {
-    if (item === "rule") return el("hr");
-    if ("heading" in item) return el("h5", { text: item.heading });
+    if (item === "rule") return el("hr", { role: "separator" });
+    if ("heading" in item)
+      return el("div", { class: "menu-heading", role: "presentation", text: item.heading });
     const { text, key, run, off, checked } = item;
     const start = () => {
       close();
@@ -108,6 +109,11 @@ export function createMenu(store, actions) {
     /** @param {import("../../timeline/hit.js").Hit} hit */
     forTimeline(hit, time, { clientX: x, clientY: y }) {
       open(timelineItems(store, actions, hit, time), { x, y });
+    },
+    /** @param {import("../../model/types.js").Recording} item @param {MouseEvent} event */
+    forRecording(item, event) {
+      event.preventDefault();
+      open(recordingItems(store, actions, item), { x: event.clientX, y: event.clientY });
     },
     tracks(event) {
       const box = event.currentTarget.getBoundingClientRect();
@@ -206,6 +212,35 @@ function timelineItems(store, actions, hit, time) {
     },
     "rule",
     ...general,
+  ];
+}
+
+/** @returns {Item[]} */
+function recordingItems(store, actions, item) {
+  const { recording, document: doc, readOnly: off, following } = store.state;
+  const isOpen = item.id === recording && doc;
+  const done = item.state === "done";
+  const others = item.pages ?? [];
+  return [
+    { heading: item.name },
+    { text: "Open", off: isOpen, run: () => actions.open(item.id) },
+    ...(isOpen
+      ? [
+          {
+            text: done ? "Not done after all" : "Done",
+            key: "Shift K",
+            off,
+            run: () => actions.setDone(!done),
+          },
+          { text: "Export the segment file", key: "Ctrl S", run: () => actions.exportAs("json") },
+        ]
+      : []),
+    { text: "Copy its address", run: () => actions.copyAddress(item) },
+    ...others.map(({ id, name }) => ({
+      text: `Follow ${name}`,
+      checked: following === id,
+      run: () => actions.follow(following === id ? null : id),
+    })),
   ];
 }
 

@@ -9,8 +9,9 @@ const MOST = 4;
 export function createNotices(store) {
   const node = byId("notices");
 
-  function show({ level, text }) {
-    const same = [...node.children].find((notice) => notice.textContent === text);
+  /** @param {{level: string, text: string, act?: {text: string, run: () => void}}} notice */
+  function show({ level, text, act }) {
+    const same = [...node.children].find((notice) => notice.firstElementChild.textContent === text);
     same?.remove();
     const notice = el("div", { class: `notice ${level}` }, el("span", { text }));
     const close = el(
@@ -23,6 +24,15 @@ export function createNotices(store) {
       },
       icon("close", "small"),
     );
+    if (act) {
+      const run = () => {
+        notice.remove();
+        act.run();
+      };
+      notice.append(
+        el("button", { type: "button", class: "link", text: act.text, on: { click: run } }),
+      );
+    }
     notice.append(close);
     node.append(notice);
     while (node.children.length > MOST) node.firstChild.remove();

@@ -1,13 +1,14 @@
 /** The picture of trials, over the page until it is closed. */
 
-import { el, icon } from "../lib/dom.js";
+import { el, icon } from "../../lib/dom.js";
 
-/** @param {{title: string, outcome: string, svg: string}} message */
-export function showTrials({ title, outcome, svg: picture }) {
+/**
+ * @param {string} source of the picture
+ * @param {string} told what is seen on it
+ */
+export function showTrialsPicture(source, told) {
   document.querySelector("dialog.trials")?.remove();
   const close = () => dialog.remove();
-  // As the source of an image a picture can run nothing.
-  const source = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(picture)}`;
   const dialog = /** @type {HTMLDialogElement} */ (
     el(
       "dialog",
@@ -29,7 +30,7 @@ export function showTrials({ title, outcome, svg: picture }) {
           icon("close"),
         ),
       ),
-      el("img", { src: source, alt: `${title}: ${outcome}` }),
+      el("img", { src: source, alt: told }),
     )
   );
   document.body.append(dialog);

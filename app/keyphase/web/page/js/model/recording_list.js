@@ -1,0 +1,82 @@
+/**
+ * The list of recordings as a person sees it: filtered, in order, by folder, with names that can
+ * be told apart.
+ *
+ * @typedef {import("./types.js").Recording} Recording
+ */
+
+/** Confidence below which a recording asks for a look. */
+export const LOOK_BELOW = 0.7;
+
+/** So much of a common beginning is worth cutting, and so much of it stays. */
+const WORTH_CUTTING = 8;
+const STAYS = 3;
+
+/**
+ * The recordings in the order in which they are shown.
+ * @param {{recordings: {items: Recording[]}, leastCertainFirst: boolean, filter: string}} state
+ */
+export function shownRecordings({ recordings, leastCertainFirst, filter }) {
+  const wanted = filter.trim().toLowerCase();
+  const fits = ({ name, folder = "" }) => `${folder}/${name}`.toLowerCase().includes(wanted);
+  const items = wanted ? recordings.items.filter(fits) : recordings.items;
+  if (!leastCertainFirst) return items;
+  return items.toSorted((a, b) => (a.confidence ?? 2) - (b.confidence ?? 2));
+}
+
+/**
+ * The recording so many rows below the one that is open (above, for negative), among those shown.
+ * @returns {Recording|undefined}
+ */
+export function recordingBeside(state, direction) {
+  const shown = shownRecordings(state);
+  const at = shown.findIndex(({ id }) => id === state.recording);
+  if (at < 0) return direction > 0 ? shown[0] : shown.at(-1);
+  return shown[at + direction];
+}
+
+/** The next one, in the order shown and then from its start, that nobody has finished. */
+export function nextUndone(state) {
+  const shown = shownRecordings(state);
+  const at = shown.findIndex(({ id }) => id === state.recording);
+  return [...shown.slice(at + 1), ...shown.slice(0, Math.max(at, 0))].find(
+    (item) => item.state !== "done" && !item.error,
+  );
+}
+
+/**
+ * How much of the beginning all names have in common, up to a place where a word begins; 0 where
+ * cutting it would not help.
+ * @param {string[]} names
+ */
+export function commonBeginning(names) {
+  if (names.length < 2) return 0;
+  const first = names[0];
+  let length = names.reduce((shared, name) => {
+    let k = 0;
+    while (k < shared && name[k] === first[k]) k++;
+    return k;
+  }, first.length);
+  while (length > 0 && !/[\s_\-./]/.test(first[length - 1])) length--;
+  return length >= WORTH_CUTTING ? length : 0;
+}
+
+/** A name without the middle of what all share: "ses…_01". @param {string} name @param {number} common */
+export function cutName(name, common) {
+  return common > STAYS + 1 ? `${name.slice(0, STAYS)}…${name.slice(common - 1)}` : name;
+}
+
+/**
+ * The recordings by folder, in the order in which the folders come first.
+ * @param {Recording[]} items
+ * @returns {{folder: string, items: Recording[]}[]}
+ */
+export function byFolder(items) {
+  /** @type {Map<string, Recording[]>} */
+  const folders = new Map();
+  for (const item of items) {
+    const own = folders.get(item.folder ?? "") ?? [];
+    folders.set(item.folder ?? "", [...own, item]);
+  }
+  return [...folders].map(([folder, own]) => ({ folder, items: own }));
+}

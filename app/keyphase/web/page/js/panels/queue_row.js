@@ -1,0 +1,121 @@
+/** One recording of the list: its state, name, doubt, segments, and who else is there. */
+
+import { segmentFill } from "../lib/colors.js";
+import { el, svg } from "../lib/dom.js";
+import { cutName, LOOK_BELOW } from "../model/recording_list.js";
+
+const MOST_PIECES = 90;
+const MOST_PAGES = 3;
+
+/** The id of a recording's row in the page. @param {{id: string}} item */
+export const rowId = ({ id }) => `recording-${id}`;
+
+/**
+ * @param {import("../model/types.js").Recording} item
+ * @param {{on: boolean, common: number, open: () => void, menu: (event: MouseEvent) => void}} given
+ *   `common`: how much of its name all share
+ */
+export function drawRow(item, { on, common, open, menu }) {
+  const { confidence, state, error, name } = item;
+  const low = confidence !== null && confidence < LOOK_BELOW && state !== "done";
+  const sure = confidence === null ? "" : confidence.toFixed(2);
+  const others = item.pages ?? [];
+  return el(
+    "div",
+    {
+      id: rowId(item),
+      class: `queue-row ${on ? "on" : ""}`,
+      role: "option",
+      "aria-selected": String(on),
+      "aria-label": `${name}, ${error ? "cannot be read" : `${state}, confidence ${sure || "unknown"}`}`,
+      data: { recording: item.id },
+      title: error ?? `${name}${sure && `: confidence of its least certain boundary ${sure}`}`,
+      on: { click: open, contextmenu: menu },
+    },
+    stateMark(state),
+    el("span", { class: "queue-name", text: cutName(name, common) }),
+    el("span", { class: "queue-pages" }, ...others.slice(0, MOST_PAGES).map(pageMark)),
+    el("span", { class: `queue-confidence ${low ? "low" : ""}`, text: sure }),
+    error
+      ? el("span", { class: "queue-error", text: "cannot be read" })
+      : el("span", { class: "queue-strip", "aria-hidden": "true" }, ...strip(item)),
+  );
+}
+
+/** Somebody else's page. @param {import("../model/types.js").OtherPage} page */
+function pageMark({ name, color }) {
+  return el("i", {
+    class: "page-mark",
+    title: `${name} is here`,
+    text: name.slice(0, 1),
+    style: { background: color },
+  });
+}
+
+function strip({ strip: pieces }) {
+  return coarse(pieces).map(({ share, color }) =>
+    el("i", { style: { flex: String(share), background: segmentFill({ color }) } }),
+  );
+}
+
+/** Dotted ring automatic, half ring touched, tick done. */
+export function stateMark(state) {
+  const mark = svg("svg", {
+    class: "state",
+    width: 14,
+    height: 14,
+    viewBox: "0 0 14 14",
+    role: "img",
+    "aria-label": state,
+  });
+  if (state === "done") {
+    mark.append(
+      svg("circle", { cx: 7, cy: 7, r: 6, style: { fill: "var(--good)" } }),
+      svg("path", {
+        d: "m4.2 7.2 2 2 3.7-4",
+        "stroke-width": 1.5,
+        style: { stroke: "var(--pane)", fill: "none" },
+      }),
+    );
+  } else if (state === "touched") {
+    mark.append(
+      svg("circle", {
+        cx: 7,
+        cy: 7,
+        r: 5.3,
+        "stroke-width": 1.4,
+        style: { stroke: "var(--accent)", fill: "none" },
+      }),
+      svg("path", { d: "M7 3.5a3.5 3.5 0 0 1 0 7z", style: { fill: "var(--accent)" } }),
+    );
+  } else {
+    mark.append(
+      svg("circle", {
+        cx: 7,
+        cy: 7,
+        r: 5.3,
+        "stroke-width": 1.4,
+        "stroke-dasharray": "2.2 1.9",
+        style: { stroke: "var(--text-4)", fill: "none" },
+      }),
+    );
+  }
+  return mark;
+}
+
+/** A strip of many segments in as many pieces as there are pixels to show them. */
+function coarse(strip) {
+  if (strip.length <= MOST_PIECES) return strip;
+  const pieces = [];
+  let share = 0;
+  let longest = strip[0];
+  for (const piece of strip) {
+    share += piece.share;
+    if (piece.share > longest.share) longest = piece;
+    if (share < 1 / MOST_PIECES) continue;
+    pieces.push({ share, color: longest.color });
+    share = 0;
+    longest = { share: 0, color: null };
+  }
+  return pieces;
+}
