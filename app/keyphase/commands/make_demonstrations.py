@@ -11,7 +11,8 @@ class MakeDemonstrations:
     output: Path
     """Folder to write to: FAMILY/SEED.npz and truth.json."""
     families: tuple[str, ...] = ()
-    """Which kinds of demonstrations; without any, all of them."""
+    """Which kinds of demonstrations; without any, all by formula. Those called simulated-… are made
+    in MuJoCo."""
     count: int = 10
     """How many of each family."""
     seed: int = 0
@@ -21,15 +22,20 @@ class MakeDemonstrations:
         """Make and write."""
         from tqdm import tqdm
 
-        from keyphase.making import FAMILIES, make_folder
+        from keyphase.making import BY_FORMULA, FAMILIES, make_folder
 
         families = self.families or tuple(FAMILIES)
+        makers = dict(BY_FORMULA)
+        if any(family.startswith("simulated") for family in families):
+            from keyphase.simulation.making import SIMULATED, make_simulated
+
+            makers |= dict.fromkeys(SIMULATED, make_simulated)
         with tqdm(unit="demonstration", disable=None) as bar:
 
             def progress(done: int, total: int) -> None:
                 bar.total = total
                 bar.update(done - bar.n)
 
-            truth = make_folder(families, self.count, self.seed, self.output, progress)
+            truth = make_folder(families, self.count, self.seed, self.output, progress, makers)
         print(f"{self.count * len(families)} demonstrations and {truth}")
         return 0

@@ -1,16 +1,23 @@
 """A folder of made demonstrations: recordings by family, and one truth.json for all of them."""
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from keyphase.errors import MakingError
 from keyphase.files.writing import write_whole
 from keyphase.making.families import FAMILIES
+from keyphase.making.made import Made
 from keyphase.making.making import make
 from keyphase.readers import save_npz
 
 TRUTH = "truth.json"
+
+Maker = Callable[[str, int], Made]
+"""From a family and a seed to a demonstration with its truth."""
+
+BY_FORMULA: Mapping[str, Maker] = dict.fromkeys(FAMILIES, make)
+"""The maker of every family of this package."""
 
 
 def make_folder(
@@ -19,22 +26,24 @@ def make_folder(
     seed: int,
     output: Path,
     progress: Callable[[int, int], None] | None = None,
+    makers: Mapping[str, Maker] = BY_FORMULA,
 ) -> Path:
     """Write `count` demonstrations of each family, seeded from `seed` on, and their truth.json.
 
+    `makers` are who makes which family; others than those by formula live with the simulation.
     A recording is FAMILY/SEED.npz below `output`. Returns the path of the truth. Raises MakingError
     for an unknown family, a count below one, or a folder that takes no files.
     """
-    unknown = [family for family in families if family not in FAMILIES]
+    unknown = [family for family in families if family not in makers]
     if unknown or not families:
         came = ", ".join(unknown) or "none"
-        raise MakingError(f"Expected families among {', '.join(FAMILIES)}, but got {came}.")
+        raise MakingError(f"Expected families among {', '.join(makers)}, but got {came}.")
     if count < 1 or seed < 0:
         raise MakingError(f"Expected a count from 1 and a seed from 0, but got {count} and {seed}.")
     truth = {}
     jobs = [(family, seed + k) for family in families for k in range(count)]
     for done, (family, number) in enumerate(jobs, start=1):
-        made = make(family, number)
+        made = makers[family](family, number)
         path = output / family / f"{number}.npz"
         _make_folder(path.parent)
         save_npz(made.demonstration, path)

@@ -1,7 +1,6 @@
 """Making one demonstration: a family's script, a hand, sensors, and the truth of all of it."""
 
 import zlib
-from collections.abc import Iterable
 
 import numpy as np
 from scipy.signal import butter, sosfilt, sosfiltfilt
@@ -15,16 +14,10 @@ from keyphase.making.draws import Array, Rows, chance, log_uniform
 from keyphase.making.families import FAMILIES, Family
 from keyphase.making.hand import Hand
 from keyphase.making.made import TOLERANCE_S, Event, Made
-from keyphase.making.path import MotionEvent
 from keyphase.making.sampling import Sampling
 from keyphase.making.script import Script
 from keyphase.making.sensing import Moving, estimated, wrist_sensor
-
-SERVED_S = 0.4
-"""Motion that begins, ends or turns within this of a contact change has no boundary of its own."""
-
-END_S = 0.25
-"""What happens nearer than this to either end of a recording is not judged."""
+from keyphase.making.truth import with_truth
 
 RAMP_SHARE = 0.3
 """Share of a ramp within which its beginning (or, where contact is lost, its end) may be put."""
@@ -63,8 +56,8 @@ def make(family: str, seed: int) -> Made:
         wrench[wrench_rows, 3:] if wrench is not None and with_torque else None,
     )
     changes = script.contact.changes if has_wrench else []
-    span = (float(stamps[0]), float(stamps[-1]))
-    return _with_truth(family, demonstration, changes, motion, script.reversals_s, span)
+    contacts = [_contact_event(change) for change in changes if change.label is not None]
+    return with_truth(family, demonstration, contacts, motion, script.reversals_s)
 
 
 def _wrench(rng: np.random.Generator, kind: Family, contact: Contact, moving: Moving) -> Array:
@@ -102,34 +95,6 @@ def _quaternions(rotation: Rotation, rows: Rows) -> Array:
     return np.asarray(rotation.as_quat(scalar_first=True))[rows]
 
 
-def _with_truth(
-    family: str,
-    demonstration: Demonstration,
-    changes: Iterable[Change],
-    motion: Iterable[MotionEvent],
-    reversals_s: Iterable[float],
-    span_s: tuple[float, float],
-) -> Made:
-    """Contact changes first; motion beside one is served by its boundary, the rest are events."""
-    contacts = [_contact_event(change) for change in changes if change.label is not None]
-    has_wrench = demonstration.force_N is not None
-    moved: list[Event] = []
-    served: list[tuple[float, float]] = []
-    for each in motion:
-        event = _motion_event(each)
-        beside = any(abs(each.time_s - contact.time_s) <= SERVED_S for contact in contacts)
-        if beside or (has_wrench and each.label == "motion turned"):
-            served.append(_around(event))
-        else:
-            moved.append(event)
-    served += [(time - TOLERANCE_S, time + TOLERANCE_S) for time in reversals_s]
-    start, end = span_s
-    inside = [e for e in [*contacts, *moved] if start + END_S <= e.time_s <= end - END_S]
-    inside.sort(key=lambda event: event.time_s)
-    edges = ((start, start + END_S), (end - END_S, end))
-    return Made(family, demonstration, tuple(inside), edges, tuple(sorted(served)))
-
-
 def _contact_event(change: Change) -> Event:
     more = RAMP_SHARE * change.rise_s
     label = change.label or ""
@@ -137,12 +102,3 @@ def _contact_event(change: Change) -> Event:
         window = (TOLERANCE_S + more, TOLERANCE_S)
         return Event(change.time_s + change.rise_s, label, "contact", window)
     return Event(change.time_s, label, "contact", (TOLERANCE_S, TOLERANCE_S + more))
-
-
-def _motion_event(event: MotionEvent) -> Event:
-    half = TOLERANCE_S + 0.5 * event.standing_s
-    return Event(event.time_s, event.label, "motion", (half, half))
-
-
-def _around(event: Event) -> tuple[float, float]:
-    return event.time_s - event.window_s[0], event.time_s + event.window_s[1]

@@ -32,6 +32,7 @@ class Script:
         self.contact = Contact()
         self.reversals_s: list[float] = []
         self.facing = direction(rng)
+        self.flowing = float(rng.choice([0.0, 0.0, 0.4, 0.9]))
 
     @property
     def now_s(self) -> float:
@@ -49,7 +50,13 @@ class Script:
         way = self.way() if way is None else way
         turn = self.turn() if turn is None else turn
         count = self.path.samples(self.seconds_for(way) if seconds is None else seconds)
-        self.path.move(progress(self.rng, count, hesitation), way, turn, self._aside(way, count))
+        self.path.move(
+            progress(self.rng, count, hesitation),
+            way,
+            turn,
+            self._aside(way, count),
+            self._overlap(),
+        )
 
     def begin(self) -> None:
         """Most begin with a rest."""
@@ -159,7 +166,7 @@ class Script:
         way = way + np.outer(flatness * grown * (np.cos(phase) - 1.0), along)
         self._swing(phase)
         self._remember_reversals(phase, flatness)
-        self.path.follow(way, np.outer(0.1 * np.sin(phase), along))
+        self.path.follow(way, np.outer(0.1 * np.sin(phase), along), self._overlap())
 
     def swing(self, seconds_from: float, strength: float) -> None:
         """The force wavers from then to now, irregularly."""
@@ -192,6 +199,10 @@ class Script:
         if flatness < 0.5:
             turns = np.flatnonzero(np.diff(np.floor(phase / np.pi + 0.5)) > 0)
             self.reversals_s += [float(t) for t in (self.path.count + turns) / self.path.rate_hz]
+
+    def _overlap(self) -> float:
+        """How far the next stroke reaches into the one before it, where nothing rests between."""
+        return self.rng.uniform(0.15, 0.5) if chance(self.rng, self.flowing) else 0.0
 
     def _aside(self, way: Array, count: int) -> Array:
         """Off the straight way, as through via points: a smooth curve (count, 3) [m]."""

@@ -1,0 +1,97 @@
+"""The comparison as one table in Markdown, and as pictures."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from statistics import mean
+from typing import Any
+
+from keyphase.scoring import Tally
+
+Scores = Mapping[str, Mapping[str, Tally]]
+Times = Mapping[str, Mapping[float, float | str]]
+
+
+def table(scores: Scores, times: Times, made: set[str]) -> str:
+    """One line for each set, then macro F1, then processor time by length; one column a method."""
+    methods = list(scores)
+    sets = list(scores[methods[0]])
+    lines = [_row("judged F1", methods), _row("---", ["---"] * len(methods))]
+    for name in sets:
+        values = [scores[method][name] for method in methods]
+        lines.append(
+            _row(
+                name,
+                _best([each.f1 if each.recall is not None else None for each in values])
+                if values[0].recall is not None
+                else [f"{each.false} false" for each in values],
+            )
+        )
+    for title, chosen in (("made", made), ("real", set(sets) - made)):
+        named = [name for name in sets if name in chosen]
+        if named:
+            figures = [macro({n: scores[m][n] for n in named}) for m in methods]
+            lines.append(_row(f"**macro, {title}**", _best(figures)))
+    lengths = sorted({length for each in times.values() for length in each})
+    for length in lengths:
+        cells = [_time(times.get(method, {}).get(length, "–")) for method in methods]
+        lines.append(_row(f"time for {_length(length)}", cells))
+    return "\n".join(lines)
+
+
+def macro(sets: Mapping[str, Tally]) -> float | None:
+    """Mean F1 of the sets with events."""
+    values = [each.f1 for each in sets.values() if each.recall is not None and each.f1 is not None]
+    return mean(values) if values else None
+
+
+def draw(scores: Scores, times: Times, made: set[str], path: Path) -> None:
+    """Accuracy by set and time by length, one colour a method."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure: Any = Figure(figsize=(13.0, 7.5), layout="constrained")
+    FigureCanvasAgg(figure)
+    accuracy, speed = figure.subplots(1, 2, width_ratios=[2.2, 1.0])
+    methods = list(scores)
+    sets = [n for n, tally in scores[methods[0]].items() if tally.recall is not None]
+    for method, colour in zip(methods, _COLOURS, strict=False):
+        values = [scores[method][name].f1 or 0.0 for name in sets]
+        bold = {"s": 70, "zorder": 3} if method == "keyphase" else {"s": 28}
+        accuracy.scatter(values, range(len(sets)), color=colour, label=method, **bold)
+        known = {s: t for s, t in times.get(method, {}).items() if isinstance(t, float)}
+        speed.plot(list(known), list(known.values()), "o-", color=colour, label=method)
+    accuracy.set(yticks=range(len(sets)), xlim=(-0.02, 1.02), xlabel="judged F1")
+    accuracy.set_yticklabels(sets)
+    for label, name in zip(accuracy.get_yticklabels(), sets, strict=True):
+        label.set_color("#1b1f24" if name in made else "#7a4b00")
+    accuracy.invert_yaxis()
+    accuracy.legend(fontsize=8, loc="lower left")
+    scale = "log" if times else "linear"
+    speed.set(xscale=scale, yscale=scale, xlabel="recording [s]", ylabel="processor time [s]")
+    for axes in (accuracy, speed):
+        axes.grid(color="#dfe4ea", lw=0.6)
+        axes.spines[["top", "right"]].set_visible(False)
+        axes.set_axisbelow(True)
+    figure.savefig(path, dpi=100)
+
+
+_COLOURS = ("#d1495b", "#2f6fb3", "#7aa6d6", "#5b8c5a", "#a3c293", "#e0a030", "#8f6fb0", "#7d8894")
+
+
+def _best(values: list[float | None]) -> list[str]:
+    most = max((value for value in values if value is not None), default=None)
+    return ["–" if v is None else f"**{v:.2f}**" if v == most else f"{v:.2f}" for v in values]
+
+
+def _row(first: str, cells: list[str]) -> str:
+    return "| " + " | ".join([first, *cells]) + " |"
+
+
+def _time(value: float | str) -> str:
+    if isinstance(value, str):
+        return value
+    return f"{1e3 * value:.0f} ms" if value < 1.0 else f"{value:.1f} s"
+
+
+def _length(seconds: float) -> str:
+    return f"{seconds / 3600:g} h" if seconds >= 3600 else f"{seconds:g} s"

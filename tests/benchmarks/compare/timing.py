@@ -1,0 +1,85 @@
+"""How long each method takes for 10 s, 100 s and 1 h, each in a process of its own with an end."""
+
+import multiprocessing
+import resource
+import time
+from collections.abc import Callable
+from queue import Empty
+
+import numpy as np
+from methods import METHODS
+
+from keyphase.demonstration import Demonstration
+from keyphase.making import make
+from keyphase.scoring import Truth
+
+LENGTHS_S = (10.0, 100.0, 3600.0)
+RATE_HZ = 250.0
+LIMIT_S = 120.0
+LIMIT_BYTES = 4 << 30
+
+
+def long_demonstration(seconds: float) -> tuple[Demonstration, Truth]:
+    """Made demonstrations of the family mixed, one after the other, at 250 Hz, and their events."""
+    position, force, events, seed, done = [], [], [], 5_000_000, 0.0
+    at = np.zeros(3)
+    while done < seconds:
+        made = make("mixed", seed)
+        each = made.demonstration
+        seed += 1
+        time_s = np.arange(each.start_s, each.end_s, 1.0 / RATE_HZ)
+        moved = _at(time_s, each.time_s, each.position_m)
+        position.append(moved - moved[0] + at)
+        at = position[-1][-1]
+        assert each.force_N is not None
+        force.append(_at(time_s, each.time_s, each.force_N - np.median(each.force_N, axis=0)))
+        events += [done + event.time_s - each.start_s for event in made.events]
+        done += len(time_s) / RATE_HZ
+    count = round(seconds * RATE_HZ)
+    joined = Demonstration(
+        f"mixed_for_{seconds:g}_s",
+        np.arange(count) / RATE_HZ,
+        np.concatenate(position)[:count],
+        force_N=np.concatenate(force)[:count],
+    )
+    return joined, Truth(tuple(t for t in events if t < seconds - 0.5), (), 0.15)
+
+
+def timed(method: str, seconds: float, limit_s: float = LIMIT_S) -> float | str:
+    """Processor seconds, or why there are none."""
+    context = multiprocessing.get_context("fork")
+    answer = context.Queue()
+    worker = context.Process(target=_work, args=(method, seconds, answer))
+    worker.start()
+    try:
+        return answer.get(timeout=2.0 * limit_s + 60.0)
+    except Empty:
+        return f"> {limit_s:.0f} s"
+    finally:
+        worker.kill()
+        worker.join()
+
+
+def _work(name: str, seconds: float, answer) -> None:
+    find = next(method.find for method in METHODS if method.name == name)
+    demonstration, truth = long_demonstration(seconds)
+    small, small_truth = long_demonstration(5.0)
+    find(small, small_truth)
+    resource.setrlimit(resource.RLIMIT_AS, (LIMIT_BYTES, LIMIT_BYTES))
+    soft = int(time.process_time() + LIMIT_S) + 1
+    resource.setrlimit(resource.RLIMIT_CPU, (soft, soft + 5))
+    repeats = 3 if seconds < 1000.0 else 1
+    try:
+        answer.put(min(_once(lambda: find(demonstration, truth)) for _ in range(repeats)))
+    except MemoryError:
+        answer.put(f"> {LIMIT_BYTES >> 30} GB")
+
+
+def _once(run: Callable[[], object]) -> float:
+    start = time.process_time()
+    run()
+    return time.process_time() - start
+
+
+def _at(time_s: np.ndarray, stamps: np.ndarray, values: np.ndarray) -> np.ndarray:
+    return np.stack([np.interp(time_s, stamps, column) for column in values.T], axis=1)
