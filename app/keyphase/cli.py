@@ -13,6 +13,7 @@ from typing import Annotated, Any, Protocol
 import tyro
 
 from keyphase import __version__
+from keyphase.commands.fit import FitWeights
 from keyphase.commands.make_demonstrations import MakeDemonstrations
 from keyphase.commands.open import Open
 from keyphase.commands.record import Record
@@ -28,6 +29,7 @@ COMMANDS = {
     "record": Record,
     "replay": ReplaySegments,
     "make-demonstrations": MakeDemonstrations,
+    "fit": FitWeights,
 }
 """Every command by its name."""
 

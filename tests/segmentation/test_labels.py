@@ -6,11 +6,16 @@ from scipy.spatial.transform import Rotation
 
 import synthetic
 from keyphase.demonstration import Demonstration
-from keyphase.segmentation.labels import Evidence, proposed_label
+from keyphase.segmentation.labels import Evidence, Proposal, proposed_label
 
 TIME = np.arange(501) / 250.0
 PART = synthetic.minimum_jerk(TIME / 2.0)[:, None]
 NOISE = np.random.default_rng(0).normal(size=(501, 3))
+
+
+def said(proposal: Proposal) -> str:
+    """Name and measure, with a bar between them."""
+    return " | ".join(filter(None, (proposal.label, proposal.measure)))
 
 
 def label(travel=(0.0, 0.0, 0.0), turn=(0.0, 0.0, 0.0), force=None, contact=False) -> str:
@@ -23,19 +28,19 @@ def label(travel=(0.0, 0.0, 0.0), turn=(0.0, 0.0, 0.0), force=None, contact=Fals
         rotation.as_quat(scalar_first=True),
         None if force is None else np.asarray(force) + NOISE * 0.05,
     )
-    return proposed_label(Evidence.of(whole), 0.0, 2.0, contact)[0]
+    return said(proposed_label(Evidence.of(whole), 0.0, 2.0, contact))
 
 
 @pytest.mark.parametrize(
     ("travel", "expected"),
     [
-        ((0.171, 0.0, 0.0), "Move forward 171 mm"),
-        ((-0.05, 0.0, 0.001), "Move back 50 mm"),
-        ((0.0, 0.054, 0.0), "Move left 54 mm"),
-        ((0.0, -0.3, 0.02), "Move right 301 mm"),
-        ((0.0, 0.0, -0.042), "Move down 42 mm"),
-        ((0.0, 0.0, 2.04), "Move up 2.04 m"),
-        ((0.1, 0.0, -0.08), "Move forward and down 128 mm"),
+        ((0.171, 0.0, 0.0), "Move forward | 171 mm"),
+        ((-0.05, 0.0, 0.001), "Move back | 50 mm"),
+        ((0.0, 0.054, 0.0), "Move left | 54 mm"),
+        ((0.0, -0.3, 0.02), "Move right | 301 mm"),
+        ((0.0, 0.0, -0.042), "Move down | 42 mm"),
+        ((0.0, 0.0, 2.04), "Move up | 2.04 m"),
+        ((0.1, 0.0, -0.08), "Move forward and down | 128 mm"),
     ],
 )
 def test_a_movement_is_named_by_direction_and_distance(travel, expected):
@@ -45,9 +50,9 @@ def test_a_movement_is_named_by_direction_and_distance(travel, expected):
 @pytest.mark.parametrize(
     ("turn", "expected"),
     [
-        ((0.0, 0.0, np.pi / 2), "Rotate about z 90°"),
-        ((0.0, -np.pi / 4, 0.0), "Rotate about y −45°"),
-        ((np.radians(220), 0.0, 0.0), "Rotate about x 220°"),
+        ((0.0, 0.0, np.pi / 2), "Rotate about z | 90°"),
+        ((0.0, -np.pi / 4, 0.0), "Rotate about y | −45°"),
+        ((np.radians(220), 0.0, 0.0), "Rotate about x | 220°"),
     ],
 )
 def test_a_rotation_is_named_by_axis_and_angle(turn, expected):
@@ -55,13 +60,17 @@ def test_a_rotation_is_named_by_axis_and_angle(turn, expected):
 
 
 def test_a_rotation_on_the_way_of_a_long_movement_is_still_a_movement():
-    assert label((0.4, 0.0, 0.0), (0.0, 0.0, 0.3)) == "Move forward 400 mm"
+    assert label((0.4, 0.0, 0.0), (0.0, 0.0, 0.3)) == "Move forward | 400 mm"
 
 
 def test_a_movement_of_a_few_millimetres_is_told_to_a_tenth():
     path = synthetic.minimum_jerk(TIME / 0.4)[:, None] * np.array([0.0, 0.0, -0.0032])
     short = Demonstration("short", TIME, path + NOISE * 1e-5)
-    assert proposed_label(Evidence.of(short), 0.0, 0.4, False) == ("Move down 3.2 mm", False)
+    assert proposed_label(Evidence.of(short), 0.0, 0.4, False) == (
+        "Move down",
+        "3.2 mm",
+        False,
+    )
 
 
 def test_standing_still_is_idle():
@@ -73,16 +82,16 @@ def touching_from(fraction: float, force) -> np.ndarray:
 
 
 def test_moving_in_contact_is_sliding():
-    assert label((0.0, 0.054, 0.0), force=touching_from(0.1, (0, 0, 5))) == "Slide left 54 mm"
+    assert label((0.0, 0.054, 0.0), force=touching_from(0.1, (0, 0, 5))) == "Slide left | 54 mm"
 
 
 def test_moving_against_the_force_is_pushing():
-    assert label((0.0, 0.1, 0.0), force=touching_from(0.1, (0, -8, 1))) == "Push left 100 mm"
+    assert label((0.0, 0.1, 0.0), force=touching_from(0.1, (0, -8, 1))) == "Push left | 100 mm"
 
 
 def test_building_up_force_in_one_place_is_pushing_and_not_idle():
     pressed = synthetic.minimum_jerk(TIME / 2.0)[:, None] * np.array([0.0, 0.0, 20.0]) + 1.0
-    assert label(force=pressed) == "Push with 20 N"
+    assert label(force=pressed) == "Push | 20 N"
     assert label(force=np.full((501, 3), 4.0)) == "idle"
 
 
@@ -90,7 +99,7 @@ def test_resting_after_an_impact_is_idle():
     dying_down = 3.0 + 9.0 * np.exp(-np.clip(TIME - 0.4, 0.0, None) / 0.1)
     resting = np.where(TIME >= 0.4, dying_down, 0.0)[:, None] * np.array([0.0, 0.0, 1.0])
     whole = Demonstration("resting", TIME, NOISE * 1e-5, force_N=resting + NOISE * 0.05)
-    assert proposed_label(Evidence.of(whole), 0.4, 2.0, False) == ("idle", True)
+    assert proposed_label(Evidence.of(whole), 0.4, 2.0, False) == ("idle", "", True)
 
 
 def contact_label(before, after, **movement) -> str:
@@ -102,25 +111,41 @@ def contact_label(before, after, **movement) -> str:
         synthetic.minimum_jerk(TIME)[:, None] * np.array([0.0, 0.0, -0.1]),
         force_N=force + NOISE * 0.05,
     )
-    return proposed_label(Evidence.of(whole), 0.0, 1.0, True)[0]
+    return proposed_label(Evidence.of(whole), 0.0, 1.0, True).label
 
 
-def test_ending_in_contact_is_said():
-    assert contact_label((0, 0, 0), (0, 0, 6)) == "Move down 100 mm until contact"
-
-
-def test_losing_contact_is_a_release():
-    assert contact_label((0, 0, 6), (0, 0, 0)) == "Push down 100 mm until release"
+@pytest.mark.parametrize(
+    ("before", "after", "expected"),
+    [
+        ((0, 0, 0), (0, 0, 6), "Move down until contact"),
+        ((0, 0, 6), (0, 0, 0), "Push down until contact is lost"),
+        ((0, 0, 12), (0, 0, 5), "Push down until release"),
+        ((0, 0, 6), (0, 6, 6), "Push down until contact changes"),
+    ],
+)
+def test_what_becomes_of_the_contact_is_said(before, after, expected):
+    assert contact_label(before, after) == expected
 
 
 def test_the_weight_of_the_tool_is_no_contact():
-    assert label((0.0, 0.054, 0.0), force=np.tile([0.0, 0.0, 14.0], (501, 1))) == "Move left 54 mm"
+    assert (
+        label((0.0, 0.054, 0.0), force=np.tile([0.0, 0.0, 14.0], (501, 1))) == "Move left | 54 mm"
+    )
 
 
 def test_going_round_in_a_circle_is_neither_idle_nor_straight():
     angle = 2 * np.pi * TIME / 2.0
     circle = 0.1 * np.column_stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)])
     whole = Demonstration("circle", TIME, circle)
-    words, idle = proposed_label(Evidence.of(whole), 0.0, 2.0, False)
-    assert words.startswith("Move around 62")
+    words, measure, idle = proposed_label(Evidence.of(whole), 0.0, 2.0, False)
+    assert words == "Move around"
+    assert measure.startswith("62")
     assert not idle
+
+
+def test_a_movement_inside_a_gap_of_the_data_is_not_idle():
+    before, after = np.arange(0.0, 1.0, 0.01), np.arange(2.5, 3.5, 0.01)
+    place = np.where(np.concatenate([before, after])[:, None] < 2.0, 0.0, 0.198) * [1.0, 0.0, 0.0]
+    whole = Demonstration("gap", np.concatenate([before, after]), place)
+    words, measure, idle = proposed_label(Evidence.of(whole), 0.5, 2.5, False)
+    assert (words, measure, idle) == ("Move forward", "198 mm", False)

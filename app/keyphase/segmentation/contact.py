@@ -1,13 +1,62 @@
 """When the tool touches something, whatever constant the force sensor shows in free space."""
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.bins import bin_means, bin_starts
 from keyphase.segmentation.free_force import free_force, least_contact
 from keyphase.segmentation.paper.force import noise_variance
+from keyphase.segmentation.segmentation import Change
 
 _NOISE_LEVELS = 6.0
+_BEFORE_S = (-0.4, -0.06)
+_AFTER_S = (0.08, 0.5)
+_FALLEN = 0.75
+
+
+@dataclass(frozen=True, eq=False)
+class ContactForce:
+    """The force of a recording above its free level, in bins.
+
+    time_s (n,), force_N (n, 3) and touching (n,): whether it is more than noise and handling
+    """
+
+    time_s: Array
+    force_N: Array
+    touching: np.ndarray
+
+    def change_at(self, time_s: float) -> Change:
+        """What became of the contact at a contact change.
+
+        Made out of free space, lost to it, released where the force falls by a quarter and stays
+        a contact, else changed.
+        """
+        before, touching = self._around(time_s, _BEFORE_S)
+        after, touching_after = self._around(time_s, _AFTER_S)
+        if touching != touching_after:
+            return "made" if touching_after else "lost"
+        if not touching:
+            return "made" if after > before else "lost"
+        return "released" if after < _FALLEN * before else "changed"
+
+    def _around(self, time_s: float, window_s: tuple[float, float]) -> tuple[float, bool]:
+        """Size of the mean force [N] in a window, and whether most of it is contact."""
+        first, last = np.searchsorted(self.time_s, (time_s + window_s[0], time_s + window_s[1]))
+        first = min(int(first), len(self.time_s) - 1)
+        window = slice(first, max(int(last), first + 1))
+        mean = self.force_N[window].mean(axis=0)
+        return float(np.sqrt(mean @ mean)), bool(self.touching[window].mean() > 0.5)
+
+
+def contact_force_of(demonstration: Demonstration) -> ContactForce | None:
+    """The force above the free level; None where none was recorded."""
+    force = contact_force(demonstration)
+    if force is None:
+        return None
+    time = bin_means(demonstration.time_s, bin_starts(demonstration.time_s))
+    return ContactForce(time, force, in_contact(force))
 
 
 def contact_force(demonstration: Demonstration) -> Array | None:

@@ -2,7 +2,14 @@
 
 from dataclasses import dataclass
 
-from keyphase.segmentation.segmentation import Boundary, ErrorCurve, Gaussian, Peak
+from keyphase.segmentation.segmentation import (
+    Boundary,
+    Candidate,
+    ErrorCurve,
+    EvidenceTrack,
+    Gaussian,
+    Peak,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -14,3 +21,7 @@ class Found:
     curve: ErrorCurve | None
     peaks: tuple[Peak, ...]
     threshold: float | None
+    motion_threshold: float | None = None
+    candidates: tuple[Candidate, ...] = ()
+    track: EvidenceTrack | None = None
+    unlike: float = 0.0

@@ -3,23 +3,34 @@
 Axes are the robot base's: x forward, y left, z up.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.segmentation.contact import contact_force, in_contact
+from keyphase.segmentation.contact import ContactForce, contact_force_of
 from keyphase.segmentation.motion import METRES_PER_RADIAN, Motion, motion_of
 from keyphase.segmentation.paper.strokes import idle_speed, mean_velocity
+from keyphase.segmentation.segmentation import Change
 
 IDLE = "idle"
+
+ENDINGS: Mapping[Change, str] = {
+    "": "",
+    "made": " until contact",
+    "lost": " until contact is lost",
+    "changed": " until contact changes",
+    "released": " until release",
+}
+"""How a segment is said to end, by what became of the contact."""
 
 _TOWARDS = (("forward", "back"), ("left", "right"), ("up", "down"))
 _SECOND_AXIS = 0.5
 _IN_PLACE = 0.3
 _AGAINST = 0.6
 _MOSTLY = 0.6
-_RELEASED = 0.5
 _SETTLED_S = 0.2
 _BUILT_UP = 0.35
 _STILL_SHARE = 0.02
@@ -31,43 +42,58 @@ _STILL_TURN_M = METRES_PER_RADIAN * np.radians(3.0)
 class Evidence:
     """What labels are made from, once per demonstration.
 
-    force_N (n, 3) above the free level and touching (n,), in the motion's bins; None without
-    force. idle_m_s is the speed below which this recording is idle, still_m the extent of a
-    place in which it counts as standing still.
+    contact is the force above the free level, in the motion's bins; None without force.
+    idle_m_s is the speed below which this recording is idle, still_m the extent of a place in
+    which it counts as standing still.
     """
 
     motion: Motion
     idle_m_s: float
     still_m: float
-    force_N: Array | None
-    touching: np.ndarray | None
+    contact: ContactForce | None
 
     @classmethod
     def of(cls, demonstration: Demonstration, motion: Motion | None = None) -> "Evidence":
         """Evidence of a demonstration; `motion` where it is already at hand."""
         motion = motion or motion_of(demonstration)
-        force = contact_force(demonstration)
-        touching = None if force is None else in_contact(force)
         extent = _size(np.ptp(motion.position_m, axis=0))
         still = min(max(_STILL_SHARE * extent, _LEAST_STILL_M), _MOST_STILL_M)
-        return cls(motion, idle_speed(motion), still, force, touching)
+        return cls(motion, idle_speed(motion), still, contact_force_of(demonstration))
+
+
+class Proposal(NamedTuple):
+    """What a segment is proposed to be called: a name without numbers, and its measure beside.
+
+    For example "Move down until contact" and "42 mm", "Rotate about z" and "90°", "idle" and "".
+    """
+
+    label: str
+    measure: str
+    idle: bool
 
 
 def proposed_label(
     evidence: Evidence, start_s: float, end_s: float, contact_change: bool
-) -> tuple[str, bool]:
-    """Label of the segment from `start_s` to `end_s`, and whether it is idle.
+) -> Proposal:
+    """Proposal for the segment from `start_s` to `end_s`.
 
-    For example "Move down 42 mm until contact", "Rotate about z 90°", "Slide left 54 mm", "idle".
     `contact_change` says whether one is at its end.
     """
     first, last = _bins(evidence.motion, start_s, end_s)
-    ending = _ending(evidence, last) if contact_change else ""
+    ending = _ending(evidence, end_s) if contact_change else ""
+    # The next bin counts, too: after a gap in the data the tool may be somewhere else.
+    next_bin = min(last, len(evidence.motion.time_s) - 1)
     travel = evidence.motion.pose_m[last - 1] - evidence.motion.pose_m[first]
-    if _is_idle(evidence, first, last, end_s - start_s, travel):
+    beyond = evidence.motion.pose_m[next_bin] - evidence.motion.pose_m[first]
+    if _is_idle(evidence, first, next_bin + 1, end_s - start_s, beyond):
         strength = _built_up_force(evidence, first, last)
-        return (f"Push with {strength:.0f} N{ending}", False) if strength else (IDLE + ending, True)
-    return _movement(evidence, first, last, travel) + ending, False
+        if strength:
+            return Proposal(f"Push{ending}", f"{strength:.0f} N", False)
+        return Proposal(IDLE + ending, "", True)
+    if _size(travel) < 0.5 * _size(beyond):
+        travel = beyond
+    words, measure = _movement(evidence, first, last, travel)
+    return Proposal(words + ending, measure, False)
 
 
 def _bins(motion: Motion, start_s: float, end_s: float) -> tuple[int, int]:
@@ -94,18 +120,17 @@ def _size(vector: Array) -> float:
 
 def _built_up_force(evidence: Evidence, first: int, last: int) -> float:
     """Greatest force [N] of a standing tool in contact, where most of it was built up here."""
-    if evidence.force_N is None or evidence.touching is None:
+    contact = evidence.contact
+    if contact is None or contact.touching[first:last].mean() < _MOSTLY:
         return 0.0
-    if evidence.touching[first:last].mean() < _MOSTLY:
-        return 0.0
-    strength = np.linalg.norm(evidence.force_N[first:last], axis=1)
+    strength = np.linalg.norm(contact.force_N[first:last], axis=1)
     settled = max(1, round(_SETTLED_S / evidence.motion.step_s))
     # The impact of arriving is not built up: count from when it has settled.
     greatest = float(strength[settled:].max(initial=0.0))
     return greatest if greatest - strength[:settled].mean() > _BUILT_UP * greatest else 0.0
 
 
-def _movement(evidence: Evidence, first: int, last: int, travel: Array) -> str:
+def _movement(evidence: Evidence, first: int, last: int, travel: Array) -> tuple[str, str]:
     distance = _size(travel[:3])
     if len(travel) == 6:
         turn = _rotation_between(evidence.motion, first, last - 1)
@@ -115,8 +140,8 @@ def _movement(evidence: Evidence, first: int, last: int, travel: Array) -> str:
     path = float(np.linalg.norm(steps, axis=1).sum())
     manner = _manner(evidence, first, last, travel[:3])
     if distance < _IN_PLACE * path and distance < 0.5 * _reach(evidence.motion, first, last):
-        return f"{manner} around {_length(path)}"
-    return f"{manner} {_direction(travel[:3])} {_length(distance)}"
+        return f"{manner} around", _length(path)
+    return f"{manner} {_direction(travel[:3])}", _length(distance)
 
 
 def _reach(motion: Motion, first: int, last: int) -> float:
@@ -125,28 +150,17 @@ def _reach(motion: Motion, first: int, last: int) -> float:
 
 def _manner(evidence: Evidence, first: int, last: int, travel: Array) -> str:
     """Push where the force stands against the movement, slide in contact, else move."""
-    if evidence.force_N is None or evidence.touching is None:
+    contact = evidence.contact
+    if contact is None or contact.touching[first:last].mean() < _MOSTLY:
         return "Move"
-    if evidence.touching[first:last].mean() < _MOSTLY:
-        return "Move"
-    force = evidence.force_N[first:last].mean(axis=0)
+    force = contact.force_N[first:last].mean(axis=0)
     against = -float(force @ travel)
     strength = _size(force) * _size(travel)
     return "Push" if against > _AGAINST * strength else "Slide"
 
 
-def _ending(evidence: Evidence, end: int) -> str:
-    """Contact made or changed, or lost."""
-    if evidence.force_N is None or evidence.touching is None:
-        return " until contact"
-    reach = max(1, round(_SETTLED_S / evidence.motion.step_s))
-    before = evidence.force_N[max(end - reach, 0) : max(end - 1, 1)]
-    after = evidence.force_N[end + 1 : end + 1 + reach]
-    touching_after = evidence.touching[end + 1 : end + 1 + reach]
-    if not len(after):
-        return " until contact"
-    lost = _size(after.mean(axis=0)) < _RELEASED * _size(before.mean(axis=0))
-    return " until release" if lost and not touching_after[-1] else " until contact"
+def _ending(evidence: Evidence, end_s: float) -> str:
+    return ENDINGS["made" if evidence.contact is None else evidence.contact.change_at(end_s)]
 
 
 def _direction(travel: Array) -> str:
@@ -159,10 +173,10 @@ def _direction(travel: Array) -> str:
     return " and ".join(words)
 
 
-def _rotation(turn_rad: Array) -> str:
+def _rotation(turn_rad: Array) -> tuple[str, str]:
     axis = int(np.argmax(np.abs(turn_rad)))
     angle = np.degrees(np.copysign(np.linalg.norm(turn_rad), turn_rad[axis]))
-    return f"Rotate about {'xyz'[axis]} {angle:.0f}°".replace("-", "−")
+    return f"Rotate about {'xyz'[axis]}", f"{angle:.0f}°".replace("-", "−")
 
 
 def _rotation_between(motion: Motion, first: int, last: int) -> Array:

@@ -7,8 +7,9 @@ from typing import Any, Literal, get_args
 
 from keyphase.errors import ParameterError
 
-Variant = Literal["paper"]
+Variant = Literal["evidence", "paper"]
 Mixture = Literal["keyphase", "scikit-learn"]
+Turns = Literal["none", "clear", "all"]
 Estimator = Literal["equal-distance", "weight-crossing"]
 Engine = Literal["vectorised", "filterpy"]
 
@@ -20,8 +21,8 @@ class Parameters:
     Raises ParameterError for a value out of its range.
     """
 
-    variant: Variant = "paper"
-    """The method: the paper's."""
+    variant: Variant = "evidence"
+    """The method: a probability for every boundary, or the paper's."""
     force_threshold: float | None = None
     """Normalized error a peak must exceed; None: the chi-square level of one false alarm in a
     hundred demonstrations."""
@@ -47,6 +48,12 @@ class Parameters:
     """Of the scikit-learn mixture's random starts."""
     merge_tolerance_s: float = 0.4
     """How far apart a force and a position boundary may be one [s]."""
+    motion_threshold: float | None = None
+    """Probability a boundary of motion must reach; None: automatic. Variant evidence only."""
+    turns: Turns = "clear"
+    """Which turns without a rest count beside a recorded force. Variant evidence only."""
+    least_step_N: float = 0.0
+    """Least step of the force at a contact change [N]. Variant evidence only."""
 
     def __post_init__(self) -> None:
         for name, (low, high) in RANGES.items():
@@ -54,6 +61,7 @@ class Parameters:
         _check_choice("engine", self.engine, get_args(Engine))
         _check_choice("mixture", self.mixture, get_args(Mixture))
         _check_choice("variant", self.variant, get_args(Variant))
+        _check_choice("turns", self.turns, get_args(Turns))
         _check_choice("estimator", self.estimator, get_args(Estimator))
 
 
@@ -67,10 +75,12 @@ RANGES: dict[str, tuple[float, float]] = {
     "gaussians": (1, 200),
     "seed": (0, 2**31 - 1),
     "merge_tolerance_s": (0.0, 60.0),
+    "motion_threshold": (0.0, 1.0),
+    "least_step_N": (0.0, 1e6),
 }
 """Least and greatest value of every number among the parameters."""
 
-_AUTOMATIC = frozenset({"force_threshold", "measurement_noise", "gaussians"})
+_AUTOMATIC = frozenset({"force_threshold", "motion_threshold", "measurement_noise", "gaussians"})
 _WHOLE = frozenset({"gaussians", "seed"})
 
 

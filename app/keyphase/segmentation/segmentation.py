@@ -8,7 +8,11 @@ from keyphase.segmentation.end_condition import EndCondition
 from keyphase.segmentation.parameters import Parameters
 
 Origin = Literal["position", "force", "both", "user"]
-Rejection = Literal["", "below threshold", "below ratio", "does not stay", "too close", "at an end"]
+CandidateKind = Literal["contact", "motion"]
+Change = Literal["", "made", "lost", "changed", "released"]
+Rejection = Literal[
+    "", "below threshold", "below ratio", "does not stay", "too close", "at an end", "small step"
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,6 +50,58 @@ class ErrorCurve:
 
 
 @dataclass(frozen=True)
+class Reason:
+    """One term of a boundary's probability.
+
+    name           what it says, in plain words
+    value          the evidence itself
+    contribution   what it adds to the log-odds: above zero for the boundary, below against it
+    """
+
+    name: str
+    value: float
+    contribution: float
+
+    @property
+    def sentence(self) -> str:
+        """The term in one line of prose."""
+        side = "for" if self.contribution >= 0.0 else "against"
+        return f"{self.name}: {abs(self.contribution):.1f} {side} it"
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A place where a boundary could be, and what became of it.
+
+    probability    of a boundary, beside likelier candidates
+    given          whether it became a boundary, or part of one
+    why_not        "" where it is given, else what would let it in
+    force_step_N   mean force after minus before, base frame; None for motion
+    """
+
+    time_s: float
+    kind: CandidateKind
+    probability: float
+    given: bool
+    why_not: str
+    reasons: tuple[Reason, ...]
+    force_step_N: tuple[float, float, float] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class EvidenceTrack:
+    """How likely a boundary is over time: a bump at each candidate, as high as its probability.
+
+    time_s (M,); contact (M,) of a contact change, None without force; motion (M,) of a boundary
+    of motion
+    """
+
+    time_s: Array
+    contact: Array | None
+    motion: Array
+
+
+@dataclass(frozen=True)
 class Peak:
     """A local maximum of the normalized error and what became of it.
 
@@ -54,6 +110,7 @@ class Peak:
     force_step_N   mean force after minus before, base frame (x, y, z); torque alike or None
     persistence    norm of that step in noise levels, over sqrt(channels)
     rejection      "" when the peak is used, else why not
+    probability    of a contact change; None in variant paper
     """
 
     time_s: float
@@ -64,6 +121,7 @@ class Peak:
     torque_step_Nm: tuple[float, float, float] | None
     persistence: float
     rejection: Rejection
+    probability: float | None = None
 
 
 @dataclass(frozen=True)
@@ -75,6 +133,8 @@ class Boundary:
     contact_change  the force shows that contact was made, lost or changed
     peak            the force peak behind it, where origin is force or both
     position_s      where position alone puts it, where origin is position or both
+    reasons         the terms of its probability, strongest first; none in variant paper
+    change          what became of the contact; "" where it is no contact change
     """
 
     time_s: float
@@ -84,13 +144,17 @@ class Boundary:
     contact_change: bool
     peak: Peak | None = None
     position_s: float | None = None
+    reasons: tuple[Reason, ...] = ()
+    change: Change = ""
 
 
 @dataclass(frozen=True)
 class Segment:
     """The stretch between two boundaries as the program proposes it.
 
-    label   proposed from the segment's own data; idle segments are proposed as dropped
+    label    proposed from the segment's own data, without numbers
+    idle     idle segments are proposed as dropped
+    measure  how far, how much or how strong: "42 mm", "90°", "20 N"; "" where idle
     """
 
     start_s: float
@@ -98,6 +162,7 @@ class Segment:
     label: str
     idle: bool
     end_condition: EndCondition
+    measure: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,7 +170,10 @@ class Segmentation:
     """All boundaries and segments of one demonstration, with what made them.
 
     `curve` and `peaks` are None and empty where no force was recorded. `threshold` is the
-    normalized-error threshold in force (given or automatic), None without force.
+    threshold in force (given or automatic), None without force.
+    `motion_threshold` is the probability that boundaries of motion must reach, `candidates` and
+    `track` what there is to choose from, `unlike` how far the recording is from all that the
+    weights were fitted on; in variant paper they are None, empty and zero.
     Segments tile the demonstration: the first starts at its start, the last ends at its end.
     """
 
@@ -117,3 +185,7 @@ class Segmentation:
     curve: ErrorCurve | None
     peaks: tuple[Peak, ...]
     threshold: float | None
+    motion_threshold: float | None = None
+    candidates: tuple[Candidate, ...] = ()
+    track: EvidenceTrack | None = None
+    unlike: float = 0.0

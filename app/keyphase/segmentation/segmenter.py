@@ -5,12 +5,13 @@ from functools import cached_property
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.end_condition import end_condition_at, ends_in_contact
+from keyphase.segmentation.evidence.finding import EvidenceMethod
 from keyphase.segmentation.free_force import free_force
 from keyphase.segmentation.labels import Evidence, proposed_label
 from keyphase.segmentation.motion import Motion, motion_of
 from keyphase.segmentation.paper.finding import PaperMethod
 from keyphase.segmentation.parameters import Parameters
-from keyphase.segmentation.segmentation import Boundary, Segment, Segmentation
+from keyphase.segmentation.segmentation import Boundary, Change, Segment, Segmentation
 
 _SPANS_KEPT = 200_000
 
@@ -34,7 +35,8 @@ class Segmenter:
     def segment(self, parameters: Parameters | None = None) -> Segmentation:
         """The segmentation under these parameters, or the default ones."""
         parameters = parameters or Parameters()
-        found = self._paper.find(parameters)
+        method = self._paper if parameters.variant == "paper" else self._evidence
+        found = method.find(parameters)
         return Segmentation(
             demonstration=self.demonstration,
             parameters=parameters,
@@ -44,6 +46,10 @@ class Segmenter:
             curve=found.curve,
             peaks=found.peaks,
             threshold=found.threshold,
+            motion_threshold=found.motion_threshold,
+            candidates=found.candidates,
+            track=found.track,
+            unlike=found.unlike,
         )
 
     def segment_between(self, start_s: float, end_s: float, contact_change: bool) -> Segment:
@@ -52,7 +58,15 @@ class Segmenter:
 
     @cached_property
     def _paper(self) -> PaperMethod:
-        return PaperMethod(self.demonstration, lambda: self._motion)
+        return PaperMethod(self.demonstration, lambda: self._motion, self._change_at)
+
+    @cached_property
+    def _evidence(self) -> EvidenceMethod:
+        return EvidenceMethod(self.demonstration, lambda: self._motion, self._change_at)
+
+    def _change_at(self, time_s: float) -> Change:
+        contact = self._segments.evidence.contact
+        return "changed" if contact is None else contact.change_at(time_s)
 
     @cached_property
     def _motion(self) -> Motion:
@@ -86,7 +100,7 @@ class _Segments(dict[tuple[float, float, bool], Segment]):
         return free_force(self._demonstration)
 
     def __missing__(self, span: tuple[float, float, bool]) -> Segment:
-        label, idle = proposed_label(self.evidence, *span)
+        label, measure, idle = proposed_label(self.evidence, *span)
         end = end_condition_at(self._demonstration, *span, self._free_force)
-        self[span] = Segment(span[0], span[1], label, idle, end)
+        self[span] = Segment(span[0], span[1], label, idle, end, measure)
         return self[span]

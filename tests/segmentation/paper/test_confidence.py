@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from keyphase.demonstration import Demonstration
-from keyphase.segmentation import segment
+from keyphase.segmentation import Parameters, segment
 from keyphase.segmentation.motion import motion_of
 from keyphase.segmentation.paper.confidence import (
     force_confidence,
@@ -80,5 +80,5 @@ def test_clear_contacts_are_surer_than_faint_ones():
     force = np.random.default_rng(0).normal(size=(1001, 3)) * 0.1
     force[:, 2] += np.where(TIME >= 1.5, 0.5, 0.0) + np.where(TIME >= 2.5, 8.0, 0.0)
     still = Demonstration("contacts", TIME, np.zeros_like(force), force_N=force)
-    faint, clear = segment(still).boundaries
+    faint, clear = segment(still, Parameters(variant="paper")).boundaries
     assert faint.confidence < 0.8 < 0.95 < clear.confidence

@@ -1,6 +1,7 @@
 """The paper's method whole: a Gaussian mixture, peaks of the normalized error, and both joined."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from keyphase.segmentation.paper.confidence import joint_confidence
 from keyphase.segmentation.paper.stages import ForceStage, PositionStage
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.recent import Recent
-from keyphase.segmentation.segmentation import Boundary
+from keyphase.segmentation.segmentation import Boundary, Change
 
 _RESULTS_KEPT = 4
 
@@ -25,9 +26,15 @@ class PaperMethod:
     engine; thresholds, distance, persistence and tolerance only select among what is there.
     """
 
-    def __init__(self, demonstration: Demonstration, motion: Callable[[], Motion]) -> None:
+    def __init__(
+        self,
+        demonstration: Demonstration,
+        motion: Callable[[], Motion],
+        change_at: Callable[[float], Change],
+    ) -> None:
         self._demonstration = demonstration
         self._motion = motion
+        self._change_at = change_at
         self._positions: Recent[PositionStage] = Recent(_RESULTS_KEPT)
         self._forces: Recent[ForceStage | None] = Recent(_RESULTS_KEPT)
         self._boundaries: Recent[_Boundaries] = Recent(_RESULTS_KEPT)
@@ -68,7 +75,10 @@ class PaperMethod:
     ) -> tuple[Boundary, ...]:
         key = (PositionStage.key(parameters), ForceStage.key(parameters))
         known = self._boundaries.get(
-            key, lambda: _Boundaries(self._position(parameters), self._force(parameters))
+            key,
+            lambda: _Boundaries(
+                self._position(parameters), self._force(parameters), self._change_at
+            ),
         )
         candidates = np.append(used, NONE)[found.force]
         pairs = zip(found.position.tolist(), candidates.tolist(), strict=True)
@@ -78,13 +88,22 @@ class PaperMethod:
 class _Boundaries(dict[tuple[int, int], Boundary]):
     """Boundaries by position point and force candidate, made when first asked for."""
 
-    def __init__(self, position: PositionStage, force: ForceStage | None) -> None:
+    def __init__(
+        self,
+        position: PositionStage,
+        force: ForceStage | None,
+        change_at: Callable[[float], Change],
+    ) -> None:
         super().__init__()
         self._position = position
         self._force = force
+        self._change_at = change_at
 
     def __missing__(self, pair: tuple[int, int]) -> Boundary:
-        self[pair] = _boundary(self._position, self._force, *pair)
+        boundary = _boundary(self._position, self._force, *pair)
+        if boundary.contact_change:
+            boundary = replace(boundary, change=self._change_at(boundary.time_s))
+        self[pair] = boundary
         return self[pair]
 
 

@@ -1,4 +1,4 @@
-"""Claims about the world: recordings this project did not make."""
+"""The paper's method on recordings this project did not make."""
 
 import json
 from pathlib import Path
@@ -8,14 +8,15 @@ import pytest
 
 from keyphase.demonstration import Demonstration
 from keyphase.scoring import read_truth, tally
-from keyphase.segmentation import Segmentation, segment
+from keyphase.segmentation import Parameters, Segmentation, segment
 
 CHANNELS = ("time_s", "position_m", "orientation_wxyz", "force_N", "torque_Nm")
 
 
 def segmented(real_data: Path, name: str) -> Segmentation:
     with np.load(real_data / f"{name}.npz") as file:
-        return segment(Demonstration(name, **{key: file[key] for key in CHANNELS if key in file}))
+        recording = Demonstration(name, **{key: file[key] for key in CHANNELS if key in file})
+    return segment(recording, Parameters(variant="paper"))
 
 
 def events(real_data: Path, name: str) -> list[float]:

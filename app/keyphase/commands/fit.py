@@ -1,0 +1,68 @@
+"""`keyphase fit`: the weights of the evidence, fitted anew from made demonstrations."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from keyphase.making import Made
+    from keyphase.segmentation.evidence.fitting.taught import Taught
+
+
+@dataclass(frozen=True)
+class FitWeights:
+    """Fit the weights of the evidence on made demonstrations, and write them with provenance.
+
+    The same count and seed give the same bytes. What keyphase ships was written by
+    `keyphase fit --count 40 --seed 0`.
+    """
+
+    output: Path
+    """File to write, JSON."""
+    count: int = 40
+    """How many demonstrations of each family."""
+    seed: int = 0
+    """Seed of the first of each family; the others follow."""
+
+    def run(self) -> int:
+        """Make, look, fit and write."""
+        import json
+
+        from tqdm import tqdm
+
+        from keyphase.errors import MakingError
+        from keyphase.files.writing import write_whole
+        from keyphase.making import FAMILIES, make
+        from keyphase.segmentation.evidence.fitting.fit import fit
+        from keyphase.segmentation.evidence.weights import weights_as_json
+
+        jobs = [(family, self.seed + k) for family in FAMILIES for k in range(self.count)]
+        bar = tqdm(jobs, unit="demonstration", disable=None)
+        weights = fit([_taught(make(family, seed)) for family, seed in bar], bar.write)
+        provenance = {
+            "command": f"keyphase fit --count {self.count} --seed {self.seed}",
+            "recordings": len(jobs),
+            "families": list(FAMILIES),
+        }
+        text = json.dumps(weights_as_json(weights, provenance), indent=1)
+        write_whole(self.output, f"{text}\n".encode(), MakingError)
+        print(f"{len(jobs)} demonstrations and {self.output}")
+        return 0
+
+
+def _taught(made: "Made") -> "Taught":
+    import numpy as np
+
+    from keyphase.segmentation.evidence.fitting.taught import Truth, taught
+
+    def pairs(values: object) -> np.ndarray:
+        return np.array(values, dtype=float).reshape(-1, 2)
+
+    truth = Truth(
+        time_s=np.array([event.time_s for event in made.events], dtype=float),
+        window_s=pairs([event.window_s for event in made.events]),
+        contact=np.array([event.kind == "contact" for event in made.events], dtype=bool),
+        ignore=pairs(made.ignore_s),
+        ignore_motion=pairs(made.ignore_motion_s),
+    )
+    return taught(made.family, made.demonstration, truth)

@@ -1,0 +1,243 @@
+"""What there is to see at each place where contact may have changed.
+
+Every term is a logarithm of a dimensionless ratio wherever that makes sense, so that sums of them
+are odds. CONTACT_TERMS names them in plain words.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.segmentation.bins import Indices
+from keyphase.segmentation.evidence.force_curve import FINE, ForceCurves, force_curves, peaks
+from keyphase.segmentation.evidence.grid import LEAST_CELLS, Grid
+from keyphase.segmentation.evidence.placing import placed
+from keyphase.segmentation.evidence.speed import Speed
+from keyphase.segmentation.evidence.state_view import StateView, state_view
+from keyphase.segmentation.evidence.windows import Sides, Windows
+
+CONTACT_TERMS: Mapping[str, str] = {
+    "over_quiet_side": "step over the unrest on its quieter side",
+    "over_busy_side": "step over the unrest on its busier side",
+    "slow_over_quiet": "slow change over the unrest beside it",
+    "stays": "the force stays changed for 0.2 s",
+    "stays_long": "the force stays changed for 0.5 s",
+    "stays_slow": "the force has changed a second later",
+    "echo": "ringing of an earlier impact",
+    "newton": "size of the step",
+    "sharpness": "sharpness of the step",
+    "dominance": "strongest step within a second",
+    "vibration": "vibration begins or ends",
+    "stopping": "the tool slows down or sets off",
+    "near_rest": "the tool moves on both sides",
+    "standing": "the tool stands on both sides",
+    "over_core": "change over what the force does when nothing is touched",
+    "over_wander": "change over what the force does all the time",
+    "crossing": "contact as a state changes here",
+    "state": "free before, in contact after, or the other way",
+    "lasts": "both states last",
+    "separation": "contact stands clear of free space",
+    "contact_newton": "force while in contact",
+}
+"""Each term of a contact change and what it says."""
+
+ENDS_S = 0.2
+"""No candidate lies this near to an end."""
+
+_NEW_CROSSING_S = 0.15
+_STEP_GAP_S, _STEP_LENGTH_S = 0.08, 0.2
+_ECHO_S = (0.1, 1.5)
+_ECHO_FADES_S = 0.7
+_BESIDE_S = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class ContactCandidates:
+    """Where contact may have changed, C places in time order.
+
+    cell (C,)       where the change is put
+    interval (C, 2) first and last cell of the rise or fall
+    terms (C, T)    one column per CONTACT_TERMS
+    step (C, 3)     mean force after minus before, in sizes of the wrench
+    """
+
+    cell: Indices
+    interval: Indices
+    terms: Array
+    step: Array
+
+
+def contact_candidates(grid: Grid, speed: Speed) -> ContactCandidates:
+    """Every candidate of a grid with its evidence; none without force."""
+    if grid.wrench is None or len(grid) < LEAST_CELLS:
+        return _none()
+    curves, view = force_curves(grid), state_view(grid)
+    at = _cells(grid, curves, view)
+    if not len(at):
+        return _none()
+    look = _Look(grid, speed, curves, view, at)
+    terms = {**_steps(look), **_persistence(look), **_around(look), **_states(look)}
+    cell, interval = placed(grid, curves, view, at, look.tops)
+    table = np.column_stack([terms[name] for name in CONTACT_TERMS])
+    gap, length = round(_STEP_GAP_S * grid.rate_hz), grid.cells(_STEP_LENGTH_S)
+    step = Sides(look.windows, cell, gap, length).jump[:, :3]
+    return ContactCandidates(cell, interval, table, step)
+
+
+def _none() -> ContactCandidates:
+    cells, pairs = np.zeros(0, dtype=np.intp), np.zeros((0, 2), dtype=np.intp)
+    return ContactCandidates(cells, pairs, np.zeros((0, len(CONTACT_TERMS))), np.zeros((0, 3)))
+
+
+def _cells(grid: Grid, curves: ForceCurves, view: StateView) -> Indices:
+    """Peaks of the curves, and changes of state that no peak is near."""
+    found = peaks(curves, grid.rate_hz)
+    crossings = view.crossings
+    if len(found) and len(crossings):
+        after = np.searchsorted(found, crossings)
+        nearest = np.minimum(
+            np.abs(crossings - found[np.maximum(after - 1, 0)]),
+            np.abs(crossings - found[np.minimum(after, len(found) - 1)]),
+        )
+        crossings = crossings[nearest > _NEW_CROSSING_S * grid.rate_hz]
+    cells = np.union1d(found, crossings).astype(np.intp)
+    margin = ENDS_S * grid.rate_hz
+    return cells[(cells > margin) & (cells < len(grid) - 1 - margin)]
+
+
+class _Look:
+    """Everything the terms of one recording are computed from."""
+
+    def __init__(
+        self, grid: Grid, speed: Speed, curves: ForceCurves, view: StateView, at: Indices
+    ) -> None:
+        assert grid.wrench is not None
+        self.grid, self.speed, self.curves, self.view, self.at = grid, speed, curves, view, at
+        self.windows = Windows(grid.wrench)
+        self.tops = curves.tops(at, grid.rate_hz)
+        quiet = curves.quiet[:FINE, at]
+        clear = np.log(self.tops[:FINE]) + np.minimum(np.log(self.tops[:FINE] / quiet), 3.0)
+        self.best = clear.argmax(axis=0), np.arange(len(at))
+        self.top = self.tops[:FINE][self.best]
+
+    def sides(self, gap_s: float, length_s: float) -> Sides:
+        cells = self.grid.rate_hz
+        return Sides(self.windows, self.at, round(gap_s * cells), max(1, round(length_s * cells)))
+
+
+def _steps(look: _Look) -> dict[str, Array]:
+    """How large the step is, and beside what."""
+    curves, at, top = look.curves, look.at, look.top
+    quiet, busy = curves.quiet[:FINE, at][look.best], curves.busy[:FINE, at][look.best]
+    slow, fast = look.tops[3], look.tops[1]
+    return {
+        "over_quiet_side": np.log(top / quiet).clip(-1.0, 4.0),
+        "over_busy_side": np.log(top / busy).clip(-2.0, 3.0),
+        "slow_over_quiet": np.log(slow / curves.quiet[3, at]).clip(-1.0, 4.0),
+        "newton": np.log((top * look.grid.size_N).clip(0.05, 20.0)),
+        "sharpness": np.log(fast / slow),
+    }
+
+
+def _persistence(look: _Look) -> dict[str, Array]:
+    """Whether the force stays changed, beside its scatter on both sides."""
+    spread = 2.0 * look.view.core_spread
+    jump = look.sides(0.15, 0.6).jump_size + 1e-3
+    return {
+        "stays": _stays(look.sides(0.06, 0.2)),
+        "stays_long": _stays(look.sides(0.06, 0.5)),
+        "stays_slow": _stays(look.sides(0.32, 0.64)),
+        "over_core": np.log(jump / (spread + 0.01)).clip(-3.0, 4.0),
+        "over_wander": np.log(jump / (_wander(look) + 0.01)).clip(-3.0, 4.0),
+    }
+
+
+def _stays(sides: Sides) -> Array:
+    scatter = sides.scatter_before + sides.scatter_after + 0.02
+    return np.log((sides.jump_size + 1e-3) / scatter)
+
+
+def _wander(look: _Look) -> float:
+    """The ordinary change of the force over the same time: the median over the recording."""
+    grid = look.grid
+    cells = np.arange(0, len(grid), max(1, round(0.1 * grid.rate_hz)))
+    ordinary = Sides(look.windows, cells, round(0.15 * grid.rate_hz), grid.cells(0.6))
+    return float(np.median(ordinary.jump_size))
+
+
+def _around(look: _Look) -> dict[str, Array]:
+    """What else happens there: stronger steps, ringing, vibration, the tool's own motion."""
+    from scipy.ndimage import maximum_filter1d
+
+    grid, at = look.grid, look.at
+    fine = np.maximum(look.curves.step[1], look.curves.step[2])
+    strongest = maximum_filter1d(fine, 2 * grid.cells(_BESIDE_S) + 1)[at] + 1e-3
+    before, after = look.speed.beside(at)
+    fast = look.speed.fast_m_s
+    slower, faster = np.minimum(before, after), np.maximum(before, after)
+    moves = fast > 0.0
+    return {
+        "dominance": np.log(np.maximum(look.tops[1], look.tops[2]) / strongest),
+        "echo": _echo(look),
+        "vibration": _vibration(look),
+        "stopping": np.abs(np.log((before + 0.05 * fast) / (after + 0.05 * fast)))
+        if moves
+        else np.zeros(len(at)),
+        "near_rest": np.log((slower + 0.02 * fast) / fast) if moves else np.zeros(len(at)),
+        "standing": np.maximum(0.0, -np.log((faster + 1e-3) / 1e-2)),
+    }
+
+
+def _echo(look: _Look) -> Array:
+    """The faded echo of an earlier, stronger step over the own one."""
+    grid, at, row = look.grid, look.at, look.curves.step[0]
+    lags = np.arange(round(_ECHO_S[0] * grid.rate_hz) + 1, round(_ECHO_S[1] * grid.rate_hz) + 1)
+    faded = np.exp(-lags / grid.rate_hz / _ECHO_FADES_S)
+    strongest = np.zeros(len(at))
+    for lag, part in zip(lags.tolist(), faded.tolist(), strict=True):
+        np.maximum(strongest, np.where(at >= lag, row[at - lag], 0.0) * part, out=strongest)
+    return np.log((strongest + 0.01) / (np.maximum(look.tops.max(axis=0), row[at]) + 0.01))
+
+
+def _vibration(look: _Look) -> Array:
+    vibration = look.grid.vibration
+    if vibration is None:
+        return np.zeros(len(look.at))
+    sides = Sides(Windows(vibration), look.at, 0, look.grid.cells(0.3))
+    floor = 1e-3 * float(vibration.mean()) + 1e-12
+    before, after = sides.mean_before[:, 0] + floor, sides.mean_after[:, 0] + floor
+    return np.abs(np.log(np.maximum(before, 0.0) / after)).clip(0.0, 6.0)
+
+
+def _states(look: _Look) -> dict[str, Array]:
+    """What the view of contact as a state says."""
+    grid, view, at = look.grid, look.view, look.at
+    crossing = lasts = np.zeros(len(at))
+    if len(view.crossings):
+        nearest = np.abs(_nearest(view.crossings, at)) / grid.rate_hz
+        crossing = np.exp(-((nearest / 0.3) ** 2))
+        edges = np.concatenate([[0], view.crossings, [len(grid)]])
+        shorter = np.minimum(np.diff(edges)[:-1], np.diff(edges)[1:]) / grid.rate_hz
+        lasts = np.log(shorter.clip(0.1, 3.0) / 0.1)[_nearest_index(view.crossings, at)] * crossing
+    odds = Sides(Windows(view.odds), at, grid.cells(0.1), grid.cells(0.8))
+    contact_N = np.clip(view.contact_distance * grid.size_N, 0.05, 20.0)
+    return {
+        "crossing": crossing,
+        "state": np.abs(odds.jump[:, 0]) / 4.0,
+        "lasts": lasts,
+        "separation": np.full(len(at), np.log(view.separation).clip(-1.0, 4.0)),
+        "contact_newton": np.full(len(at), np.log(contact_N)),
+    }
+
+
+def _nearest_index(places: Indices, at: Indices) -> Indices:
+    after = np.searchsorted(places, at).clip(1, max(len(places) - 1, 1))
+    after = np.minimum(after, len(places) - 1)
+    before = np.maximum(after - 1, 0)
+    return np.where(np.abs(places[before] - at) <= np.abs(places[after] - at), before, after)
+
+
+def _nearest(places: Indices, at: Indices) -> Indices:
+    return places[_nearest_index(places, at)] - at

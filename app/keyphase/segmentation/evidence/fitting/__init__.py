@@ -1,0 +1,1 @@
+"""Fits the weights from demonstrations whose truth is known."""

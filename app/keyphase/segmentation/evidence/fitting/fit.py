@@ -1,0 +1,230 @@
+"""The fit of all weights: two lines for contact, one for motion, calibrated on families left out.
+
+The line of steps is fitted first, without the slow events, and held; then the line of states
+beside it. Every family counts the same, and every recording no more than its share of it.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.segmentation.evidence.choice import LEAST_ODDS, spaced_scores
+from keyphase.segmentation.evidence.fitting.logistic import fitted_calibration, fitted_line
+from keyphase.segmentation.evidence.fitting.taught import Side, Taught, labels, right
+from keyphase.segmentation.evidence.probability import (
+    CONTACT_COLUMNS,
+    MOTION_COLUMNS,
+    contact_odds,
+    motion_odds,
+    sigmoid,
+    signature,
+)
+from keyphase.segmentation.evidence.weights import Calibration, Kinds, Line, Weights
+
+STEP_SIGNS: Mapping[str, int] = {
+    "over_quiet_side": 1,
+    "over_busy_side": 1,
+    "slow_over_quiet": 1,
+    "stays": 1,
+    "stays_long": 1,
+    "stays_slow": 1,
+    "echo": -1,
+    "newton": 1,
+    "sharpness": 1,
+    "dominance": 1,
+    "vibration": 1,
+    "stopping": 1,
+    "near_rest": -1,
+    "standing": -1,
+    "over_core": 1,
+    "over_wander": 1,
+}
+STATE_SIGNS: Mapping[str, int] = {
+    "crossing": 1,
+    "state": 1,
+    "over_core": 1,
+    "separation": 1,
+    "contact_newton": 1,
+    "lasts": 1,
+}
+MOTION_SIGNS: Mapping[str, int] = {
+    "depth": 1,
+    "dwell": 1,
+    "crowded": -1,
+    "turn": 1,
+    "stroke_length": 1,
+    "stroke_speed": 1,
+    "small_stroke": 1,
+    "stands": 1,
+}
+KIND_TERMS = (
+    "stays_long",
+    "over_busy_side",
+    "echo",
+    "newton",
+    "sharpness",
+    "stays_slow",
+    "over_core",
+    "separation",
+    "near_rest",
+    "vibration",
+    "over_wander",
+)
+
+FAMILY_SHARE = 60.0
+"""What the candidates of one family weigh together, beside the regularisation."""
+
+ROUNDS = 3
+MIN_DISTANCE_S = 0.3
+_UNCALIBRATED = Calibration(1.0, 0.0, 0.5)
+_NO_KINDS = Kinds((), (), np.zeros((1, 0)), np.zeros(0), 1.0)
+
+
+def fit(recordings: Sequence[Taught], say: Callable[[str], None] = lambda _: None) -> Weights:
+    """All weights from recordings of several families."""
+    weights = fitted_lines(recordings)
+    say("lines fitted")
+    outside = scores_left_out(recordings, say)
+    contact = _calibration([(t.family, t.contact, s) for t, (s, _) in outside])
+    motion = _calibration([(t.family, t.motion, s) for t, (_, s) in outside])
+    return replace(
+        weights,
+        contact_calibration=contact,
+        motion_calibration=motion,
+        kinds=_kinds(recordings, weights),
+    )
+
+
+def fitted_lines(recordings: Sequence[Taught]) -> Weights:
+    """The lines, not calibrated: labels from the likeliest candidates, in rounds."""
+    touches, moves = [t.contact for t in recordings], [t.motion for t in recordings]
+    families = [t.family for t in recordings]
+    touch_odds = [_first_contact_odds(side.terms) for side in touches]
+    move_odds = [side.terms[:, MOTION_COLUMNS["depth"]] - 1.0 for side in moves]
+    weights = None
+    for _ in range(ROUNDS):
+        table = _Table(families, touches, touch_odds)
+        step = table.line(CONTACT_COLUMNS, STEP_SIGNS, slow=False)
+        beside = step.log_odds(table.terms, CONTACT_COLUMNS)
+        state = table.line(CONTACT_COLUMNS, STATE_SIGNS, slow=True, beside=beside)
+        moving = _Table(families, moves, move_odds)
+        motion = moving.line(MOTION_COLUMNS, MOTION_SIGNS, slow=True)
+        weights = Weights(step, state, motion, _UNCALIBRATED, _UNCALIBRATED, _NO_KINDS)
+        touch_odds = [contact_odds(side.terms, weights) for side in touches]
+        move_odds = [motion_odds(side.terms, weights) for side in moves]
+    assert weights is not None
+    return weights
+
+
+def _first_contact_odds(terms: Array) -> Array:
+    over, newton = CONTACT_COLUMNS["over_quiet_side"], CONTACT_COLUMNS["newton"]
+    return terms[:, over] + 0.5 * terms[:, newton] - 1.0
+
+
+class _Table:
+    """All candidates of one kind whose labels are known, in one table."""
+
+    def __init__(
+        self, families: Sequence[str], sides: Sequence[Side], odds: Sequence[Array]
+    ) -> None:
+        found = [labels(side, z) for side, z in zip(sides, odds, strict=True)]
+        self.terms = np.vstack([side.terms for side in sides])
+        self.labels = np.concatenate(found)
+        family = np.repeat(families, [len(each) for each in found])
+        self.share = np.zeros(len(self.labels))
+        for name in sorted(set(families)):
+            known = (family == name) & (self.labels >= 0)
+            self.share[known] = min(1.0, FAMILY_SHARE / max(known.sum(), 1))
+
+    def line(
+        self,
+        columns: Mapping[str, int],
+        signs: Mapping[str, int],
+        *,
+        slow: bool,
+        beside: Array | None = None,
+    ) -> Line:
+        use = (self.labels >= 0) & (slow | (self.labels != 2))
+        right_ = (self.labels[use] > 0).astype(float)
+        held = None if beside is None else beside[use]
+        return fitted_line(self.terms[use], columns, signs, right_, self.share[use], held)
+
+
+def chosen_scores(recording: Taught, weights: Weights) -> tuple[Array, Array]:
+    """Scores of the candidates for contact and for motion, after the choice, not calibrated."""
+    touches, moves = recording.contact, recording.motion
+    return (
+        _spaced(touches, contact_odds(touches.terms, weights)),
+        _spaced(moves, motion_odds(moves.terms, weights)),
+    )
+
+
+def _spaced(side: Side, odds: Array) -> Array:
+    order = np.argsort(side.time_s, kind="stable")
+    scores = np.full(len(odds), -np.inf)
+    scores[order] = spaced_scores(side.time_s[order], odds[order], MIN_DISTANCE_S)
+    return scores
+
+
+def scores_left_out(
+    recordings: Sequence[Taught], say: Callable[[str], None] = lambda _: None
+) -> list[tuple[Taught, tuple[Array, Array]]]:
+    """Every recording with scores from lines that have not seen its family."""
+    found = []
+    for family in sorted({t.family for t in recordings}):
+        weights = fitted_lines([t for t in recordings if t.family != family])
+        mine = [t for t in recordings if t.family == family]
+        found += [(t, chosen_scores(t, weights)) for t in mine]
+        say(f"left out {family}")
+    return found
+
+
+def _calibration(scored: Sequence[tuple[str, Side, Array]]) -> Calibration:
+    """Slope and offset of the scores, and the line with the best mean F1 of the families."""
+    families = np.concatenate([np.repeat(f, len(s)) for f, _, s in scored])
+    scores = np.concatenate([s for _, _, s in scored])
+    hits = np.concatenate([right(side, s) for _, side, s in scored])
+    events = {f: sum(len(side.event_s) for g, side, _ in scored if g == f) for f in set(families)}
+    known = (hits >= 0) & (scores >= LEAST_ODDS)
+    families, scores, hits = families[known], scores[known], hits[known].astype(float)
+    share = np.zeros(len(scores))
+    for family in sorted(set(families)):
+        share[families == family] = FAMILY_SHARE / (families == family).sum()
+    slope, offset = fitted_calibration(scores, hits, share)
+    probability = sigmoid(slope * scores + offset)
+    lines = np.round(np.arange(0.1, 0.9, 0.05), 2)
+    worth = [_mean_f1(probability >= line, families, hits, events) for line in lines]
+    return Calibration(slope, offset, float(lines[int(np.argmax(worth))]))
+
+
+def _mean_f1(given: Array, families: Array, hits: Array, events: Mapping[str, int]) -> float:
+    """Mean over the families with events of 2 hits / (events + given)."""
+    values = []
+    for family in sorted(events):
+        if events[family]:
+            mine = given & (families == family)
+            values.append(2.0 * hits[mine].sum() / (events[family] + mine.sum()))
+    return float(np.mean(values))
+
+
+def _kinds(recordings: Sequence[Taught], weights: Weights) -> Kinds:
+    """Where each family lies in the terms of its likeliest candidates, and how far is usual."""
+    seen: dict[str, list[Array]] = {}
+    for recording in recordings:
+        terms = recording.contact.terms
+        here = signature(terms, contact_odds(terms, weights), KIND_TERMS)
+        if here is not None:
+            seen.setdefault(recording.family, []).append(here)
+    centre = np.array([np.mean(seen[family], axis=0) for family in sorted(seen)])
+    inside = np.vstack([np.array(seen[f]) - c for f, c in zip(sorted(seen), centre, strict=True)])
+    spread = inside.std(axis=0) + 0.05
+    distances = [
+        float(np.sqrt(np.square((centre - here) / spread).mean(axis=1)).min())
+        for family in sorted(seen)
+        for here in seen[family]
+    ]
+    return Kinds(
+        tuple(sorted(seen)), KIND_TERMS, centre, spread, float(np.quantile(distances, 0.9))
+    )

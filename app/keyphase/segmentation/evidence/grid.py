@@ -1,0 +1,108 @@
+"""A demonstration on one uniform grid, in the units in which evidence is weighed."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.segmentation.bins import BIN_S, bin_means, bin_starts, typical_step_s
+from keyphase.segmentation.motion import METRES_PER_RADIAN, Motion
+
+LEVER_M = METRES_PER_RADIAN
+"""A torque counts as the force that gives it on this lever."""
+
+LARGEST_GAP_S = 0.5
+"""A longer stretch without data is shortened to this on the grid."""
+
+LEAST_CELLS = 20
+"""In shorter recordings nothing is looked for."""
+
+_SIZE_QUANTILE = 0.98
+_VIBRATION_HZ = 10.0
+_VIBRATION_STEP_S = 0.004
+_SLOWEST_FOR_VIBRATION_HZ = 60.0
+
+
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """A recording at up to 50 Hz.
+
+    time_s     (n,)         of the recording at each cell
+    rate_hz                 cells per second
+    pose_m     (n, 3 or 6)  position, and rotation vector times 0.2 m/rad
+    wrench     (n, 3 or 6)  force, and torque over 0.2 m, over `size_N`; None without force
+    size_N                  98 % of the wrench is nearer to its median than this
+    vibration  (n,)         force above 10 Hz squared [N^2]; None where too slow a rate shows none
+    """
+
+    time_s: Array
+    rate_hz: float
+    pose_m: Array
+    wrench: Array | None
+    size_N: float
+    vibration: Array | None
+
+    def __len__(self) -> int:
+        return len(self.time_s)
+
+    def cells(self, duration_s: float) -> int:
+        """How many cells a duration is, at least one."""
+        return max(1, round(duration_s * self.rate_hz))
+
+
+def grid_of(demonstration: Demonstration, motion: Motion) -> Grid:
+    """Put a demonstration on its grid; `motion` is its own."""
+    even, cells, step = _even_times(motion)
+    time = np.interp(cells, even, motion.time_s)
+    pose = _at(cells, even, motion.pose_m)
+    wrench, size = _wrench(demonstration, cells, even)
+    vibration = None if wrench is None else _vibration(demonstration, time)
+    return Grid(time, 1.0 / step, pose, wrench, size, vibration)
+
+
+def _even_times(motion: Motion) -> tuple[Array, Array, float]:
+    """Times of the bins with gaps shortened, the uniform cells over them, and their step."""
+    step = max(BIN_S, motion.step_s)
+    steps = np.minimum(np.diff(motion.time_s), max(LARGEST_GAP_S, 3.0 * step))
+    even = np.concatenate([[0.0], np.cumsum(steps)])
+    return even, step * np.arange(int(even[-1] / step + 1e-6) + 1), step
+
+
+def _at(cells: Array, times: Array, values: Array) -> Array:
+    return np.column_stack([np.interp(cells, times, column) for column in values.T])
+
+
+def _wrench(demonstration: Demonstration, cells: Array, even: Array) -> tuple[Array | None, float]:
+    """The wrench over its size, and the size; None where none was recorded or none changes."""
+    force, torque = demonstration.force_N, demonstration.torque_Nm
+    if force is None:
+        return None, 0.0
+    starts = bin_starts(demonstration.time_s)
+    wrench = _at(cells, even, bin_means(force, starts))
+    if torque is not None and np.ptp(torque) > 0.0:
+        wrench = np.hstack([wrench, _at(cells, even, bin_means(torque, starts)) / LEVER_M])
+    wrench -= np.median(wrench, axis=0)
+    size = float(np.quantile(np.linalg.norm(wrench, axis=1), _SIZE_QUANTILE))
+    return (wrench / size, size) if size > 1e-9 else (None, 0.0)
+
+
+def _vibration(demonstration: Demonstration, time_s: Array) -> Array | None:
+    """Mean square of the force above 10 Hz around each cell."""
+    from scipy.signal import butter, sosfiltfilt
+
+    step = typical_step_s(demonstration.time_s)
+    if step * _SLOWEST_FOR_VIBRATION_HZ > 1.0 or demonstration.force_N is None:
+        return None
+    time, force = demonstration.time_s, demonstration.force_N
+    if step < 0.75 * _VIBRATION_STEP_S:
+        starts = bin_starts(time, _VIBRATION_STEP_S)
+        time, force, step = bin_means(time, starts), bin_means(force, starts), _VIBRATION_STEP_S
+    if len(time) < 2 * LEAST_CELLS:
+        return None
+    high = butter(2, _VIBRATION_HZ, "highpass", fs=1.0 / step, output="sos")
+    energy = np.square(sosfiltfilt(high, force.T)).sum(axis=0)
+    sums = np.concatenate([[0.0], np.cumsum(energy)])
+    edges = np.searchsorted(time, np.append(time_s - 0.5 * BIN_S, time_s[-1] + 0.5 * BIN_S))
+    first = np.minimum(edges[:-1], len(energy) - 1)
+    last = np.maximum(edges[1:], first + 1)
+    return (sums[last] - sums[first]) / (last - first)

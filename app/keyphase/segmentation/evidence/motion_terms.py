@@ -1,0 +1,220 @@
+"""What there is to see at each place where the tool's motion may change: valleys of its speed."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.segmentation.bins import Indices
+from keyphase.segmentation.evidence.grid import Grid
+from keyphase.segmentation.evidence.rests import rests
+from keyphase.segmentation.evidence.speed import Speed
+
+MOTION_TERMS: Mapping[str, str] = {
+    "depth": "how far the speed falls",
+    "dwell": "how long it stays low",
+    "crowded": "valleys of the speed within a second",
+    "turn": "change of direction",
+    "stroke_length": "length of the shorter stroke beside it",
+    "stroke_speed": "speed of the slower stroke beside it",
+    "absolute_speed": "speed of that stroke in m/s",
+    "small_stroke": "a stroke of less than a twentieth of the path",
+    "stands": "the tool stands still for half a second",
+}
+"""Each term of a boundary of motion and what it says."""
+
+LEVELS = (0.02, 0.3)
+"""Prominence of strokes, in the fast speed: small swings must not split a long stop."""
+
+LEAST_STROKE_M_S = 2e-3
+LONG_DWELL_S = 0.4
+"""A longer valley has two edges, a shorter one a middle."""
+
+ENDS_S = 0.2
+_SHALLOW = 0.8
+_EDGE = 0.07
+_SAME_S = 0.12
+
+
+@dataclass(frozen=True, eq=False)
+class MotionCandidates:
+    """Where the motion may change, C places in time order.
+
+    cell (C,)       fractional cell
+    interval (C, 2) first and last cell it may be
+    rest (C,)       whether a stop of half a second begins or ends there
+    terms (C, T)    one column per MOTION_TERMS
+    """
+
+    cell: Array
+    interval: Array
+    rest: np.ndarray
+    terms: Array
+
+
+def motion_candidates(grid: Grid, speed: Speed) -> MotionCandidates:
+    """Every candidate of a grid with its evidence; none where nothing moves on purpose."""
+    tables = [np.zeros((0, 4 + len(MOTION_TERMS)))]
+    if speed.fast_m_s > 0.0:
+        strokes = [_Valleys(grid, speed, level) for level in LEVELS]
+        crowd = strokes[0].valley
+        tables += [valleys.rows(crowd) for valleys in strokes]
+        tables.append(_standing(grid, speed, crowd))
+    rows = _distinct(tables, grid.rate_hz)
+    margin = ENDS_S * grid.rate_hz
+    rows = rows[(rows[:, 0] > margin) & (rows[:, 0] < len(grid) - 1 - margin)]
+    return MotionCandidates(rows[:, 0], rows[:, 1:3], rows[:, 3] > 0.0, rows[:, 4:])
+
+
+class _Valleys:
+    """The V valleys of the speed between strokes of one prominence.
+
+    Before the first stroke and after the last one is half a valley: from the slowest moment
+    there, with one edge only.
+    """
+
+    def __init__(self, grid: Grid, speed: Speed, level: float) -> None:
+        from scipy.signal import find_peaks
+
+        self.grid, self.speed = grid, speed
+        s = speed.speed_m_s
+        least = max(level * speed.fast_m_s, LEAST_STROKE_M_S)
+        padded = np.concatenate([[0.0], s, [0.0]])
+        found, _ = find_peaks(padded, prominence=level * speed.fast_m_s, height=least)
+        self.stroke: Indices = (found - 1).astype(np.intp)
+        edges = np.concatenate([[0], self.stroke, [len(s) - 1]])
+        pairs = zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True)
+        lowest = [a + int(np.argmin(s[a : b + 1])) for a, b in pairs]
+        self.valley: Indices = np.array(lowest, dtype=np.intp)
+        # A half valley has the same stroke on both sides.
+        self.before: Indices = np.concatenate([self.stroke[:1], self.stroke])
+        self.after: Indices = np.concatenate([self.stroke, self.stroke[-1:]])
+
+    def rows(self, crowd: Indices) -> Array:
+        """Candidates of the deep enough valleys: cell, interval, rest, terms."""
+        s, rate = self.speed.speed_m_s, self.grid.rate_hz
+        if not len(self.stroke):
+            return np.zeros((0, 4 + len(MOTION_TERMS)))
+        bottom, lower = s[self.valley], np.minimum(s[self.before], s[self.after])
+        deep = bottom <= _SHALLOW * lower
+        early, late = self._edges(bottom)
+        dwell = (late - early) / rate
+        terms = self._terms(early, late, bottom / lower, dwell, lower, crowd)
+        rows = _edge_rows(early, late, dwell, terms, deep, LONG_DWELL_S)
+        return rows[(rows[:, 0] > 0) & (rows[:, 0] < len(s) - 1)]
+
+    def _edges(self, bottom: Array) -> tuple[Indices, Indices]:
+        """The last cell before each valley, and the first after it, that is no longer slow."""
+        s = self.speed.speed_m_s
+        early, late = self.valley.copy(), self.valley.copy()
+        last = len(self.valley) - 1
+        levels = [bottom + _EDGE * (s[side] - bottom) for side in (self.before, self.after)]
+        for index, valley in enumerate(self.valley.tolist()):
+            first = 0 if index == 0 else int(self.before[index])
+            end = len(s) - 1 if index == last else int(self.after[index])
+            left = s[first : valley + 1] > levels[0][index]
+            right = s[valley : end + 1] > levels[1][index]
+            early[index] = valley - int(np.argmax(left[::-1])) if left.any() else first
+            late[index] = valley + int(np.argmax(right)) if right.any() else end
+        return early, late
+
+    def _terms(
+        self,
+        early: Indices,
+        late: Indices,
+        depth: Array,
+        dwell: Array,
+        lower: Array,
+        crowd: Indices,
+    ) -> Array:
+        pose, fast = self.speed.pose_m, self.speed.fast_m_s
+        span = float(np.linalg.norm(np.ptp(pose, axis=0))) + 1e-9
+        into, out = pose[early] - pose[self.before], pose[self.after] - pose[late]
+        norms = np.linalg.norm(into, axis=1) * np.linalg.norm(out, axis=1)
+        stops = np.concatenate([[0], self.valley, [len(pose) - 1]])
+        strokes = np.linalg.norm(np.diff(pose[stops], axis=0), axis=1)
+        strokes[0], strokes[-1] = strokes[1] if len(strokes) > 2 else strokes[0], strokes[-2]
+        shorter = np.minimum(strokes[:-1], strokes[1:]) / span
+        return np.column_stack(
+            [
+                -np.log(np.maximum(depth, 0.02)),
+                np.log(np.maximum(dwell, 0.04)),
+                _crowding(self.valley, crowd, self.grid.rate_hz),
+                1.0 - (into * out).sum(axis=1) / (norms + 1e-9),
+                np.log(np.maximum(shorter, 0.01)),
+                np.log(np.maximum(lower / fast, 0.02)),
+                np.log(lower.clip(0.01, 1.0)),
+                np.minimum(0.0, np.log(np.maximum(shorter, 0.002) / 0.05)),
+                np.zeros(len(early)),
+            ]
+        )
+
+
+def _edge_rows(
+    early: Array, late: Array, dwell: Array, terms: Array, use: np.ndarray, long_s: float
+) -> Array:
+    """Two rows where a valley is long, else one in its middle: cell, interval, rest, terms."""
+    long, short = use & (dwell > long_s), use & (dwell <= long_s)
+    middle = 0.5 * (early + late)
+    half = 0.25 * (late - early)
+    parts = (
+        (early, early - 2.0, np.minimum(early + half, middle), long),
+        (late, np.maximum(late - half, middle), late + 2.0, long),
+        (middle, early, late, short),
+    )
+    rows = [
+        np.column_stack([cell[u], first[u], last[u], dwell[u] >= 0.5, terms[u]])
+        for cell, first, last, u in parts
+    ]
+    return np.vstack(rows)
+
+
+def _crowding(at: Array, crowd: Indices, rate_hz: float) -> Array:
+    """Log of how many valleys lie within a second: a swing has many, a phase has not."""
+    low = np.searchsorted(crowd, at - rate_hz)
+    high = np.searchsorted(crowd, at + rate_hz, side="right")
+    return np.log(np.maximum(high - low, 1))
+
+
+def _standing(grid: Grid, speed: Speed, crowd: Indices) -> Array:
+    """Both edges of every stop of half a second within a millimetre and a degree."""
+    found = rests(grid)
+    if not len(found):
+        return np.zeros((0, 4 + len(MOTION_TERMS)))
+    early, late = found[:, 0].astype(float), found[:, 1].astype(float)
+    dwell = (late - early) / grid.rate_hz
+    middle = 0.5 * (early + late)
+    ones = np.ones(len(found))
+    fast = np.log(speed.fast_m_s)
+    terms = np.column_stack(
+        [
+            -np.log(0.02) * ones,
+            np.log(dwell),
+            _crowding(middle, crowd, grid.rate_hz),
+            ones,
+            np.log(0.2) * ones,
+            np.log(0.5) * ones,
+            np.clip(fast, np.log(0.01), 0.0) * ones,
+            0.0 * ones,
+            ones,
+        ]
+    )
+    return _edge_rows(early, late, dwell, terms, np.ones(len(found), dtype=bool), 0.0)
+
+
+def _distinct(tables: list[Array], rate_hz: float) -> Array:
+    """All rows in time order; of two within 0.12 s the deeper, longer and stiller one stays."""
+    rows = np.vstack(tables)
+    worth = rows[:, 4] + np.minimum(0.0, rows[:, 5] - np.log(LONG_DWELL_S)) + 3.0 * rows[:, -1]
+    rows, worth = rows[order := np.argsort(rows[:, 0], kind="stable")], worth[order]
+    keep = np.ones(len(rows), dtype=bool)
+    last = -1
+    for index in range(len(rows)):
+        if last >= 0 and rows[index, 0] - rows[last, 0] < _SAME_S * rate_hz:
+            loser = last if worth[index] > worth[last] else index
+            keep[loser] = False
+            last = index if loser == last else last
+        else:
+            last = index
+    return rows[keep]

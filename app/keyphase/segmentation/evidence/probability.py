@@ -1,0 +1,75 @@
+"""From evidence to one calibrated probability for every candidate."""
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.segmentation.evidence.contact_terms import CONTACT_TERMS
+from keyphase.segmentation.evidence.motion_terms import MOTION_TERMS
+from keyphase.segmentation.evidence.weights import Calibration, Kinds, Weights
+
+CONTACT_COLUMNS = {name: column for column, name in enumerate(CONTACT_TERMS)}
+MOTION_COLUMNS = {name: column for column, name in enumerate(MOTION_TERMS)}
+
+LARGEST_ODDS = 6.0
+"""No probability is surer than this many nats: what was fitted on says no more."""
+
+FAR = 0.2
+"""A recording further than this from all that was fitted on is called unlike it."""
+
+_LIKELIEST = 12
+_FADES = 2.0
+
+
+def sigmoid(z: Array | float) -> Array:
+    """Probability of log-odds."""
+    return 1.0 / (1.0 + np.exp(-np.clip(z, -50.0, 50.0)))
+
+
+def log_odds(probability: float) -> float:
+    """Log-odds of a probability, at most 50 nats."""
+    kept = min(max(probability, 1e-20), 1.0 - 1e-12)
+    return float(np.log(kept / (1.0 - kept)))
+
+
+def either(first: Array, second: Array) -> Array:
+    """Log-odds (C,) that one of two reasons holds: p = 1 - (1 - p1) (1 - p2)."""
+    return np.logaddexp(np.logaddexp(first, second), first + second)
+
+
+def contact_odds(terms: Array, weights: Weights) -> Array:
+    """Log-odds (C,) of a contact change before calibration, from its step or its state."""
+    step = weights.step.log_odds(terms, CONTACT_COLUMNS)
+    return either(step, weights.state.log_odds(terms, CONTACT_COLUMNS))
+
+
+def motion_odds(terms: Array, weights: Weights) -> Array:
+    """Log-odds (C,) of a boundary of motion before calibration."""
+    return weights.motion.log_odds(terms, MOTION_COLUMNS)
+
+
+def calibrated(odds: Array, calibration: Calibration, unlike: float) -> Array:
+    """Log-odds (C,) that hold in the mean over recordings like those that were fitted on.
+
+    For recordings unlike those they are drawn towards the automatic line: what is given stays
+    given, but with less confidence.
+    """
+    z = np.clip(calibration.slope * odds + calibration.offset, -LARGEST_ODDS, LARGEST_ODDS)
+    line = log_odds(calibration.line)
+    return line + (z - line) / (1.0 + _FADES * unlike)
+
+
+def signature(terms: Array, odds: Array, names: tuple[str, ...]) -> Array | None:
+    """Mean (T,) of some terms over the likeliest candidates; None where there are too few."""
+    if len(odds) < 4:
+        return None
+    likeliest = np.argsort(-odds, kind="stable")[:_LIKELIEST]
+    return terms[likeliest][:, [CONTACT_COLUMNS[name] for name in names]].mean(axis=0)
+
+
+def unlike(terms: Array, odds: Array, kinds: Kinds) -> float:
+    """How far a recording is from every family fitted on: 0 within what is usual, else ln."""
+    here = signature(terms, odds, kinds.names)
+    if here is None:
+        return 0.0
+    distance = np.sqrt(np.square((kinds.centre - here) / kinds.spread).mean(axis=1)).min()
+    return max(0.0, float(np.log(max(distance, 1e-9) / kinds.usual)))

@@ -1,0 +1,101 @@
+"""Which candidates the lines let in."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from keyphase.demonstration import Array
+from keyphase.segmentation.bins import Indices
+from keyphase.segmentation.evidence.choice import distance_to, spaced_scores
+from keyphase.segmentation.evidence.probability import calibrated, log_odds
+from keyphase.segmentation.evidence.stage import Evidence
+from keyphase.segmentation.evidence.weights import Weights
+from keyphase.segmentation.parameters import Parameters
+
+TURN_NATS = 1.5
+"""Beside a force, a turn without a rest must be this much likelier to be clear."""
+
+Reasons = NDArray[np.int8]
+GIVEN, BELOW, CLOSE, SMALL, TURN, CONTACT = range(6)
+"""Why a candidate is or is not given: below its line, too close to a likelier one, a force step
+that is too small, a turn that does not count, motion that a contact change beside it explains."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scores:
+    """Log-odds of all candidates after the choice, whatever the lines; -inf for those too close."""
+
+    contact: Array
+    motion: Array
+    small: NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class Selection:
+    """What becomes of each candidate: codes (C,) and (M,), and the lines in force."""
+
+    contact: Reasons
+    motion: Reasons
+    contact_line: float
+    motion_line: float
+
+    @property
+    def contacts(self) -> Indices:
+        """Contact candidates that are given."""
+        return np.flatnonzero(self.contact == GIVEN)
+
+    @property
+    def motions(self) -> Indices:
+        """Motion candidates that are given as boundaries of their own."""
+        return np.flatnonzero(self.motion == GIVEN)
+
+
+def scores_of(evidence: Evidence, weights: Weights, parameters: Parameters) -> Scores:
+    """Scores under the minimal distance and the least force step."""
+    step = np.linalg.norm(evidence.force_step_N, axis=1)
+    small = step < parameters.least_step_N
+    touch = np.where(small, -np.inf, evidence.contact_odds)
+    distance = parameters.min_distance_s
+    contact = spaced_scores(evidence.contact_s, touch, distance)
+    motion = spaced_scores(evidence.motion_s, evidence.motion_odds, distance)
+    return Scores(
+        _calibrated(contact, weights, evidence, "contact"),
+        _calibrated(motion, weights, evidence, "motion"),
+        small,
+    )
+
+
+def _calibrated(scores: Array, weights: Weights, evidence: Evidence, kind: str) -> Array:
+    contact = kind == "contact"
+    calibration = weights.contact_calibration if contact else weights.motion_calibration
+    with_none = np.where(np.isfinite(scores), scores, 0.0)
+    # Motion knows nothing of kinds of force.
+    odds = calibrated(with_none, calibration, evidence.unlike if contact else 0.0)
+    return np.where(np.isfinite(scores), odds, -np.inf)
+
+
+def select(
+    evidence: Evidence, scores: Scores, weights: Weights, parameters: Parameters
+) -> Selection:
+    """Compare every score with its line; nothing is computed anew."""
+    contact_line = _line(parameters.force_threshold, weights.contact_calibration.line)
+    motion_line = _line(parameters.motion_threshold, weights.motion_calibration.line)
+    contact = np.where(scores.contact >= log_odds(contact_line), GIVEN, BELOW).astype(np.int8)
+    contact[np.isneginf(scores.contact)] = CLOSE
+    contact[scores.small] = SMALL
+    motion = np.where(scores.motion >= log_odds(motion_line), GIVEN, BELOW).astype(np.int8)
+    motion[np.isneginf(scores.motion)] = CLOSE
+    if evidence.grid.wrench is not None and parameters.turns != "all":
+        clear = log_odds(motion_line) + TURN_NATS if parameters.turns == "clear" else np.inf
+        turns = (motion == GIVEN) & ~evidence.motion.rest & (scores.motion < clear)
+        motion[turns] = TURN
+    touching = evidence.contact_s[contact == GIVEN]
+    near = distance_to(evidence.motion_s, touching)
+    reach = max(parameters.merge_tolerance_s, min(parameters.min_distance_s, 0.1))
+    motion[(motion == GIVEN) & (near < reach)] = CONTACT
+    return Selection(contact, motion, contact_line, motion_line)
+
+
+def _line(given: float | None, automatic: float) -> float:
+    return automatic if given is None else min(given, 1.0)

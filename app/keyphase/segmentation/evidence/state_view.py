@@ -1,0 +1,193 @@
+"""Contact as a state: a tight core of the wrench, free space, against everything else.
+
+Steps alone miss a contact that comes over a second while the force swings. This second view asks
+in which of two states each tenth of a second is, and where the state changes. Block means at
+10 Hz, a mixture of two diagonal Gaussians by expectation maximisation from several starts, and
+the most likely sequence of states, a change costing SWITCH nats.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.segmentation.bins import Indices
+from keyphase.segmentation.evidence.grid import Grid
+
+RATE_HZ = 10.0
+SHORTEST_S = 6.0
+"""Shorter recordings show no state."""
+
+SWITCH = 6.0
+"""What a change of state costs, in nats."""
+
+CLIP = 2.0
+"""What a tenth of a second can say of its state, in nats."""
+
+_ROUNDS = 25
+_STARTS = 6
+_START_S = 0.6
+_FLOOR = 0.004
+_APART = 0.15
+_PRIOR = (0.05, 0.95)
+
+
+@dataclass(frozen=True, eq=False)
+class StateView:
+    """Where a recording's wrench is free and where it is in contact.
+
+    odds (n,)          log-odds of contact at each cell, -2 to 2
+    contact (n,)       the most likely state
+    crossings (X,)     cells at which it changes
+    distance (n,)      of the wrench from the core, in sizes of the wrench
+    core_spread        standard deviation of the core, over all channels
+    separation         median distance in contact over the 95 % distance while free
+    contact_distance   that median
+    """
+
+    odds: Array
+    contact: np.ndarray
+    crossings: Indices
+    distance: Array
+    core_spread: float
+    separation: float
+    contact_distance: float
+
+
+def state_view(grid: Grid) -> StateView:
+    """The view of a grid's wrench; one without crossings where the recording is too short."""
+    assert grid.wrench is not None
+    block = max(1, round(grid.rate_hz / RATE_HZ))
+    count = len(grid) // block
+    means = grid.wrench[: count * block].reshape(count, block, -1).mean(axis=1)
+    if count < SHORTEST_S * RATE_HZ or grid.rate_hz < 0.5 * RATE_HZ:
+        return _no_view(grid.wrench)
+    odds, core, spread = _core_and_rest(means)
+    odds = np.clip(odds, -CLIP, CLIP)
+    states = most_likely_states(odds)
+    cells = np.arange(len(grid))
+    middle = (np.arange(count) + 0.5) * block
+    contact = states[np.minimum(cells // block, count - 1)]
+    distance = np.linalg.norm(grid.wrench - core, axis=1)
+    free = distance[~contact] if (~contact).any() else distance[:1]
+    touching = float(np.median(distance[contact])) if contact.any() else float(np.median(free))
+    return StateView(
+        np.interp(cells, middle, odds),
+        contact,
+        (np.flatnonzero(np.diff(states)) + 1) * block,
+        distance,
+        float(np.linalg.norm(spread)),
+        (touching + 0.01) / (float(np.quantile(free, 0.95)) + 0.01),
+        touching,
+    )
+
+
+def _no_view(wrench: Array) -> StateView:
+    core = np.median(wrench, axis=0)
+    distance = np.linalg.norm(wrench - core, axis=1)
+    spread = float(np.linalg.norm(wrench.std(axis=0))) + _FLOOR
+    none = np.zeros(0, dtype=np.intp)
+    zero = np.zeros(len(wrench))
+    return StateView(zero, zero > 0.0, none, distance, spread, 1.0, float(np.median(distance)))
+
+
+def _core_and_rest(means: Array) -> tuple[Array, Array, Array]:
+    """Log-odds of "rest" (M,), mean and standard deviation (D,) of the core.
+
+    All starts at once; the likeliest wins, a core far from the median wrench counting less.
+    """
+    core, start_var = _tight_places(means)
+    rest = np.repeat(means.mean(axis=0)[None], len(core), axis=0)
+    rest_var = np.repeat((1.5 * means.var(axis=0) + _FLOOR**2)[None], len(core), axis=0)
+    prior = np.full((len(core), 1), 0.5)
+    squares = means * means
+    core_var = np.repeat(start_var[:, None], means.shape[1], axis=1)
+    for _ in range(_ROUNDS):
+        share = _share(means, squares, core, core_var, rest, rest_var, prior)
+        inside = share.sum(axis=1, keepdims=True) + 1e-9
+        outside = len(means) - inside + 2e-9
+        core, square = share @ means / inside, share @ squares / inside
+        core_var = np.maximum(square - core * core, 0.0) + _FLOOR**2
+        sums, square_sums = means.sum(axis=0), squares.sum(axis=0)
+        rest = (sums - inside * core) / outside
+        rest_square = (square_sums - inside * square) / outside
+        rest_var = np.maximum(rest_square - rest * rest, 2.0 * core_var)
+        prior = np.clip(inside / len(means), *_PRIOR)
+    a, b = _log_densities(means, squares, core, core_var, rest, rest_var, prior)
+    worth = np.logaddexp(a, b).mean(axis=1) - _APART * np.linalg.norm(core, axis=1)
+    best = int(np.argmax(worth))
+    return b[best] - a[best], core[best], np.sqrt(core_var[best])
+
+
+def _tight_places(means: Array) -> tuple[Array, Array]:
+    """Mean (S, D) and start variance (S,) of the first, last and tightest windows."""
+    width = round(_START_S * RATE_HZ)
+    zero = np.zeros((1, means.shape[1]))
+    sums = np.vstack([zero, np.cumsum(means, axis=0)])
+    squares = np.vstack([zero, np.cumsum(means * means, axis=0)])
+    mean = (sums[width:] - sums[:-width]) / width
+    square = (squares[width:] - squares[:-width]) / width
+    variance = np.maximum(square - mean * mean, 0.0).sum(axis=1)
+    starts = [0, len(mean) - 1]
+    apart = np.linalg.norm(mean - mean[0], axis=1)
+    apart = np.minimum(apart, np.linalg.norm(mean - mean[-1], axis=1))
+    while len(starts) < _STARTS and (apart > _APART).any():
+        tightest = int(np.argmin(np.where(apart > _APART, variance, np.inf)))
+        starts.append(tightest)
+        apart = np.minimum(apart, np.linalg.norm(mean - mean[tightest], axis=1))
+    start_var = 4.0 * variance[starts] / means.shape[1] + (3.0 * _FLOOR) ** 2
+    return mean[starts], start_var
+
+
+def _log_densities(
+    means: Array,
+    squares: Array,
+    core: Array,
+    core_var: Array,
+    rest: Array,
+    rest_var: Array,
+    prior: Array,
+) -> tuple[Array, Array]:
+    """Log of prior times density (S, M) of the core and of the rest, but for a constant."""
+    core_log = _gaussian(means, squares, core, core_var) + np.log(prior)
+    return core_log, _gaussian(means, squares, rest, rest_var) + np.log(1.0 - prior)
+
+
+def _gaussian(means: Array, squares: Array, mean: Array, variance: Array) -> Array:
+    precision = 1.0 / variance
+    constant = (mean * mean * precision + np.log(variance)).sum(axis=1, keepdims=True)
+    return -0.5 * (precision @ squares.T - 2.0 * (mean * precision) @ means.T + constant)
+
+
+def _share(
+    means: Array,
+    squares: Array,
+    core: Array,
+    core_var: Array,
+    rest: Array,
+    rest_var: Array,
+    prior: Array,
+) -> Array:
+    """Probability (S, M) of the core."""
+    a, b = _log_densities(means, squares, core, core_var, rest, rest_var, prior)
+    return 1.0 / (1.0 + np.exp(np.clip(b - a, -50.0, 50.0)))
+
+
+def most_likely_states(odds: Array) -> np.ndarray:
+    """Which blocks (M,) are in contact, by dynamic programming over log-odds (M,) of contact."""
+    stays = np.zeros((len(odds), 2), dtype=bool)
+    free = touching = 0.0
+    for block, half in enumerate((0.5 * odds).tolist()):
+        from_free, from_touching = touching - SWITCH < free, free - SWITCH < touching
+        stays[block] = from_free, from_touching
+        free, touching = (
+            (free if from_free else touching - SWITCH) - half,
+            (touching if from_touching else free - SWITCH) + half,
+        )
+    states = np.zeros(len(odds), dtype=bool)
+    state = touching > free
+    for block in range(len(odds) - 1, -1, -1):
+        states[block] = state
+        if not stays[block, int(state)]:
+            state = not state
+    return states
