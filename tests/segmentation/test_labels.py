@@ -103,8 +103,9 @@ def test_resting_after_an_impact_is_idle():
 
 
 def contact_label(before, after, **movement) -> str:
-    """Of the first of two seconds, with a contact change at its end."""
+    """Of the first of two seconds, free at first, with a contact change at its end."""
     force = np.where(TIME[:, None] < 1.0, np.array(before, float), np.array(after, float))
+    force[TIME < 0.3] = 0.0
     whole = Demonstration(
         "contact change",
         TIME,
