@@ -9,7 +9,7 @@ import pytest
 from keyphase.cli import main
 from keyphase.files.shipped import shipped
 from keyphase.readers import read
-from keyphase.skills.skill_file import read_skills
+from keyphase.skills.exports.skill_file import read_skills
 
 
 def keyphase(*arguments: object) -> int:

@@ -6,9 +6,9 @@ import pytest
 from strokes import lowered, segment
 
 from keyphase.segmentation.end_condition import ContactEnd
-from keyphase.skills.behavior_tree import behavior_tree
+from keyphase.skills.exports.behavior_tree import behavior_tree
+from keyphase.skills.exports.program import program_listing
 from keyphase.skills.library import skills_of
-from keyphase.skills.program import program_listing
 
 HOSTILE = "a <b>\"&' --> ]]>\x00\x1b[31m\n√"
 

@@ -12,18 +12,22 @@ from strokes import lowered, segment
 
 from keyphase.errors import SkillError
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
+from keyphase.segmentation.end_condition.watch import Arming
 from keyphase.skills import quaternions
-from keyphase.skills.library import skills_of
-from keyphase.skills.primitive import Constants, Primitive
-from keyphase.skills.skill import Skill
-from keyphase.skills.skill_file import (
-    SkillLibrary,
+from keyphase.skills.exports.skill_file import (
     library_of_text,
     read_skills,
     schema,
     skill_text,
     write_skills,
 )
+from keyphase.skills.exports.skill_library import SkillLibrary, SkillRobot
+from keyphase.skills.exports.skill_values import library_values
+from keyphase.skills.library import skills_of
+from keyphase.skills.precondition import HeldContact, Precondition
+from keyphase.skills.pressed import KeptForce, Press
+from keyphase.skills.primitive import Constants, Primitive
+from keyphase.skills.skill import Skill
 
 finite = st.floats(-1e6, 1e6, allow_nan=False)
 positive = st.floats(1e-6, 1e6)
@@ -53,6 +57,15 @@ def primitives(draw):
     )
 
 
+arrays3 = vectors.map(np.array)
+held = st.lists(st.builds(HeldContact, arrays3, finite), max_size=2).map(tuple)
+kept = st.builds(
+    lambda rows, met: KeptForce(
+        np.array([d for d, _ in rows]), np.array([f for _, f in rows]), met
+    ),
+    st.lists(st.tuples(vectors, finite), min_size=1, max_size=3),
+    st.booleans(),
+)
 skills = st.builds(
     Skill,
     label=st.text(),
@@ -67,18 +80,19 @@ skills = st.builds(
     timeout_s=positive,
     force_limit_N=positive,
     demonstrated_s=st.none() | st.tuples(finite, finite),
+    arming=st.none() | st.builds(Arming, positive, st.floats(0.0, 10.0), positive, positive),
+    press=st.none() | st.builds(Press, arrays3, finite, arrays3),
+    kept=st.lists(kept, max_size=2).map(tuple),
+    shift_beyond_m=st.none() | st.floats(0.0, 1.0),
+    precondition=st.none()
+    | st.builds(Precondition, arrays3, st.none() | wxyz, positive, positive, held),
+    agrees=st.none() | st.booleans(),
 )
 
 
 def as_values(skill):
     """Everything a skill holds, comparable."""
-    primitive = {
-        name: value.tolist() if isinstance(value, np.ndarray) else value
-        for name, value in vars(skill.primitive).items()
-        if name != "displacement"
-    }
-    own = {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in vars(skill).items()}
-    return {**own, "primitive": primitive}
+    return library_values(SkillLibrary("", (skill,)))["skills"][0]
 
 
 @given(st.text(), st.lists(skills, max_size=3))
@@ -96,6 +110,12 @@ def library():
     contact = ContactEnd((0.0, 0.0, 1.0), 3.0)
     plan = [segment(0.0, 1.2, contact, "down"), segment(1.2, 2.0)]
     return SkillLibrary("lowered", skills_of(lowered(), plan))
+
+
+def test_a_file_names_the_robot_it_is_for():
+    robot = SkillRobot("arm", "left", "flange", "base", ("a", "b"), (0.1, -0.2))
+    again = library_of_text(skill_text(SkillLibrary("lowered", (), robot)))
+    assert again.robot == robot
 
 
 def test_the_file_follows_its_published_schema(library):
@@ -131,7 +151,9 @@ def changed(library, change):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda c: c.update(version=2), "version 1"),
+        (lambda c: c.update(version=1), "version 1, which says neither"),
+        (lambda c: c.update(version=3), "version 2"),
+        (lambda c: c["skills"][1]["kept"][0]["force_N"].append(1), "as many directions"),
         (lambda c: c.update(format="other"), "no skill file"),
         (lambda c: c["skills"][0].pop("timeout_s"), "timeout_s"),
         (lambda c: c["skills"][0].update(timeout_s=-1), "timeout_s"),

@@ -99,14 +99,15 @@ class ReplaySegments:
 
     def _write_program(self, demonstration: "Demonstration", skills: "tuple[Skill, ...]") -> None:
         from keyphase.files.writing import write_whole
-        from keyphase.skills.behavior_tree import behavior_tree
-        from keyphase.skills.program import program_listing
-        from keyphase.skills.skill_file import SkillLibrary, write_skills
+        from keyphase.skills.exports.behavior_tree import behavior_tree
+        from keyphase.skills.exports.program import program_listing
+        from keyphase.skills.exports.skill_file import write_skills
+        from keyphase.skills.exports.skill_library import library_of
 
         library = f"{demonstration.name}.skills.json"
         if self.skills:
             library = self.skills.name
-            write_skills(self.skills, SkillLibrary(demonstration.name, skills))
+            write_skills(self.skills, library_of(demonstration, skills))
         if self.behavior_tree:
             tree = behavior_tree(skills, library)
             write_whole(self.behavior_tree, tree.encode(), refusal=SimulationError)

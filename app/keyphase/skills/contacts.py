@@ -15,6 +15,7 @@ from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.end_condition import AFTER_S, LAST_S, ContactEnd
 from keyphase.segmentation.free_force import free_force
 from keyphase.skills.followed import followed_force
+from keyphase.skills.precondition import precondition_of
 from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.skill import Skill
 
@@ -55,7 +56,7 @@ def with_contacts(demonstration: Demonstration, skills: Sequence[Skill]) -> tupl
     A plan goes on only where its contacts were met, so what is kept follows from its order.
     """
     if demonstration.force_N is None:
-        return tuple(skills)
+        return tuple(replace(s, precondition=precondition_of(s.primitive, ())) for s in skills)
     free, directions, done = free_force(demonstration), list[Array](), list[Skill]()
     for skill in skills:
         kept = [kept_force(demonstration, skill, d) for d in directions]
@@ -67,7 +68,10 @@ def with_contacts(demonstration: Demonstration, skills: Sequence[Skill]) -> tupl
         if press is not None:
             directions.append(press.direction)
         beyond = shift_beyond(demonstration, skill, free)
-        done.append(replace(skill, kept=keeps, press=press, shift_beyond_m=beyond))
+        needs = precondition_of(skill.primitive, keeps)
+        done.append(
+            replace(skill, kept=keeps, press=press, shift_beyond_m=beyond, precondition=needs)
+        )
     return tuple(done)
 
 

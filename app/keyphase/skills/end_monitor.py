@@ -14,7 +14,7 @@ from keyphase.skills.changed import changed
 from keyphase.skills.primitive import progress
 from keyphase.skills.skill import Skill
 
-Outcome = Literal["reached", "contact", "timeout", "too far", "unexpected contact"]
+Outcome = Literal["reached", "contact", "timeout", "too far", "unexpected contact", "not ready"]
 
 REACHED_AFTER = 0.8
 """A configuration counts from this fraction of the motion on; a closed path starts at its goal."""

@@ -7,6 +7,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.segmentation.end_condition.watch import DEBOUNCE_S, Arming
+from keyphase.skills.precondition import Precondition
 from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.primitive import Primitive
 from keyphase.skills.rollout import Rollout, rollout
@@ -35,6 +36,7 @@ class Skill:
     press                 how it presses the contact it ended in; None where it moves on
     kept                  forces it keeps up while it moves
     shift_beyond_m        how much must be missing for its contact to shift what follows, None: none
+    precondition          what must hold before it runs
     agrees                whether its own demonstration ends it as planned, within 0.25 s of where
                           it did; None where there was nothing to ask
     """
@@ -55,6 +57,7 @@ class Skill:
     press: Press | None = None
     kept: tuple[KeptForce, ...] = ()
     shift_beyond_m: float | None = 0.0
+    precondition: Precondition | None = None
     agrees: bool | None = None
 
     @property

@@ -7,9 +7,10 @@ from pathlib import Path
 from keyphase.errors import RequestError, SimulationError
 from keyphase.files.parts import stem_of
 from keyphase.files.writing import write_whole
-from keyphase.skills.behavior_tree import behavior_tree
-from keyphase.skills.program import program_listing
-from keyphase.skills.skill_file import SkillLibrary, write_skills
+from keyphase.skills.exports.behavior_tree import behavior_tree
+from keyphase.skills.exports.program import program_listing
+from keyphase.skills.exports.skill_file import write_skills
+from keyphase.skills.exports.skill_library import library_of
 from keyphase.workbench.replay_plan import ReplayPlan
 
 
@@ -45,7 +46,7 @@ def write_page(html: str, recording: Path) -> Path:
 
 def _write_skills(plan: ReplayPlan, recording: Path) -> Path:
     path = beside(recording, ".skills.json")
-    write_skills(path, SkillLibrary(plan.demonstration.name, plan.skills))
+    write_skills(path, library_of(plan.demonstration, plan.skills))
     return path
 
 

@@ -55,7 +55,8 @@ class Executor:
             robot.follow(executor.reference)
             executor.step(robot.sense())
 
-    What has ended is in `results`; `stage`, `skill` and `run` say what is being done.
+    What has ended is in `results`; `stage`, `skill` and `run` say what is being done, `unmet` which
+    precondition did not hold.
     """
 
     def __init__(
@@ -77,6 +78,7 @@ class Executor:
         self.stage: Stage = "moving"
         self.run: SkillRun | None = None
         self.elapsed_s = 0.0
+        self.unmet = ""
         self._stiffness_N_m, self._coupled, self._step_s = stiffness_N_m, coupled, step_s
         self._sensed, self._shift = sensed, np.zeros(3)
         self.in_stage_s = self._skill_start_s = self._peak_N = 0.0
@@ -140,6 +142,7 @@ class Executor:
         elif self.stage == "loading":
             if time_s >= PRESSED_S[1] or self._is_loaded():
                 self._move(_AT_REST)
+                self._refuse_unready()
         elif time_s >= REST_S:
             self.stage = "over"
 
@@ -191,6 +194,16 @@ class Executor:
         self._move(velocity)
         if not self._is_loaded():
             self._enter("loading")
+        else:
+            self._refuse_unready()
+
+    def _refuse_unready(self) -> None:
+        """End a skill at once whose precondition does not hold."""
+        needs, sensed = self.skills[len(self.results)].precondition, self._sensed
+        self.unmet = needs.unmet(sensed, sensed.force_N, self._shift) if needs else ""
+        if self.unmet:
+            self._outcome = "not ready"
+            self._end_skill(_AT_REST)
 
     def _move(self, velocity: Array) -> None:
         skill = self.skills[len(self.results)]

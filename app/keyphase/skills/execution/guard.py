@@ -63,7 +63,21 @@ class Guard:
 
 
 def guard_of(skill: Skill, shift_m: Array) -> Guard | None:
-    """The guard of a contact-terminated skill; None for others.
+    """The guard of a contact-terminated skill; None for others."""
+    speed = guarded_speed(skill)
+    if skill.travel_direction is None or speed is None:
+        return None
+    return Guard(
+        contact_m=skill.end_position_m + shift_m,
+        direction=np.asarray(skill.travel_direction),
+        stretch_m=skill.offset_m,
+        speed_m_s=speed,
+        tau=float(tau_of(skill.primitive.duration_s)),
+    )
+
+
+def guarded_speed(skill: Skill) -> float | None:
+    """How fast a skill approaches its contact within the guarded stretch [m/s]; None: no guard.
 
     A skill that goes on for a distance a beyond its contact brakes from speed v in 2 a / v.
     """
@@ -72,10 +86,4 @@ def guard_of(skill: Skill, shift_m: Array) -> Guard | None:
     start_s, end_s = skill.demonstrated_s
     brake_s = skill.primitive.duration_s - (end_s - start_s)
     speed = 2.0 * skill.offset_m / brake_s if brake_s > 0.0 else SPEED_M_S[0]
-    return Guard(
-        contact_m=skill.end_position_m + shift_m,
-        direction=np.asarray(skill.travel_direction),
-        stretch_m=skill.offset_m,
-        speed_m_s=min(max(speed, SPEED_M_S[0]), SPEED_M_S[1]),
-        tau=float(tau_of(skill.primitive.duration_s)),
-    )
+    return min(max(speed, SPEED_M_S[0]), SPEED_M_S[1])

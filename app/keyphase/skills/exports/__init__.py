@@ -1,0 +1,1 @@
+"""Skills for other programs: files, behaviour trees, robot programs, listings."""

@@ -1,0 +1,254 @@
+"""Execute a skill file (version 2) on any robot, with numpy and json alone: copy and adapt.
+
+plan = Plan("setup1.skills.json", sensed)          sensed = position (3,), orientation w x y z (4,),
+while plan.stage != "over":                                 velocity (6,), force on the tool (3,)
+    robot.follow(*plan.reference)                  position, orientation, velocity (6,) for 4 ms
+    plan.step(sensed)                              plan.outcomes says how each skill ended
+"""
+
+import json
+
+import numpy as np
+
+
+def times(a, b):
+    w, v, x, u = a[0], a[1:], b[0], b[1:]
+    return np.array([w * x - v @ u, *(w * u + x * v + np.cross(v, u))])
+
+
+def turn(to, origin, shortest=False):
+    q = times(to, origin * [1, -1, -1, -1])
+    q = -q if shortest and q[0] < 0 else q
+    sine = np.linalg.norm(q[1:])
+    return 2 * np.arctan2(sine, q[0]) / (sine + 1e-300) * q[1:]
+
+
+def turned(q, v):
+    half = np.linalg.norm(v) / 2
+    q = times(np.array([np.cos(half), *(np.sin(half) / (2 * half + 1e-300) * v)]), q)
+    return q / np.linalg.norm(q)
+
+
+def within(v, reach):
+    far = np.linalg.norm(v) > reach
+    return (v * reach / np.linalg.norm(v) if far else v), far
+
+
+def kept_at(skill, fraction, touching=True):
+    """Directions and forces to press with at a fraction of the demonstrated time."""
+    for kept in skill["kept"]:
+        place = min(max(fraction, 0.0), 1.0) * (len(kept["force_N"]) - 1)
+        if (kept["met"] or touching) and kept["force_N"][int(place + 0.5)] > 0:
+            force = np.interp(place, np.arange(len(kept["force_N"])), kept["force_N"])
+            yield np.array(kept["direction"][int(place + 0.5)]), force
+
+
+class Plan:
+    def __init__(self, file, sensed):
+        with open(file, encoding="utf-8") as text:
+            self.file = json.load(text)
+        self.e, self.skills = self.file["execution"], self.file["skills"]
+        self.h, self.shift, self.outcomes, self.sensed = self.e["step_s"], np.zeros(3), [], sensed
+        self.reference = (*sensed[:2], np.zeros(6))
+        self.begin(np.zeros(6))
+        self.reference = self.follow()
+
+    def step(self, sensed):
+        self.sensed, self.in_stage = sensed, self.in_stage + self.h
+        time, e = self.in_stage + 1e-9, self.e
+        if self.stage == "moving":
+            outcome = self.outcome(self.skill)
+            if outcome == "contact" and self.skill["press"]:
+                press = self.skill["press"]
+                self.pressed = [*self.kept(1.0), (np.array(press["direction"]), press["force_N"])]
+                self.enter("pressing")
+            elif outcome:
+                self.end(outcome, self.reference[2])
+        elif self.stage == "pressing":
+            still = np.linalg.norm(sensed[2][:3]) < e["still_m_s"]
+            if time >= e["pressed_most_s"] or (time >= e["pressed_least_s"] and still):
+                self.end("contact", np.zeros(6))
+        elif self.stage == "loading" and (time >= e["pressed_most_s"] or self.loaded()):
+            self.move(np.zeros(6))
+        elif self.stage == "resting" and time >= e["rest_s"]:
+            self.stage = "over"
+        self.reference = self.follow()
+
+    def kept(self, fraction):
+        return list(
+            kept_at(self.skill, fraction, np.linalg.norm(self.sensed[3]) > self.e["touching_N"])
+        )
+
+    def enter(self, stage):
+        self.stage, self.in_stage, self.still = stage, 0.0, (*self.reference[:2], np.zeros(6))
+
+    def begin(self, velocity):
+        self.skill = self.skills[len(self.outcomes)]
+        self.shift = self.shift * (not self.skill["connecting"])
+        self.pressed = list(kept_at(self.skill, 0.0))
+        self.enter("loading") if not self.loaded() else self.move(velocity)
+
+    def loaded(self):
+        e, force = self.e, self.sensed[3]
+        least = [max(e["loaded_within"] * f, e["loaded_within_N"]) for _, f in self.pressed]
+        return all(abs(f + force @ d) <= w for (d, f), w in zip(self.pressed, least, strict=True))
+
+    def move(self, velocity):
+        skill, (y, q, _, force) = self.skill, self.sensed
+        p, c, needs = skill["primitive"], skill["primitive"]["constants"], skill["precondition"]
+        start_q, self.tau0 = np.array(p["start_orientation_wxyz"]), p["duration_s"] / 3
+        q = q if q @ start_q >= 0 else -q
+        self.goal = np.array(p["goal_position_m"]) + self.shift
+        self.goal_q = np.array(p["goal_orientation_wxyz"]) if p["oriented"] else q
+        left = np.r_[self.goal - y, turn(self.goal_q, q)]
+        shown = np.subtract(p["goal_position_m"], p["start_position_m"])
+        shown = np.r_[shown, turn(np.array(p["goal_orientation_wxyz"]), start_q)]
+        scaled, self.W = np.array(p["scaled"]), np.array(p["weights"])
+        self.scale = np.where(scaled, left, 1.0)
+        self.hold = np.where(scaled, 0.0, c["alpha_z"] * c["beta_z"] * (left - shown))
+        self.C, self.D = np.array(p["centres"]), np.array(p["widths"])
+        self.x, self.tau, self.y, self.q, self.z = 1.0, self.tau0, y, q, velocity * self.tau0
+        self.error, self.yr, self.qr, self.vr = np.zeros(6), *self.reference[:2], velocity
+        self.level, self.start_force, self.armed = None, force, False
+        self.over = self.beyond = self.stalled = self.best = self.done = 0.0
+        self.furthest, self.pressed = -np.inf, self.kept(0.0)
+        self.enter("moving")
+        away = np.linalg.norm(y - self.shift - needs["position_m"]) if needs else 0.0
+        if needs and (
+            away > needs["position_tolerance_m"]
+            or (
+                needs["orientation_wxyz"]
+                and np.linalg.norm(turn(np.array(needs["orientation_wxyz"]), q, True))
+                > needs["rotation_tolerance_rad"]
+            )
+            or any(-force @ np.array(k["direction"]) < k["least_N"] for k in needs["contacts"])
+        ):
+            self.end("not ready", np.zeros(6))
+
+    def end(self, outcome, velocity):
+        skill, ended = self.skill, self.sensed[0]
+        if outcome == "contact" and skill["shift_beyond_m"] is not None:
+            press = skill["press"] or {
+                "direction": skill["travel_direction"],
+                "position_m": skill["end_position_m"],
+            }
+            d = np.array(press["direction"])
+            missing = (ended - self.shift - press["position_m"]) @ d
+            self.shift = self.shift + d * missing * (abs(missing) > skill["shift_beyond_m"])
+        self.outcomes.append(outcome)
+        if outcome not in ("reached", "contact"):
+            self.reference, self.pressed = (*self.sensed[:2], np.zeros(6)), []
+            self.enter("resting")
+        elif len(self.outcomes) == len(self.skills):
+            self.pressed = (self.stage == "pressing" and self.pressed) or self.kept(1.0)
+            self.enter("resting")
+        else:
+            self.begin(velocity)
+
+    def follow(self):
+        """The reference for the next tick."""
+        if self.stage != "moving":
+            return self.press(*self.still)
+        c, h, (at, wxyz, speed, _) = self.skill["primitive"]["constants"], self.h, self.sensed
+        self.slow(self.skill["guard"], c)
+        for d, _ in self.pressed:
+            at = at + (self.y - at) @ d * d
+            speed = speed + np.r_[(self.vr[:3] - speed[:3]) @ d * d, 0, 0, 0]
+        first = None
+        for _ in range(
+            parts := max(
+                1, int(np.ceil(c["alpha_z"] * h / self.tau / self.e["largest_step"] - 1e-9))
+            )
+        ):
+            acceleration = self.advance(c, h / parts, at, wxyz, speed)
+            first = acceleration if first is None else first
+        self.vr = self.vr + h * first
+        away, far = within(self.yr + h * self.vr[:3] - at, self.e["reach_m"])
+        rotation = turn(turned(self.qr, h * self.vr[3:]), wxyz, True)
+        rotation, wide = within(rotation, self.e["reach_rad"])
+        self.vr = np.where([far] * 3 + [wide] * 3, speed, self.vr)
+        self.yr, self.qr = at + away, turned(wxyz, rotation)
+        self.done = -np.log(self.x) / (3 * c["alpha_x"])
+        self.pressed, span = [], self.skill["demonstrated_s"]
+        if span and self.skill["kept"]:
+            shown = self.done * self.skill["primitive"]["duration_s"] / (span[1] - span[0])
+            self.pressed = self.kept(min(shown, 1.0))
+        return self.press(self.yr, self.qr, self.vr)
+
+    def advance(self, c, h, at, wxyz, speed):
+        """One step of the primitive with temporal coupling; the reference acceleration."""
+        left = np.r_[self.goal - self.y, turn(self.goal_q, self.q)]
+        psi = np.exp(-0.5 * self.D * (self.x - self.C) ** 2)
+        force = self.x * (psi @ self.W / (psi.sum() + 1e-10) * self.scale - self.hold)
+        away = np.r_[at - self.y, turn(wxyz, self.q, True)]
+        rate = c["alpha_e"] * (
+            np.r_[1, 1, 1, np.full(3, c["rotation_weight_m"])] * away - self.error
+        )
+        tau_rate = 2 * c["k_c"] * self.tau * (self.error @ rate)
+        tau = self.tau * (1 + c["k_c"] * self.error @ self.error)
+        z_rate = (c["alpha_z"] * (c["beta_z"] * left - self.z) + force) / tau
+        acceleration = (z_rate - tau_rate / tau * self.z) / tau
+        acceleration = acceleration + c["k_v"] * (self.z / tau - speed) - c["k_p"] * away
+        self.z, self.x = self.z + h * z_rate, self.x * np.exp(-c["alpha_x"] * h / tau)
+        self.y, self.q = self.y + h * self.z[:3] / tau, turned(self.q, h * self.z[3:] / tau)
+        self.error = self.error + h * rate
+        return acceleration
+
+    def slow(self, guard, c):
+        """Time stretched to the speed that is allowed before the contact."""
+        if guard:
+            ahead = (self.skill["end_position_m"] + self.shift - self.y) @ self.skill[
+                "travel_direction"
+            ]
+            brake = 2 * self.e["brake_m_s2"] * max(ahead - guard["stretch_m"], 0.0)
+            allowed = np.sqrt(guard["speed_m_s"] ** 2 + brake)
+            tau = self.tau0 * max(1.0, np.linalg.norm(self.z[:3]) / self.tau0 / allowed)
+            change = self.z * (1 / tau - 1 / self.tau) / (1 + c["k_c"] * self.error @ self.error)
+            self.vr, self.tau = self.vr + change, tau
+
+    def press(self, position, orientation, velocity):
+        at, velocity = position, velocity.copy()
+        for d, force in self.pressed:
+            here = self.sensed[0] @ d + force / self.file["gains"]["stiffness_N_m"]
+            at = at + (min(here, position @ d + self.e["followed_beyond_m"]) - at @ d) * d
+            velocity[:3] -= velocity[:3] @ d * d
+        return at, orientation, velocity
+
+    def outcome(self, skill):
+        """How the skill has ended, if it has."""
+        (at, wxyz, _, force), e, end, h = self.sensed, self.e, skill["end_condition"], self.h
+        at, arming, travel = at - self.shift, skill["arming"], skill["travel_direction"]
+        beyond = (at - skill["end_position_m"]) @ travel if travel else 0.0
+        unexpected = np.linalg.norm(force - self.start_force) > skill["force_limit_N"]
+        self.beyond = self.beyond + h if unexpected else 0.0
+        done = min(self.done, 1.0)
+        self.stalled += h
+        if beyond >= self.furthest + e["progress_m"] or done >= self.best + e["progress_fraction"]:
+            self.stalled, self.best, self.furthest = 0.0, done, max(beyond, self.furthest)
+        if end["kind"] == "contact":
+            along = force @ np.array(end["direction"])
+            if self.level is None:
+                self.level = self.start_force @ np.array(end["direction"])
+            motion_s = self.done * skill["primitive"]["duration_s"]
+            near = beyond >= -arming["within_m"] and motion_s >= arming["after_s"] - 1e-6
+            self.armed = self.armed or near
+            if not self.armed:
+                self.level += min(h / arming["level_s"], 1.0) * (along - self.level)
+            self.over = (
+                self.over + h if self.armed and along - self.level > end["threshold_N"] else 0.0
+            )
+            if self.over >= arming["debounce_s"] - 1e-9:
+                return "contact"
+        if self.beyond >= skill["debounce_s"] - 1e-9:
+            return "unexpected contact"
+        if beyond > skill["travel_limit_m"]:
+            return "too far"
+        if end["kind"] == "configuration" and self.done >= 1.0:
+            q = np.array(skill["end_orientation_wxyz"])
+            near = np.linalg.norm(at - skill["end_position_m"]) <= end["position_tolerance_m"]
+            if near and (
+                not skill["primitive"]["oriented"]
+                or np.linalg.norm(turn(q, wxyz, True)) <= end["rotation_tolerance_rad"]
+            ):
+                return "reached"
+        return "timeout" if self.stalled >= skill["timeout_s"] else ""
