@@ -14,6 +14,7 @@ import tyro
 
 from keyphase import __version__
 from keyphase.commands.fit import FitWeights
+from keyphase.commands.inspect import Inspect
 from keyphase.commands.make_demonstrations import MakeDemonstrations
 from keyphase.commands.open import Open
 from keyphase.commands.record import Record
@@ -25,6 +26,7 @@ from keyphase.errors import KeyphaseError, MissingPackageError
 COMMANDS = {
     "open": Open,
     "segment": SegmentRecordings,
+    "inspect": Inspect,
     "score": ScoreSegments,
     "record": Record,
     "replay": ReplaySegments,

@@ -23,6 +23,7 @@ SOUND = {
     "force": 'columns = "f*"\nunit = "N"\n',
     "torque": 'columns = "t*"\nunit = "Nm"\n',
     "wrench": 'frame = "base"\nsign = 1\n',
+    "gripper": 'columns = "g*"\nunit = "m"\n',
     "joints": 'columns = "j*"\nunit = "rad"\n',
 }
 
@@ -68,3 +69,11 @@ def test_every_native_name_is_described() -> None:
     for names in native_csv._GROUPS.values():
         for name in names:
             assert f"`{name}`" in FORMATS
+
+
+def test_the_tables_of_formats_and_presets_are_those_of_the_code() -> None:
+    from keyphase.readers.formats.documented import formats_table, presets_table
+
+    text = (DOCS / "formats.md").read_text()
+    assert formats_table() in text
+    assert presets_table() in text

@@ -71,3 +71,9 @@ def test_seconds_and_nanoseconds_in_two_columns_keep_all_digits(tmp_path: Path) 
     demonstration = read(path)
     np.testing.assert_allclose(demonstration.time_s, np.arange(30) / 50, atol=1e-12)
     assert "stamped 1700000000.000000000 s" in " ".join(demonstration.notices)
+
+
+def test_a_header_behind_a_comment_mark_names_the_columns(tmp_path: Path) -> None:
+    recipe = PLAIN + 'table.separator = "whitespace"\n'
+    path = table(tmp_path, "# t x y z\n0 1 2 3\n1 2 3 4\n", recipe)
+    np.testing.assert_allclose(read(path).position_m[1], [0.002, 0.003, 0.004])

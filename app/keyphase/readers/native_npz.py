@@ -1,8 +1,8 @@
 """The native archive: an NPZ with one array for each channel, named with its unit.
 
 `time_s` (N,), `position_m` (N, 3), and where recorded `orientation_wxyz` (N, 4), `force_N` (N, 3),
-`torque_Nm` (N, 3), `joints_rad` (N, J), and `metadata_json`, a zero-dimensional string that holds a
-JSON object. Archives come from anywhere, so nothing in one is unpickled, trusted in size or
+`torque_Nm` (N, 3), `joints_rad` (N, J), `gripper` (N,), and `metadata_json`, a zero-dimensional
+string that holds a JSON object. Archives come from anywhere, so nothing in one is unpickled, trusted in size or
 unpacked to disk: each member is read within a limit, and its header before its data.
 """
 
@@ -33,7 +33,7 @@ MAGIC = b"PK\x03\x04"
 """How a zip archive that holds anything begins."""
 
 _REQUIRED = ("time_s", "position_m")
-_OPTIONAL = ("orientation_wxyz", "force_N", "torque_Nm", "joints_rad")
+_OPTIONAL = ("orientation_wxyz", "force_N", "torque_Nm", "joints_rad", "gripper")
 _METADATA = "metadata_json"
 _KNOWN = (*_REQUIRED, *_OPTIONAL, _METADATA)
 _SUFFIX = ".npy"

@@ -213,7 +213,9 @@ def _refuse_too_large(file: str, data: bytes, limit_bytes: int) -> None:
 
 
 def _names(line: str, form: TableForm) -> tuple[str, ...]:
-    return tuple(cell.strip() for cell in split_cells(line, form.separator))
+    """A header that stands behind a comment mark is read as if it did not."""
+    bare = line.strip().lstrip("#%") if line.lstrip().startswith(("#", "%")) else line
+    return tuple(cell.strip() for cell in split_cells(bare, form.separator))
 
 
 def _refuse_ragged(table: Table) -> None:

@@ -31,6 +31,7 @@ def _one(_path: Path) -> tuple[str, ...]:
 class Format:
     """A format keyphase reads as columns.
 
+    example a path of one recording
     extra   what installs it: pip install "keyphase[EXTRA]"; "" where nothing is needed
     parts   the recordings in a file of many, or none where the file is one
     table   the columns of one recording: path, part and limit of memory in bytes
@@ -39,16 +40,28 @@ class Format:
     name: str
     extra: str
     endings: str
+    example: str
     parts: Callable[[Path], tuple[str, ...]]
     table: Callable[[Path, str | None, int], ArrayTable]
 
 
-LEROBOT = Format("LeRobot v2.1, v3.0", "lerobot", "a folder", parts_of_lerobot, table_of_lerobot)
-HDF5 = Format("HDF5", "hdf5", ".hdf5 .h5", parts_of_hdf5, table_of_hdf5)
-ZARR = Format("Zarr", "zarr", ".zarr .zarr.zip", parts_of_zarr, table_of_zarr)
-BAG = Format("ROS 1 and ROS 2 bag, MCAP", "ros", ".bag .mcap, a folder", _one, table_of_bag)
-MAT = Format("MATLAB 5 to 7.2", "", ".mat", _one, table_of_mat)
-NPY = Format("NumPy array", "", ".npy", _one, table_of_npy)
+LEROBOT = Format(
+    "LeRobot v2.1, v3.0",
+    "lerobot",
+    "a folder",
+    "pick_and_place#episode_3",
+    parts_of_lerobot,
+    table_of_lerobot,
+)
+HDF5 = Format("HDF5", "hdf5", ".hdf5 .h5", "low_dim.hdf5#demo_3", parts_of_hdf5, table_of_hdf5)
+ZARR = Format(
+    "Zarr", "zarr", ".zarr .zarr.zip", "buffer.zarr#episode_0", parts_of_zarr, table_of_zarr
+)
+BAG = Format(
+    "ROS 1 and ROS 2 bag, MCAP", "ros", ".bag .mcap, a folder", "run.bag", _one, table_of_bag
+)
+MAT = Format("MATLAB 5 to 7.2", "", ".mat", "run.mat", _one, table_of_mat)
+NPY = Format("NumPy array", "", ".npy", "run.npy", _one, table_of_npy)
 
 FORMATS = (LEROBOT, HDF5, ZARR, BAG, MAT, NPY)
 

@@ -1,0 +1,142 @@
+"""How the text of a table is laid out, found by trying: encoding, separator, decimal, header."""
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from keyphase.errors import DemonstrationError
+from keyphase.readers.table import TableForm, split_cells
+
+_LOOKED_AT_BYTES = 1 << 18
+_LOOKED_AT_LINES = 400
+_BODY_LINES = 40
+
+_BOMS = ((b"\xff\xfe", "utf-16"), (b"\xfe\xff", "utf-16"), (b"\xef\xbb\xbf", "utf-8"))
+_SEPARATORS = ("\t", ";", ",", "|", None)
+_SHOWN = {"\t": "tab", None: "whitespace"}
+_POINT = re.compile(r"[+-]?\d*\.\d+(e[+-]?\d+)?|[+-]?\d+(e[+-]?\d+)?|nan|inf", re.I)
+_COMMA = re.compile(r"[+-]?\d*,\d+(e[+-]?\d+)?|[+-]?\d+(e[+-]?\d+)?|nan|inf", re.I)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """A layout, its encoding as a recipe writes it, and why each is thought to be so."""
+
+    form: TableForm
+    encoding: str
+    evidence: dict[str, str]
+    first_rows: tuple[tuple[str, ...], ...] = field(default=())
+
+    @property
+    def separator(self) -> str:
+        """As a recipe writes it."""
+        return _SHOWN.get(self.form.separator, self.form.separator or "")
+
+
+def layout_of(data: bytes) -> Layout:
+    """The layout of a table by its beginning.
+
+    Raises DemonstrationError for what is no text or has no rows of numbers.
+    """
+    encoding, evidence = _encoding(data[:_LOOKED_AT_BYTES])
+    codec = "utf-8-sig" if encoding == "utf-8" else encoding
+    text = data[:_LOOKED_AT_BYTES].decode(codec, errors="ignore")
+    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")[:_LOOKED_AT_LINES]
+    found = [_fitted(lines, separator, decimal) for separator, decimal in _choices()]
+    best = max(found, key=lambda one: one.worth)
+    if best.worth <= 0:
+        raise DemonstrationError(
+            "expected a table, rows of numbers under one another, but no separator makes one of "
+            "this text; check that it is a table."
+        )
+    header = best.header is not None
+    skip = best.header if best.header is not None else best.body
+    form = TableForm(best.separator, skip, header, codec, best.decimal)
+    rows = [_cells(line, best.separator) for line in lines[best.body :] if line.strip()]
+    evidence |= {
+        "separator": f"{best.width} cells in {best.rows} of {best.rows} rows",
+        "decimal": best.decimal_evidence,
+        "header": f"line {skip + 1} names the columns" if header else "numbers from the first line",
+    }
+    return Layout(form, encoding, evidence, tuple(tuple(row) for row in rows[:20]))
+
+
+@dataclass(frozen=True)
+class _Fit:
+    separator: str | None
+    decimal: str
+    body: int
+    header: int | None
+    width: int
+    rows: int
+    worth: float
+    decimal_evidence: str
+
+
+def _choices() -> list[tuple[str | None, str]]:
+    return [(s, d) for s in _SEPARATORS for d in (".", ",") if s != d]
+
+
+def _encoding(data: bytes) -> tuple[str, dict[str, str]]:
+    for mark, name in _BOMS:
+        if data.startswith(mark):
+            return name, {"encoding": f"the file begins with the mark of {name.upper()}"}
+    if b"\0" in data:
+        raise DemonstrationError("expected a text table, but the file is binary.")
+    cut = data[: data.rfind(b"\n") + 1] or data
+    try:
+        cut.decode("utf-8")
+    except UnicodeDecodeError as error:
+        byte = cut[error.start]
+        shown = bytes([byte]).decode("cp1252", errors="replace")
+        line = cut[: error.start].count(b"\n") + 1
+        return "cp1252", {"encoding": f"byte {byte:#x} in line {line} is no UTF-8 ({shown!r} here)"}
+    return "utf-8", {"encoding": "every byte is UTF-8"}
+
+
+def _fitted(lines: Sequence[str], separator: str | None, decimal: str) -> _Fit:
+    """How well a separator and a decimal mark make rows of numbers of the lines."""
+    cells = [_cells(line, separator) if line.strip() else [] for line in lines]
+    number = _POINT if decimal == "." else _COMMA
+    shares = [_share(row, number) for row in cells]
+    widths = Counter(
+        len(row) for row, share in zip(cells, shares, strict=True) if share >= 0.5 and len(row) > 1
+    )
+    if not widths:
+        return _Fit(separator, decimal, 0, None, 0, 0, 0.0, "")
+    width = widths.most_common(1)[0][0]
+    fits = [len(row) == width and share >= 0.5 for row, share in zip(cells, shares, strict=True)]
+    body = fits.index(True)
+    after = [i for i in range(body, min(len(lines), body + _BODY_LINES)) if cells[i]]
+    good = sum(shares[i] for i in after if fits[i])
+    marked = sum(decimal in cell for i in after for cell in cells[i])
+    header = _header(cells, body, width)
+    worth = good / max(len(after), 1) * (1 + 0.02 * min(width, 30)) + 0.1 * (marked > 0)
+    shown = f"{marked} cells have a {'comma' if decimal == ',' else 'point'} between digits"
+    return _Fit(separator, decimal, body, header, width, sum(fits), worth, shown)
+
+
+def _header(cells: Sequence[Sequence[str]], body: int, width: int) -> int | None:
+    """The last line with words before the numbers begin, if it has a word for each column."""
+    for at in range(body - 1, -1, -1):
+        row = cells[at]
+        if not row:
+            continue
+        return at if len(_without_mark(row)) in (width, width - 1) else None
+    return None
+
+
+def _without_mark(row: Sequence[str]) -> list[str]:
+    return [cell for cell in row if cell not in ("#", "%", "")]
+
+
+def _cells(line: str, separator: str | None) -> list[str]:
+    cells = [cell.strip() for cell in split_cells(line, separator)]
+    return cells[:-1] if cells and cells[-1] == "" and separator is not None else cells
+
+
+def _share(row: Sequence[str], number: re.Pattern[str]) -> float:
+    """The share of cells that are numbers; empty cells do not count."""
+    filled = [cell for cell in row if cell]
+    return sum(bool(number.fullmatch(cell)) for cell in filled) / len(filled) if filled else 0.0

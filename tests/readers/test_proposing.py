@@ -1,0 +1,95 @@
+"""What an unknown table probably is: proposed with evidence, never counted on its own."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from keyphase.errors import DemonstrationError, RecipeError
+from keyphase.readers import parse_recipe, read
+from keyphase.readers.proposing.layout import layout_of
+from keyphase.readers.proposing.proposal import propose
+
+NAMES = "Zeit [ms];Px [mm];Py [mm];Pz [mm];qx;qy;qz;qw;Fx [N];Fy [N];Fz [N];Greifer [mm];Status"
+
+
+def german(rows: int = 300) -> bytes:
+    """A log with everything that is different from a plain CSV."""
+    lines = ["# Versuch 3: Fügen", "# Prüfstand", NAMES]
+    for i in range(rows):
+        numbers = [400 + i / 100, 20, 300, 0, 0, 0.1, np.sqrt(0.99), 0.1, 0.2, -5, 40]
+        cells = [str(152345 + 4 * i), *(f"{v:.4f}".replace(".", ",") for v in numbers), "läuft"]
+        lines.append(";".join(cells))
+    return "\r\n".join(lines).encode("cp1252")
+
+
+@pytest.fixture
+def log(tmp_path: Path) -> Path:
+    path = tmp_path / "Versuch_03.csv"
+    path.write_bytes(german())
+    return path
+
+
+def test_a_german_log_is_understood_but_for_what_only_a_person_knows(log: Path) -> None:
+    proposal = propose(log)
+    assert proposal.open == ("wrench.frame", "wrench.sign")
+    found = {g.role: ([proposal.names[c] for c in g.columns], g.unit) for g in proposal.guesses}
+    assert found["time"] == (["Zeit [ms]"], "ms")
+    assert found["position"] == (["Px [mm]", "Py [mm]", "Pz [mm]"], "mm")
+    assert found["quaternion"] == (["qx", "qy", "qz", "qw"], "")
+    assert found["gripper"] == (["Greifer [mm]"], "mm")
+
+
+def test_the_evidence_says_what_was_seen(log: Path) -> None:
+    text = propose(log).recipe_text()
+    assert "steps of 4: ms, which makes 250 Hz" in text
+    assert "norm of these four is 1.000 in every row: a quaternion" in text
+    assert "byte 0xfc in line 1 is no UTF-8 ('ü' here)" in text
+
+
+def test_what_is_open_must_be_said_before_anything_is_read(log: Path) -> None:
+    with pytest.raises(RecipeError, match="frame"):
+        parse_recipe(propose(log).recipe_text(), "proposed")
+
+
+def test_the_completed_proposal_reads_the_log_value_by_value(log: Path) -> None:
+    text = propose(log).recipe_text()
+    text = text.replace('# frame = "base"', 'frame = "tool"').replace("# sign = 1 ", "sign = -1 ")
+    demonstration = read(log, parse_recipe(text, "completed"))
+    np.testing.assert_allclose(demonstration.rate_hz, 250)
+    np.testing.assert_allclose(demonstration.position_m[0], [0.4, 0.02, 0.3])
+    assert demonstration.gripper is not None
+    np.testing.assert_allclose(demonstration.gripper, 0.04)
+
+
+@pytest.mark.parametrize(
+    ("text", "separator", "decimal", "header"),
+    [
+        ("t,x,y,z\n0,1.5,2,3\n1,1.5,2,3\n", ",", ".", True),
+        ("0\t1,5\t2\t3\n1\t1,5\t2\t3\n", "tab", ",", False),
+        ("# t x y z\n0 1.5 2 3\n1 1.5 2 3\n", "whitespace", ".", True),
+        ("a|b\n1.5|2\n2.5|3\n", "|", ".", True),
+    ],
+)
+def test_layouts_are_told_apart(text: str, separator: str, decimal: str, header: bool) -> None:
+    layout = layout_of(text.encode())
+    assert (layout.separator, layout.form.decimal, layout.form.header) == (
+        separator,
+        decimal,
+        header,
+    )
+
+
+@pytest.mark.parametrize("data", [b"", b"hello world\nno numbers\n", b"\0\1\2\0"])
+def test_what_is_no_table_is_refused(data: bytes) -> None:
+    with pytest.raises(DemonstrationError, match="expected a t"):
+        layout_of(data)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["iiwa_tagged.csv", "lund_two_hand_assembly_trial_2.csv", "dfki_subject1_run1.tsv"],
+)
+def test_time_and_place_of_real_logs_are_found(real_data: Path, name: str) -> None:
+    roles = {guess.role for guess in propose(real_data / "raw" / name).guesses}
+    assert {"time", "position"} <= roles

@@ -1,0 +1,47 @@
+"""`keyphase inspect`: facts, oddities and a proposed recipe, with exit codes for machines."""
+
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from keyphase.cli import main
+from keyphase.demonstration import Demonstration
+from keyphase.files.shipped import shipped
+from keyphase.readers import save_npz
+
+
+def inspect(*arguments: object) -> int:
+    with pytest.raises(SystemExit) as ended:
+        main(["inspect", *map(str, arguments)])
+    return int(ended.value.code or 0)
+
+
+def test_a_sound_recording_is_told_in_facts(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shutil.copy(shipped("data") / "setup1.npz", tmp_path)
+    assert inspect(tmp_path) == 0
+    assert "position_m (3), orientation_wxyz (4), force_N (3)" in capsys.readouterr().out
+
+
+def test_a_channel_that_never_changes_is_odd(tmp_path: Path) -> None:
+    time = np.arange(100) / 50
+    place = np.column_stack([time, time, time])
+    save_npz(Demonstration("a", time, place, force_N=np.zeros((100, 3))), tmp_path / "a.npz")
+    assert inspect(tmp_path / "a.npz") == 1
+
+
+def test_an_unknown_table_gets_a_recipe_to_complete(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    rows = "".join(f"{i / 50},{i},0,0\n" for i in range(50))
+    (tmp_path / "log.csv").write_text(f"t,x [mm],y [mm],z [mm]\n{rows}")
+    assert inspect(tmp_path, "--write") == 2
+    assert (tmp_path / "log.csv.recipe.toml").is_file()
+    capsys.readouterr()
+    assert inspect(tmp_path, "--json") == 0
+    (result,) = json.loads(capsys.readouterr().out)
+    assert result["facts"]["rate_hz"] == 50
