@@ -3,7 +3,8 @@
 `time_s` (N,), `position_m` (N, 3), and where recorded `orientation_wxyz` (N, 4), `force_N` (N, 3),
 `torque_Nm` (N, 3), `joints_rad` (N, J), `gripper` (N,), and `metadata_json`, a zero-dimensional
 string that holds a JSON object. Archives come from anywhere, so nothing in one is unpickled,
-trusted in size or unpacked to disk: each member is read within a limit, and its header before its data.
+trusted in size or unpacked to disk: each member is read within a limit, and its header before its
+data.
 """
 
 import difflib
