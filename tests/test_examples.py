@@ -36,3 +36,7 @@ def test_segment_a_folder_prints_phases_and_writes_segment_files(folder: Path) -
 
 def test_read_with_a_recipe_says_what_was_done(tmp_path: Path) -> None:
     assert run("read_with_a_recipe.py", cwd=tmp_path).startswith("1.98 s")
+
+
+def test_an_own_method_segments(tmp_path: Path) -> None:
+    assert run("own_method.py", cwd=tmp_path).count(" s  ") > 2

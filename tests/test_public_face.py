@@ -13,6 +13,7 @@ ROOT = Path(__file__).parents[1]
 OFFERED = [
     "Demonstration",
     "Document",
+    "FoundBoundary",
     "KeyphaseError",
     "Parameters",
     "Segmentation",
@@ -20,6 +21,7 @@ OFFERED = [
     "label",
     "read",
     "read_segment_file",
+    "register_method",
     "replay",
     "score",
     "segment",

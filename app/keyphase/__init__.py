@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from keyphase.readers import read
     from keyphase.scoring import score
     from keyphase.segmentation import Parameters, Segmentation, Segmenter, segment
+    from keyphase.segmentation.own_methods import FoundBoundary, register_method
     from keyphase.simulation.replay.by_file import replay
     from keyphase.skills.library import skills_of
 
@@ -32,6 +33,7 @@ __version__ = "0.2.0.dev0"
 __all__ = [
     "Demonstration",
     "Document",
+    "FoundBoundary",
     "KeyphaseError",
     "Parameters",
     "Segmentation",
@@ -39,6 +41,7 @@ __all__ = [
     "label",
     "read",
     "read_segment_file",
+    "register_method",
     "replay",
     "score",
     "segment",
@@ -49,12 +52,14 @@ __all__ = [
 _HOMES = {
     "Demonstration": "keyphase.demonstration",
     "Document": "keyphase.labeling.document",
+    "FoundBoundary": "keyphase.segmentation.own_methods",
     "Parameters": "keyphase.segmentation.parameters",
     "Segmentation": "keyphase.segmentation.segmentation",
     "Segmenter": "keyphase.segmentation.segmenter",
     "label": "keyphase.labeling.label",
     "read": "keyphase.readers",
     "read_segment_file": "keyphase.labeling.segment_file",
+    "register_method": "keyphase.segmentation.own_methods",
     "replay": "keyphase.simulation.replay.by_file",
     "score": "keyphase.scoring",
     "segment": "keyphase.segmentation.segmenter",

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
 from keyphase.errors import ParameterError
+from keyphase.segmentation.own_methods import METHODS
 
-Variant = Literal["evidence", "paper"]
 Mixture = Literal["keyphase", "scikit-learn"]
 Turns = Literal["none", "clear", "all"]
 Estimator = Literal["equal-distance", "weight-crossing"]
@@ -21,8 +21,8 @@ class Parameters:
     Raises ParameterError for a value out of its range.
     """
 
-    variant: Variant = "evidence"
-    """The method: a probability for every boundary, or the paper's."""
+    variant: str = "evidence"
+    """The method: a probability for every boundary, the paper's ("paper"), or a registered one."""
     force_threshold: float | None = None
     """Normalized error a peak must exceed; None: the chi-square level of one false alarm in a
     hundred demonstrations."""
@@ -60,7 +60,7 @@ class Parameters:
             _check_number(name, getattr(self, name), low, high)
         _check_choice("engine", self.engine, get_args(Engine))
         _check_choice("mixture", self.mixture, get_args(Mixture))
-        _check_choice("variant", self.variant, get_args(Variant))
+        _check_choice("variant", self.variant, METHODS.names)
         _check_choice("turns", self.turns, get_args(Turns))
         _check_choice("estimator", self.estimator, get_args(Estimator))
 

@@ -6,9 +6,11 @@ from functools import cached_property
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.end_condition import end_condition_at, ends_in_contact
 from keyphase.segmentation.evidence.finding import EvidenceMethod
+from keyphase.segmentation.found import Found
 from keyphase.segmentation.free_force import free_force
 from keyphase.segmentation.labels import Evidence, proposed_label
 from keyphase.segmentation.motion import Motion, motion_of
+from keyphase.segmentation.own_finding import find_by_own_method
 from keyphase.segmentation.paper.finding import PaperMethod
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import Boundary, Change, Segment, Segmentation
@@ -35,8 +37,7 @@ class Segmenter:
     def segment(self, parameters: Parameters | None = None) -> Segmentation:
         """The segmentation under these parameters, or the default ones."""
         parameters = parameters or Parameters()
-        method = self._paper if parameters.variant == "paper" else self._evidence
-        found = method.find(parameters)
+        found = self._found(parameters)
         return Segmentation(
             demonstration=self.demonstration,
             parameters=parameters,
@@ -51,6 +52,15 @@ class Segmenter:
             track=found.track,
             unlike=found.unlike,
         )
+
+    def _found(self, parameters: Parameters) -> Found:
+        match parameters.variant:
+            case "evidence":
+                return self._evidence.find(parameters)
+            case "paper":
+                return self._paper.find(parameters)
+            case _:
+                return find_by_own_method(self.demonstration, parameters)
 
     def segment_between(self, start_s: float, end_s: float, contact_change: bool) -> Segment:
         """The segment as the program proposes it for any span, its label and end condition."""
