@@ -6,7 +6,7 @@ import keyphase
 from keyphase.files.shipped import shipped
 
 
-def slow_spots(demonstration, parameters):
+def slow_spots(demonstration, _parameters):
     velocity = np.gradient(demonstration.position_m, demonstration.time_s, axis=0)
     slow = np.linalg.norm(velocity, axis=1) < 0.1 * np.linalg.norm(velocity, axis=1).max()
     edges = np.flatnonzero(np.diff(slow.astype(int)) > 0) + 1

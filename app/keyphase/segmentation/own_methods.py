@@ -50,7 +50,9 @@ class BoundaryMethod(Protocol):
 
     def __call__(
         self, demonstration: "Demonstration", parameters: "Parameters"
-    ) -> Iterable[FoundBoundary]: ...
+    ) -> Iterable[FoundBoundary]:
+        """Raises KeyphaseError for a demonstration it cannot work on."""
+        ...
 
 
 class Methods:
