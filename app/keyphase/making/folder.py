@@ -6,7 +6,7 @@ from pathlib import Path
 
 from keyphase.errors import MakingError
 from keyphase.files.writing import write_whole
-from keyphase.making.families import FAMILIES
+from keyphase.making.families import FAMILIES, SINGLE
 from keyphase.making.made import Made
 from keyphase.making.making import make
 from keyphase.readers import save_npz
@@ -16,7 +16,7 @@ TRUTH = "truth.json"
 Maker = Callable[[str, int], Made]
 """From a family and a seed to a demonstration with its truth."""
 
-BY_FORMULA: Mapping[str, Maker] = dict.fromkeys(FAMILIES, make)
+BY_FORMULA: Mapping[str, Maker] = dict.fromkeys([*FAMILIES, *SINGLE], make)
 """The maker of every family of this package."""
 
 

@@ -11,7 +11,7 @@ from keyphase.errors import MakingError
 from keyphase.making import path as paths
 from keyphase.making.contact import Change, Contact, levels, rings, rubbing
 from keyphase.making.draws import Array, Rows, chance, log_uniform
-from keyphase.making.families import FAMILIES, Family
+from keyphase.making.families import FAMILIES, SINGLE, Family
 from keyphase.making.hand import Hand
 from keyphase.making.made import TOLERANCE_S, Event, Made
 from keyphase.making.sampling import Sampling
@@ -24,16 +24,15 @@ RAMP_SHARE = 0.3
 
 
 def make(family: str, seed: int) -> Made:
-    """A demonstration of one of `FAMILIES` with its truth; the same seed gives the same bytes.
+    """A demonstration of a family, with its truth; the same seed gives the same bytes.
 
-    Raises MakingError for a family that does not exist.
+    Families are those of `FAMILIES` and `SINGLE`. Raises MakingError for any other.
     """
-    if family not in FAMILIES:
-        raise MakingError(
-            f"Expected one of the families {', '.join(FAMILIES)}, but got {family!r}."
-        )
+    known = {**FAMILIES, **SINGLE}
+    if family not in known:
+        raise MakingError(f"Expected one of the families {', '.join(known)}, but got {family!r}.")
     rng = np.random.default_rng([zlib.crc32(family.encode()), seed])
-    kind = FAMILIES[family]
+    kind = known[family]
     hand, sampling = Hand.drawn(rng), Sampling.drawn(rng)
     script = Script(rng, hand, sampling.fine_hz)
     kind.write(script)

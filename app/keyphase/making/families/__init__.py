@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from keyphase.making.families.assembling import hand_over, insert, screw, snap, two_handed
 from keyphase.making.families.carrying import pick_and_place, push
 from keyphase.making.families.free import carry, long_path, reach
+from keyphase.making.families.light_touch import light_touch
 from keyphase.making.families.mixed import mixed
 from keyphase.making.families.surfaces import peel, press, slide, wipe
 from keyphase.making.script import Script
@@ -42,3 +43,6 @@ FAMILIES: Mapping[str, Family] = {
     "mixed": Family(mixed, estimated=0.15),
 }
 """Every family by its name."""
+
+SINGLE: Mapping[str, Family] = {"light-touch": Family(light_touch, estimated=0.0)}
+"""Made when asked for by name, and no part of what weights are fitted on."""
