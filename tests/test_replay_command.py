@@ -43,12 +43,15 @@ def test_a_failure_ends_with_1_and_says_why_last(segments, capsys) -> None:
 
 def test_it_writes_the_recording_and_the_plan_in_every_form(segments, tmp_path) -> None:
     names = {"output": "r.npz", "skills": "s.json", "behavior-tree": "t.xml", "program": "p.txt"}
+    names |= {"urscript": "u.script", "rapid": "r.mod"}
     options = [part for key, name in names.items() for part in (f"--{key}", tmp_path / name)]
     assert keyphase("replay", segments, *options) == 0
     assert read(tmp_path / "r.npz").metadata["operator"] == "replay"
     skills = read_skills(tmp_path / "s.json").skills
     tree = ElementTree.parse(tmp_path / "t.xml")
-    assert len(list(tree.iter("ReactiveFallback"))) == len(skills)
+    assert len(tree.findall("./BehaviorTree//Action[@ID='ExecuteSkill']")) == len(skills)
+    assert (tmp_path / "u.script").read_text().endswith("keyphase_plan()\n")
+    assert (tmp_path / "r.mod").read_text().endswith("ENDMODULE\n")
     assert len((tmp_path / "p.txt").read_text().splitlines()) == len(skills) + 1
 
 

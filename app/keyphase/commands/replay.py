@@ -61,6 +61,10 @@ class ReplaySegments:
     """Write the plan for BehaviorTree.CPP (XML)."""
     program: Path | None = None
     """Write the plan as a listing that people read."""
+    urscript: Path | None = None
+    """Write the plan as a URScript program with contact moves."""
+    rapid: Path | None = None
+    """Write the plan as an ABB RAPID module with contact moves."""
     json: bool = False
     """Print for machines."""
 
@@ -101,8 +105,10 @@ class ReplaySegments:
         from keyphase.files.writing import write_whole
         from keyphase.skills.exports.behavior_tree import behavior_tree
         from keyphase.skills.exports.program import program_listing
+        from keyphase.skills.exports.rapid import rapid
         from keyphase.skills.exports.skill_file import write_skills
         from keyphase.skills.exports.skill_library import library_of
+        from keyphase.skills.exports.urscript import urscript
 
         library = f"{demonstration.name}.skills.json"
         if self.skills:
@@ -111,9 +117,14 @@ class ReplaySegments:
         if self.behavior_tree:
             tree = behavior_tree(skills, library)
             write_whole(self.behavior_tree, tree.encode(), refusal=SimulationError)
-        if self.program:
-            listing = program_listing(skills, demonstration.name)
-            write_whole(self.program, listing.encode(), refusal=SimulationError)
+        for path, written in (
+            (self.program, program_listing),
+            (self.urscript, urscript),
+            (self.rapid, rapid),
+        ):
+            if path:
+                text = written(skills, demonstration.name)
+                write_whole(path, text.encode(), refusal=SimulationError)
 
     def _run_once(
         self, cell: "Cell", demonstration: "Demonstration", skills: "tuple[Skill, ...]"

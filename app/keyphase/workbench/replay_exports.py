@@ -9,13 +9,15 @@ from keyphase.files.parts import stem_of
 from keyphase.files.writing import write_whole
 from keyphase.skills.exports.behavior_tree import behavior_tree
 from keyphase.skills.exports.program import program_listing
+from keyphase.skills.exports.rapid import rapid
 from keyphase.skills.exports.skill_file import write_skills
 from keyphase.skills.exports.skill_library import library_of
+from keyphase.skills.exports.urscript import urscript
 from keyphase.workbench.replay_plan import ReplayPlan
 
 
 def export_plan(plan: ReplayPlan, recording: Path, kind: str) -> Path:
-    """Write the plan as `skills`, `behavior tree` or `program`; the path it was written to.
+    """Write the plan as `skills`, `behavior tree`, `program`, `urscript` or `rapid`; its path.
 
     It stands beside the recording, or, where nothing may be written there, in the current folder.
     A behaviour tree names its skills by their file, which is written with it. Raises RequestError
@@ -26,6 +28,12 @@ def export_plan(plan: ReplayPlan, recording: Path, kind: str) -> Path:
         "behavior tree": lambda: _write_tree(plan, recording),
         "program": lambda: _write_text(
             beside(recording, ".program.txt"), program_listing(plan.skills, stem_of(recording))
+        ),
+        "urscript": lambda: _write_text(
+            beside(recording, ".script"), urscript(plan.skills, stem_of(recording))
+        ),
+        "rapid": lambda: _write_text(
+            beside(recording, ".mod"), rapid(plan.skills, stem_of(recording))
         ),
     }
     if kind not in writers:

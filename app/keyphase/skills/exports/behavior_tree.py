@@ -1,94 +1,125 @@
 """A plan of skills as a behaviour tree for BehaviorTree.CPP 4.
 
-A sequence with one ReactiveFallback per skill: its condition is asked at every tick, and while it
-does not hold the skill is followed; a skill that runs out of time, or of way, fails the sequence.
+A sequence with one step per skill. A step asks the skill's preconditions once, then runs its one
+stateful node, ExecuteSkill, which steps an executor (`keyphase.skills.Executor`, or the example
+interpreter of the skill file) and is over when the skill is. Where a step fails the tool is
+retracted, and the plan fails.
 """
 
 from collections.abc import Sequence
 from xml.etree import ElementTree
+from xml.etree.ElementTree import Element, SubElement
 
-from keyphase.segmentation.end_condition import ContactEnd, EndCondition
+from keyphase.skills.precondition import Precondition
 from keyphase.skills.skill import Skill
 
-_PORTS = {
-    ("Action", "FollowSkill"): ("library", "skill", "travel_limit_m", "force_limit_N"),
-    ("Condition", "ForceRose"): ("direction", "threshold_N", "debounce_s"),
-    ("Condition", "PoseWithin"): (
-        "position_m",
-        "orientation_wxyz",
-        "position_tolerance_m",
-        "rotation_tolerance_rad",
-        "skill",
+RETRACT_M = 0.02
+"""A plan that failed retracts the tool this far, against the way of the skill that failed."""
+
+_INPUT, _OUTPUT = "input_port", "output_port"
+_NUMBERS = "std::vector<double>"
+
+_NODES: dict[tuple[str, str], tuple[tuple[str, str, str], ...]] = {
+    ("Action", "ExecuteSkill"): (
+        (_INPUT, "library", "std::string"),
+        (_INPUT, "skill", "int"),
+        (_OUTPUT, "outcome", "std::string"),
+        (_OUTPUT, "shift_m", _NUMBERS),
     ),
+    ("Action", "Retract"): (
+        (_INPUT, "direction", _NUMBERS),
+        (_INPUT, "distance_m", "double"),
+    ),
+    ("Condition", "AtPose"): (
+        (_INPUT, "position_m", _NUMBERS),
+        (_INPUT, "orientation_wxyz", _NUMBERS),
+        (_INPUT, "position_tolerance_m", "double"),
+        (_INPUT, "rotation_tolerance_rad", "double"),
+        (_INPUT, "shift_m", _NUMBERS),
+    ),
+    ("Condition", "ContactHeld"): (
+        (_INPUT, "direction", _NUMBERS),
+        (_INPUT, "least_N", "double"),
+    ),
+    ("Condition", "GripperIs"): ((_INPUT, "state", "std::string"),),
 }
-"""Input ports of the nodes a robot program has to provide."""
+"""Nodes that a robot program has to provide, with their typed ports."""
 
 
 def behavior_tree(skills: Sequence[Skill], library: str, name: str = "Plan") -> str:
     """XML of the plan; `library` is the skill file the skills are looked up in, by number from 1.
 
-    Conditions: ForceRose (contact) and PoseWithin (configuration); action: FollowSkill, which
-    stays RUNNING until it is halted. All three are declared in the TreeNodesModel.
+    All nodes and the types of their ports are declared in the TreeNodesModel. `shift_m` on the
+    blackboard carries how far what follows a contact is moved against the demonstration.
     """
-    root = ElementTree.Element("root", BTCPP_format="4", main_tree_to_execute=name)
-    tree = ElementTree.SubElement(root, "BehaviorTree", ID=name)
-    sequence = ElementTree.SubElement(tree, "Sequence", name=name)
+    root = Element("root", BTCPP_format="4", main_tree_to_execute=name)
+    tree = SubElement(root, "BehaviorTree", ID=name)
+    sequence = SubElement(tree, "Sequence", name=name)
+    SubElement(sequence, "Script", code="shift_m:='0;0;0'")
     for number, skill in enumerate(skills, start=1):
-        _add_skill(sequence, skill, number, library)
+        _add_step(sequence, skill, number, library)
     _add_model(root)
     ElementTree.indent(root)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, "unicode") + "\n"
 
 
-def _add_skill(parent: ElementTree.Element, skill: Skill, number: int, library: str) -> None:
-    fallback = ElementTree.SubElement(
-        parent, "ReactiveFallback", name=_printable(f"{number} {skill.label}")
-    )
-    condition, ports = _condition(skill, number)
-    ElementTree.SubElement(fallback, "Condition", {"ID": condition, **ports})
-    timeout = ElementTree.SubElement(fallback, "Timeout", msec=f"{1e3 * skill.timeout_s:.0f}")
-    follow = {
-        "ID": "FollowSkill",
+def _add_step(parent: Element, skill: Skill, number: int, library: str) -> None:
+    """The skill after its preconditions; where one fails, the tool retracts and the step fails."""
+    fallback = SubElement(parent, "Fallback", name=_printable(f"{number} {skill.label}"))
+    step = SubElement(fallback, "Sequence", name=f"skill {number}")
+    if skill.precondition is not None:
+        _add_preconditions(step, skill.precondition)
+    ports = {
+        "ID": "ExecuteSkill",
         "library": _printable(library),
         "skill": str(number),
-        "travel_limit_m": _number(skill.travel_limit_m),
-        "force_limit_N": _number(skill.force_limit_N),
+        "outcome": "{outcome}",
+        "shift_m": "{shift_m}",
     }
-    ElementTree.SubElement(timeout, "Action", follow)
-
-
-def _condition(skill: Skill, number: int) -> tuple[str, dict[str, str]]:
-    end: EndCondition = skill.end_condition
-    if isinstance(end, ContactEnd):
-        return "ForceRose", {
-            "direction": _numbers(end.direction),
-            "threshold_N": _number(end.threshold_N),
-            "debounce_s": _number(skill.debounce_s),
-        }
-    return "PoseWithin", {
-        "position_m": _numbers(skill.end_position_m.tolist()),
-        "orientation_wxyz": _numbers(skill.end_orientation_wxyz.tolist()),
-        "position_tolerance_m": _number(end.position_tolerance_m),
-        "rotation_tolerance_rad": _number(end.rotation_tolerance_rad),
-        "skill": str(number),
+    SubElement(step, "Action", ports)
+    back = skill.travel_direction or (0.0, 0.0, -1.0)
+    retract = {
+        "ID": "Retract",
+        "direction": _numbers([-c for c in back]),
+        "distance_m": _number(RETRACT_M),
     }
+    failed = SubElement(fallback, "ForceFailure")
+    SubElement(failed, "Action", retract)
 
 
-def _add_model(root: ElementTree.Element) -> None:
-    model = ElementTree.SubElement(root, "TreeNodesModel")
-    for (kind, identifier), ports in _PORTS.items():
-        node = ElementTree.SubElement(model, kind, ID=identifier)
-        for port in ports:
-            ElementTree.SubElement(node, "input_port", name=port)
+def _add_preconditions(parent: Element, needs: Precondition) -> None:
+    wxyz = needs.orientation_wxyz
+    pose = {
+        "ID": "AtPose",
+        "position_m": _numbers(needs.position_m.tolist()),
+        "orientation_wxyz": "" if wxyz is None else _numbers(wxyz.tolist()),
+        "position_tolerance_m": _number(needs.position_tolerance_m),
+        "rotation_tolerance_rad": _number(needs.rotation_tolerance_rad),
+        "shift_m": "{shift_m}",
+    }
+    SubElement(parent, "Condition", pose)
+    for held in needs.contacts:
+        contact = {"direction": _numbers(held.direction.tolist()), "least_N": _number(held.least_N)}
+        SubElement(parent, "Condition", {"ID": "ContactHeld", **contact})
+    if needs.gripper is not None:
+        SubElement(parent, "Condition", {"ID": "GripperIs", "state": needs.gripper})
+
+
+def _add_model(root: Element) -> None:
+    model = SubElement(root, "TreeNodesModel")
+    for (kind, identifier), ports in _NODES.items():
+        node = SubElement(model, kind, ID=identifier)
+        for direction, port, type_ in ports:
+            SubElement(node, direction, name=port, type=type_)
 
 
 def _numbers(values: Sequence[float]) -> str:
     """Lists as BehaviorTree.CPP reads them: separated by semicolons."""
-    return ";".join(_number(v) for v in values)
+    return ";".join(map(_number, values))
 
 
 def _number(value: float) -> str:
-    return f"{value:.6g}"
+    return f"{value + 0.0:.6g}"
 
 
 def _printable(text: str) -> str:

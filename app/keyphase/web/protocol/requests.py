@@ -139,10 +139,13 @@ class Export(_Request, tag="export", frozen=True):
     """Write a file.
 
     The segment file as `json` or `csv`, or those of `all` recordings; the plan as `skills`,
-    `behavior tree` or `program`; the replay that is over as a `page` that needs no server.
+    `behavior tree`, `program`, `urscript` or `rapid`; the replay that is over as a `page` that
+    needs no server.
     """
 
-    kind: Literal["json", "csv", "all", "skills", "behavior tree", "program", "page"]
+    kind: Literal[
+        "json", "csv", "all", "skills", "behavior tree", "program", "urscript", "rapid", "page"
+    ]
 
 
 class Show(_Request, tag="show", frozen=True):
