@@ -1,8 +1,10 @@
 """`label`: a segmentation with a person's edits over it; docs/labeling.md has the rules."""
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from types import MappingProxyType
 
+from keyphase.demonstration import Demonstration
 from keyphase.labeling.applying import applied
 from keyphase.labeling.boundary_line import Mark
 from keyphase.labeling.colors import colors_of, ranked_colors
@@ -12,6 +14,7 @@ from keyphase.labeling.labeling import Inapplicable, LabeledSegment, Labeling
 from keyphase.labeling.plan import planned
 from keyphase.labeling.spans import Decision, assign
 from keyphase.labeling.walk import Walk
+from keyphase.segmentation.end_condition import ContactEnd, EndCondition, agrees
 from keyphase.segmentation.segmentation import Segment, Segmentation
 
 Describe = Callable[[float, float, bool], Segment]
@@ -37,6 +40,8 @@ def label(
     middles = [0.5 * (segment.start_s + segment.end_s) for segment in found]
     labels, unlabeled = assign(done.labels, middles)
     kept, unkept = _kept(done, found, middles)
+    ends, unended = assign(done.ends, middles)
+    found = _ended(segmentation.demonstration, found, ends)
     segments = _labeled(found, labels, kept, colors_of(known, _numbers(known, done.frozen), found))
     return Labeling(
         segmentation,
@@ -44,7 +49,7 @@ def label(
         segments,
         planned(done.plan, segments),
         tuple(i for i, segment in enumerate(found) if segment.idle and i not in kept),
-        _inapplicable(done.missed, unlabeled, unkept),
+        _inapplicable(done.missed, unlabeled, unkept, unended),
         done=done.frozen is not None,
         changed_since_done=done.frozen is not None and done.edits_applied > 1,
         made_with=done.frozen.made_with() if done.frozen else None,
@@ -111,6 +116,22 @@ def _kept(
     return {**before, **dropped, **after}, homeless_before + homeless_after
 
 
+def _ended(
+    demonstration: Demonstration, found: Sequence[Segment], ends: Mapping[int, EndCondition | None]
+) -> list[Segment]:
+    """The segments with the end conditions a person gave, each tried on the demonstration."""
+    ended = list(found)
+    for index, end in ends.items():
+        if end is None:
+            continue
+        segment = ended[index]
+        if isinstance(end, ContactEnd):
+            does = agrees(demonstration, segment.start_s, segment.end_s, end)
+            end = replace(end, agrees=does)
+        ended[index] = replace(segment, end_condition=end)
+    return ended
+
+
 def _labeled(
     found: Sequence[Segment],
     labels: Mapping[int, str],
@@ -136,6 +157,7 @@ def _inapplicable(
     missed: Sequence[Inapplicable],
     unlabeled: Sequence[Decision[str]],
     unkept: Sequence[Decision[bool]],
+    unended: Sequence[Decision[EndCondition | None]],
 ) -> tuple[Inapplicable, ...]:
     by_edit = {each.edit: each for each in missed}
     for decision in unlabeled:
@@ -145,9 +167,12 @@ def _inapplicable(
         what = "Kept" if decision.value else "Dropped"
         text = f"{what}{_where(decision)}: that segment is no longer found."
         by_edit.setdefault(decision.edit, Inapplicable(decision.edit, text))
+    for decision in unended:
+        text = f"End condition{_where(decision)}: that segment is no longer found."
+        by_edit.setdefault(decision.edit, Inapplicable(decision.edit, text))
     return tuple(by_edit[number] for number in sorted(by_edit))
 
 
-def _where(decision: Decision[str] | Decision[bool]) -> str:
+def _where(decision: Decision[str] | Decision[bool] | Decision[EndCondition | None]) -> str:
     start, end = decision.span.span_s
     return f" from {start:.2f} to {end:.2f} s"

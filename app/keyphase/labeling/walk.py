@@ -7,6 +7,7 @@ from keyphase.labeling.boundary_line import BoundaryLine, Mark
 from keyphase.labeling.frozen import Frozen
 from keyphase.labeling.labeling import Inapplicable
 from keyphase.labeling.spans import Decision, HeldSpan, Span, hold
+from keyphase.segmentation.end_condition import EndCondition
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,6 +29,7 @@ class Walk:
     line: BoundaryLine
     labels: list[Decision[str]] = field(default_factory=list)
     keeps: list[Decision[bool]] = field(default_factory=list)
+    ends: list[Decision[EndCondition | None]] = field(default_factory=list)
     decided_before_idle: int | None = None
     plan: HeldPlan | None = None
     frozen: Frozen | None = None
@@ -64,6 +66,10 @@ class Walk:
     def decide_kept(self, number: int, span: HeldSpan, kept: bool) -> None:
         """Edit `number` kept or dropped the segments of a span."""
         self.keeps.append(Decision(number, span, kept))
+
+    def decide_end(self, number: int, span: HeldSpan, end: EndCondition | None) -> None:
+        """Edit `number` said when the segments of a span are over; None: as the program says."""
+        self.ends.append(Decision(number, span, end))
 
     def drop_idle(self) -> None:
         """From here on idle segments are dropped, whatever was decided before."""

@@ -16,6 +16,7 @@ from keyphase.labeling.edits.parsing import Edit, edit_as_json, edit_from_json
 from keyphase.labeling.edits.plan import LONGEST_PLAN, Plan
 from keyphase.labeling.edits.remove import Remove
 from keyphase.labeling.edits.reset import Reset
+from keyphase.labeling.edits.set_end import SetEnd
 from keyphase.labeling.edits.take_over import TakeOver
 
 __all__ = [
@@ -38,6 +39,7 @@ __all__ = [
     "Remove",
     "Reopen",
     "Reset",
+    "SetEnd",
     "TakeOver",
     "check_label",
     "edit_as_json",

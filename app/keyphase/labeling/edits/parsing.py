@@ -20,6 +20,7 @@ from keyphase.labeling.edits.move import Move
 from keyphase.labeling.edits.plan import Plan
 from keyphase.labeling.edits.remove import Remove
 from keyphase.labeling.edits.reset import Reset
+from keyphase.labeling.edits.set_end import SetEnd
 from keyphase.labeling.edits.take_over import TakeOver
 
 Edit = (
@@ -40,6 +41,7 @@ Edit = (
     | TakeOver
     | Done
     | Reopen
+    | SetEnd
 )
 """Everything a person can do; msgspec tells the kinds apart by their field `kind`."""
 
