@@ -13,6 +13,7 @@ import viser
 
 from keyphase.demonstration import Array
 from keyphase.simulation.replay.result import Frame, ReplayResult, ReplayState
+from keyphase.simulation.replay.shared_page import with_summary
 from keyphase.skills.execution.executor import STEP_S
 from keyphase.web.protocol.replay_messages import middle_of_skill, path_of_skill
 from keyphase.web.scene.force_arrow import ForceArrow
@@ -210,6 +211,7 @@ class ReplayScene(ReplayView):
                 film.insert_sleep(FRAME_S)
         page = film.as_html(dark_mode=False)
         shown.label(False)
+        page = with_summary(page, result, running.plan.demonstration)
         path = write_page(page, running.opened.recording.path)
         self._telling.all({"type": "saved", "path": printable(str(path))})
 
