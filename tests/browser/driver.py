@@ -114,12 +114,8 @@ class KeyphasePage:
         self.settle()
 
     def wait_for_scene(self) -> Frame:
-        """Until the 3D scene has come to rest; its hints are closed."""
+        """Until the 3D scene has come to rest."""
         frame = self.scene
-        frame.wait_for_function(_SCENE_IDLE, polling=100, timeout=60_000)
-        for button in frame.locator(".mantine-Notification-closeButton").all():
-            button.click()
-        frame.wait_for_function("() => !document.querySelector('.mantine-Notification-root')")
         frame.wait_for_function(_SCENE_IDLE, polling=100, timeout=60_000)
         return frame
 

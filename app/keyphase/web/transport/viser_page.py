@@ -19,8 +19,11 @@ INDEX = Path("client", "build", "index.html")
 """Where viser keeps its client, below its package."""
 
 HEAD = """<script>document.hasFocus = () => true;</script>
+<style>[data-floating-window], [data-dock-region], .mantine-Paper-root,
+.mantine-Notifications-root, .mantine-Affix-root { display: none !important; }</style>
 """
-"""viser's client tries to connect again only while its frame has the focus, which the page has."""
+"""viser's client tries to connect again only while its frame has the focus, which the page has.
+Of its own controls nothing is shown: the page has its own, and viser has no switch for them."""
 
 _AFTER = "<head>"
 _HTML = "text/html; charset=utf-8"

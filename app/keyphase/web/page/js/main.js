@@ -4,8 +4,12 @@ import { sceneFrames } from "./scene/viser_client.js";
 import { createAddress } from "./actions/address.js";
 import { createActions } from "./actions/actions.js";
 import { createCommands } from "./actions/commands.js";
+import { boundaryText, createAnnouncer, segmentText } from "./panels/announcer.js";
+import { createReadNotices } from "./panels/overlays/read_notices.js";
+import { createSceneTools } from "./panels/scene_tools.js";
+import { createOutline } from "./timeline/outline.js";
 import { createBanners } from "./panels/banners.js";
-import { placeIcons } from "./lib/dom.js";
+import { byId, placeIcons } from "./lib/dom.js";
 import { createEmpty } from "./panels/empty.js";
 import { createExplain } from "./panels/overlays/explain.js";
 import { createHeader } from "./panels/header.js";
@@ -58,7 +62,7 @@ const signals = createSignals(store, send, () => wantedTracks(store.state));
 const own = createOwnChanges(store);
 const actions = createActions(store, send, latency, own);
 const dialogs = {
-  openPalette: (query) => palette.open(query),
+  openPalette: (query, kind) => palette.open(query, kind),
   openKeys: () => keysSheet.open(),
   chooseFiles: () => upload.choose(),
   openMenu: () => menu.forChosen(timeline),
@@ -107,6 +111,10 @@ createPlan(store, actions);
 createStatus(store);
 createPanel(store, actions);
 createAddress(store, actions);
+createReadNotices(store);
+createAnnouncer(store);
+createOutline(byId("timeline"), store, actions, { segment: segmentText, boundary: boundaryText });
+createSceneTools(store, actions);
 const replay = createReplay(store, replayActions);
 createEmpty(store, actions);
 createSpread(store, actions);

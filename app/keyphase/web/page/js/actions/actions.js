@@ -3,13 +3,16 @@
  * gestures call. Nothing here draws; the server answers with what came of it.
  */
 
-import { segmentAt } from "../model/segments.js";
-import { unsureBoundaries } from "../model/unsure.js";
+import { middle, segmentAt } from "../model/segments.js";
+import { nextUndone } from "../model/recording_list.js";
+import { isUnsure, unsureBoundaries } from "../model/unsure.js";
 import { SPEEDS } from "../model/playback.js";
 import { createPanelActions } from "./panel_actions.js";
+import { createPlanActions } from "./plan_actions.js";
+import { createViewActions } from "./view_actions.js";
 import { createRecordingActions } from "./recording_actions.js";
 import { nearestEvidence, REACH_PX } from "../model/snapping.js";
-import { clampView, zoomView } from "../lib/scale.js";
+import { clampView } from "../lib/scale.js";
 
 /** So long after it was asked, what the server tells may not know of it yet. */
 const TOLD_BACK_MS = 500;
@@ -23,7 +26,6 @@ const TOLD_BACK_MS = 500;
 export function createActions(store, send, latency, own) {
   const { state } = store;
   const doc = () => state.document;
-  const middle = ({ start_s: start, end_s: end }) => (start + end) / 2;
 
   /** Whether nothing may be changed now; where a person could not know, they are told. */
   function refuses() {
@@ -153,11 +155,23 @@ export function createActions(store, send, latency, own) {
       edit({ kind: "add", time_s: evidence?.time ?? state.clock });
     },
     addBoundary: (time) => edit({ kind: "add", time_s: time }),
+    /** Takes a boundary out; after an unsure one the next of them is shown. */
     removeBoundary(index = state.current) {
       const boundary = doc()?.boundaries[index];
-      if (!boundary) return;
+      if (!boundary || state.readOnly) return;
+      const wasUnsure = isUnsure(boundary);
       store.set({ current: null, explained: null });
       edit({ kind: "remove", time_s: boundary.time_s });
+      if (wasUnsure) actions.nextDoubt();
+    },
+    /** The next unsure boundary; where none is left, what can be done now is told. */
+    nextDoubt() {
+      const unsure = unsureBoundaries(doc());
+      if (unsure.length) return actions.visit(unsure[0]);
+      store.set({ current: null, explained: null });
+      const next = nextUndone(state);
+      const on = next && next.id !== state.recording ? `, on to ${next.name}` : "";
+      return store.set({ notice: { level: "info", text: `No doubt left. K: done${on}.` } });
     },
     moveBoundary(from, to) {
       if (Math.abs(to - from) > 1e-6) edit({ kind: "move", from_s: from, to_s: to });
@@ -175,10 +189,8 @@ export function createActions(store, send, latency, own) {
       if (boundary && !boundary.accepted) edit({ kind: "accept", time_s: boundary.time_s });
     },
     acceptAndGoOn(index) {
-      const unsure = unsureBoundaries(doc()).filter((other) => other !== index);
       actions.acceptBoundary(index);
-      if (unsure.length) actions.visit(unsure[0]);
-      else store.set({ explained: null });
+      actions.nextDoubt();
     },
     toggleContact(index = state.current) {
       const boundary = doc()?.boundaries[index];
@@ -210,47 +222,31 @@ export function createActions(store, send, latency, own) {
       onSegment((segment) => edit({ kind: "label", time_s: middle(segment), label }), index),
     labelByNumber(number) {
       const known = state.labels[number - 1];
-      if (known) actions.label(known.name);
+      const index = selectedSegment()?.index;
+      if (!known || index === undefined || state.readOnly) return;
+      actions.label(known.name, index);
+      actions.selectKeptAfter(index);
+    },
+    /** Selects the next segment that is kept, so that names follow each other. */
+    selectKeptAfter(index) {
+      const next = doc().segments.findIndex(({ kept }, k) => k > index && kept);
+      if (next < 0) return;
+      actions.select(next);
+      reveal(middle(doc().segments[next]));
     },
     acceptNames: () => edit({ kind: "accept_labels" }),
-    /** Enter: the boundary shown, else the selected segment's proposed name. */
+    /** Enter: the boundary shown, or the name of the segment that was selected; nothing else. */
     accept() {
-      const boundary = doc()?.boundaries[state.explained ?? state.current];
-      if (boundary && !boundary.accepted)
-        return actions.acceptAndGoOn(state.explained ?? state.current);
-      return onSegment((segment) => segment.proposed && actions.label(segment.label));
+      const index = state.explained ?? state.current;
+      const boundary = doc()?.boundaries[index];
+      if (boundary) return boundary.accepted ? actions.nextDoubt() : actions.acceptAndGoOn(index);
+      const segment = doc()?.segments[state.selected];
+      if (segment?.proposed) return actions.label(segment.label, state.selected);
+      return segment ? undefined : actions.nextDoubt();
     },
     rename(index = selectedSegment()?.index) {
       if (index !== undefined && index !== null && !state.readOnly) store.set({ renaming: index });
     },
-
-    reorder: (order) => edit({ kind: "plan", order }),
-    repeat: () =>
-      onSegment((segment, index) => {
-        const order = doc().plan.map((entry) => entry.time_s);
-        const at = doc().plan.findLastIndex((entry) => entry.segment === index);
-        order.splice(at < 0 ? order.length : at + 1, 0, middle(segment));
-        actions.reorder(order);
-      }),
-    takeOut: () =>
-      onSegment((_, index) => {
-        const at = doc().plan.findLastIndex((entry) => entry.segment === index);
-        if (at >= 0)
-          actions.reorder(
-            doc()
-              .plan.filter((_, k) => k !== at)
-              .map((entry) => entry.time_s),
-          );
-      }),
-    shift: (direction) =>
-      onSegment((_, index) => {
-        const order = doc().plan.map((entry) => entry.time_s);
-        const at = doc().plan.findIndex((entry) => entry.segment === index);
-        const to = at + direction;
-        if (at < 0 || to < 0 || to >= order.length) return;
-        [order[at], order[to]] = [order[to], order[at]];
-        actions.reorder(order);
-      }),
 
     undo: () => !state.readOnly && send({ type: "undo" }),
     redo: () => !state.readOnly && send({ type: "redo" }),
@@ -272,26 +268,14 @@ export function createActions(store, send, latency, own) {
     },
     automaticThreshold: () => actions.setParameter("force_threshold", null, false),
 
-    zoom(factor, anchor = state.clock) {
-      if (!doc()) return;
-      const { view } = state;
-      const inside = anchor >= view.from && anchor <= view.to;
-      store.set({
-        view: zoomView(view, factor, inside ? anchor : (view.from + view.to) / 2, doc()),
-      });
-    },
-    fit: () => doc() && store.set({ view: { from: doc().start_s, to: doc().end_s } }),
-    toggleSnap: () => store.set({ snap: !state.snap }),
-    toggleScale: () => store.set({ logarithmic: !state.logarithmic }),
-    toggleOrder: () => store.set({ leastCertainFirst: !state.leastCertainFirst }),
-    toggleTheme: () => store.set({ dark: !state.dark }),
-
     forgetLabel: (label) => send({ type: "forget_label", label }),
     bringBack: (index) => edit({ kind: "bring_back", edit: index }),
     forget: (index) => edit({ kind: "forget", edit: index }),
   };
   return Object.assign(
     actions,
+    createPlanActions(store, { edit, onSegment }),
+    createViewActions(store),
     createRecordingActions(store, send, actions),
     createPanelActions(store, send),
   );

@@ -66,6 +66,8 @@ export function createCommands(actions, store, dialogs) {
     ]),
     ...group("View", [
       ["The whole recording", ["F"], actions.fit],
+      ["Zoom to the selected segment, and back", ["Z"], actions.zoomToSelection],
+      ["Show the robot or not", ["B"], actions.toggleRobot],
       ["Closer", ["+"], () => actions.zoom(1.5)],
       ["Further", ["-"], () => actions.zoom(1 / 1.5)],
       ["Linear or logarithmic error", ["Y"], actions.toggleScale],

@@ -15,9 +15,28 @@ export function plain(value) {
   return String(Number(value.toPrecision(6))).replace("-", "−");
 }
 
-/** A time with milliseconds: "4.204". @param {number} seconds */
-export function time(seconds) {
-  return seconds.toFixed(3).replace("-", "−");
+/** From here on a time is told in minutes or hours. */
+const LONG_S = 600;
+
+/**
+ * A time, with milliseconds unless told otherwise: "4.204", and from ten minutes on "12:05.500" or
+ * "1:06:39.996".
+ * @param {number} seconds
+ * @param {number} [digits]
+ */
+export function time(seconds, digits = 3) {
+  if (Math.abs(seconds) < LONG_S) return seconds.toFixed(digits).replace("-", "−");
+  const units = Math.round(Math.abs(seconds) * 10 ** digits);
+  const whole = Math.floor(units / 10 ** digits);
+  const [hours, minutes] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60];
+  const rest = ((units / 10 ** digits) % 60).toFixed(digits).padStart(digits ? digits + 3 : 2, "0");
+  const before = hours ? `${hours}:${String(minutes).padStart(2, "0")}` : String(minutes);
+  return `${seconds < 0 ? "−" : ""}${before}:${rest}`;
+}
+
+/** A time with its unit, where it needs one: "4.204 s", "1:06:39.996". @param {number} seconds */
+export function moment(seconds) {
+  return Math.abs(seconds) < LONG_S ? `${time(seconds)} s` : time(seconds);
 }
 
 /** A duration in a segment: "1.40 s". @param {number} seconds */

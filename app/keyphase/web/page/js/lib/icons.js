@@ -66,6 +66,9 @@ export const ICONS = {
   ],
   file: [line("M4 2h5.5L13 5.5V14H4zM9 2v4h4M8.5 8v4M6.5 10.2 8.5 12l2-1.8")],
   warning: [line("M8 2.5 14.5 13.5h-13zM8 6.5v3.5M8 11.8v.2")],
+  info: [ring(8, 8, 6), line("M8 7.5v3.5M8 5v.2")],
+  panel: [line("M2.5 3h11v10h-11zM10 3v10")],
+  robot: [line("M3 13.5h6M6 13.5V10l3.5-3L13 9.5M9.5 7 6.5 3"), dot(9.5, 7, 1)],
   close: [line("m4 4 8 8M12 4l-8 8")],
   queue: [line("M2.5 4h11M2.5 8h11M2.5 12h7")],
 };

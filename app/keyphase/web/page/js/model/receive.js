@@ -100,6 +100,7 @@ function fresh(doc) {
     view: { from: doc.start_s, to: doc.end_s },
     whole: null,
     fine: null,
+    viewBefore: null,
     hovered: null,
     current: null,
     explained: null,

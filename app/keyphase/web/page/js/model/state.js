@@ -21,10 +21,11 @@ import { firstChoice } from "./rows.js";
  * What a person looks at and holds; `hovered`, `current` and `explained` are numbers of boundaries,
  * `selected` and `renaming` of segments, `pointer` and `clock` are times
  * @typedef {{
- *   view: import("./types.js").View|null, clock: number, selected: number|null,
+ *   view: import("./types.js").View|null, viewBefore: import("./types.js").View|null, clock: number, selected: number|null,
  *   hovered: number|null, current: number|null, explained: number|null, pointer: number|null,
  *   drag: any, range: [number, number]|null, planDrag: any, renaming: number|null,
  *   held: Object<string, *>, pending: import("./pending.js").Pending[], tab: string,
+ *   drawer: "panel"|"queue"|null,
  *   holding: boolean, saving: boolean, small: boolean,
  *   dark: boolean|null, snap: boolean|null, logarithmic: boolean, leastCertainFirst: boolean, filter: string,
  *   folded: Set<string>, hidden: Set<string>, replayFolded: Set<string>, replayView: ?import("./types.js").View, plotWidth: number,
@@ -69,6 +70,7 @@ export function firstState(small) {
     lostAt: null,
     command: null,
     view: null,
+    viewBefore: null,
     clock: 0,
     selected: null,
     hovered: null,
@@ -82,6 +84,7 @@ export function firstState(small) {
     held: {},
     pending: [],
     tab: "segment",
+    drawer: null,
     holding: false,
     saving: false,
     small,

@@ -1,17 +1,17 @@
 /** The header: where am I, is it saved, what would undo undo. */
 
 import { byId, icon } from "../lib/dom.js";
-import { plural } from "../lib/format.js";
+import { plural, time as timeText } from "../lib/format.js";
 
 /**
  * @param {import("../lib/store.js").Store} store
  * @param {any} actions
- * @param {{openPalette: (query?: string) => void, openKeys: () => void}} dialogs
+ * @param {{openPalette: (query?: string, kind?: string) => void, openKeys: () => void}} dialogs
  */
 export function createHeader(store, actions, dialogs) {
   const undo = /** @type {HTMLButtonElement} */ (byId("undo"));
   const redo = /** @type {HTMLButtonElement} */ (byId("redo"));
-  byId("crumb").addEventListener("click", () => dialogs.openPalette("recording "));
+  byId("crumb").addEventListener("click", () => dialogs.openPalette("", "Recording"));
   byId("command-field").addEventListener("click", () => dialogs.openPalette());
   byId("help").addEventListener("click", dialogs.openKeys);
   byId("theme").addEventListener("click", actions.toggleTheme);
@@ -54,7 +54,7 @@ function facts({ start_s: start, end_s: end, rate_hz: rate, channels }) {
   const hertz =
     rate >= 1000 && rate % 1000 === 0 ? `${rate / 1000} kHz` : `${Number(rate.toPrecision(4))} Hz`;
   const long = end - start;
-  const lasts = long >= 600 ? `${(long / 60).toFixed(1)} min` : `${long.toFixed(2)} s`;
+  const lasts = long >= 600 ? timeText(long, 0) : `${long.toFixed(2)} s`;
   return `${lasts} · ${hertz} · ${channels.join(", ")}`;
 }
 

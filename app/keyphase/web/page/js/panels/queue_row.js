@@ -27,7 +27,6 @@ export function drawRow(item, { on, common, open, menu }) {
       class: `queue-row ${on ? "on" : ""}`,
       role: "option",
       "aria-selected": String(on),
-      "aria-label": `${name}, ${error ? "cannot be read" : `${state}, confidence ${sure || "unknown"}`}`,
       data: { recording: item.id },
       title: error ?? `${name}${sure && `: confidence of its least certain boundary ${sure}`}`,
       on: { click: open, contextmenu: menu },

@@ -1,7 +1,7 @@
 /** The status line: values under the pointer, progress, the legend of origins. */
 
 import { byId, el } from "../lib/dom.js";
-import { height as heightText, time as timeText } from "../lib/format.js";
+import { height as heightText, moment } from "../lib/format.js";
 import { curvesOf, valueAt } from "../model/signals.js";
 import { glyphIcon } from "../timeline/glyphs.js";
 import { digitsOf, valueText } from "../timeline/tracks.js";
@@ -44,7 +44,7 @@ export function createStatus(store) {
     if (!shown) return;
     const time = pointer ?? clock;
     where.textContent = pointer === null ? "Playhead" : "Pointer";
-    at.textContent = `${timeText(time)} s`;
+    at.textContent = moment(time);
     const curve = curvesOf(state, "error")?.series[0];
     const value = curve ? valueAt(curve, time) : NaN;
     errorGroup.hidden = Number.isNaN(value);
@@ -67,7 +67,7 @@ export function createStatus(store) {
 }
 
 function vector(name) {
-  const values = AXES.map((axis) => el("b", { style: { color: `var(--axis-${axis})` } }));
+  const values = AXES.map((axis) => el("b", { style: { color: `var(--axis-${axis}-text)` } }));
   return { values, node: el("span", {}, name, ...values, UNITS[name]) };
 }
 

@@ -2,7 +2,7 @@
 
 import { unsureBoundaries } from "../model/unsure.js";
 import { byId, el, icon } from "../lib/dom.js";
-import { time as timeText } from "../lib/format.js";
+import { moment, time as timeText } from "../lib/format.js";
 import { SPEEDS } from "../model/playback.js";
 
 /** The zoom slider's whole way: this many times closer. */
@@ -111,7 +111,7 @@ export function createTransport(store, actions, menus) {
 
   store.on(["clock"], ({ clock }) => (now.textContent = `${timeText(clock)} `));
   store.later(["document"], ({ document: doc }) => {
-    whole.textContent = doc ? `/ ${timeText(doc.end_s)} s` : "";
+    whole.textContent = doc ? `/ ${moment(doc.end_s)}` : "";
     for (const button of byId("transport").querySelectorAll("button")) button.disabled = !doc;
   });
   store.later(["document", "readOnly"], ({ readOnly, document: doc }) => {

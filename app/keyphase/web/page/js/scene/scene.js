@@ -3,7 +3,7 @@
 import { sceneFrames } from "./viser_client.js";
 import { createCalmScene } from "./calm_scene.js";
 import { byId, el, svg } from "../lib/dom.js";
-import { time as timeText } from "../lib/format.js";
+import { moment } from "../lib/format.js";
 
 /**
  * @param {import("../lib/store.js").Store} store
@@ -37,7 +37,7 @@ export function createScene(store, page, { onKey }) {
       ...(doc
         ? [
             "At ",
-            el("b", { text: `${timeText(clock)} s` }),
+            el("b", { text: moment(clock) }),
             doc.channels.includes("orientation") ? " · tool frame" : "",
           ]
         : []),

@@ -16,9 +16,10 @@ const HANDLE_PX = 6;
  * @param {any} timeline
  * @param {number} x px from the plot's left edge
  * @param {number} y px from the timeline's top
+ * @param {number} [reach] px within which a boundary is hit
  * @returns {Hit}
  */
-export function hitTest(state, timeline, x, y) {
+export function hitTest(state, timeline, x, y, reach = BOUNDARY_PX) {
   const { document: doc } = state;
   const layout = timeline.layout();
   if (!doc || !layout.rows.size) return { kind: "none" };
@@ -28,7 +29,7 @@ export function hitTest(state, timeline, x, y) {
   if (x > state.plotWidth)
     return nearThreshold(state, timeline, y, 9) ? { kind: "threshold" } : { kind: "none" };
   if (inRow("ruler")) return { kind: "ruler" };
-  const boundary = boundaryAt(doc, timeline.scale(), x);
+  const boundary = boundaryAt(doc, timeline.scale(), x, reach);
   if (boundary >= 0) return { kind: "boundary", boundary };
   if (inRow("segments"))
     return { kind: "segment", segment: segmentAt(doc, timeline.scale().time(x)) };
@@ -49,9 +50,9 @@ function nearThreshold(state, timeline, y, reach) {
   return at !== null && Math.abs(at - y) <= reach;
 }
 
-function boundaryAt(doc, scale, x) {
+function boundaryAt(doc, scale, x, reach) {
   let best = -1;
-  let distance = BOUNDARY_PX;
+  let distance = reach;
   doc.boundaries.forEach(({ time_s: time }, index) => {
     const away = Math.abs(scale.x(time) - x);
     if (away <= distance) [best, distance] = [index, away];

@@ -2,6 +2,7 @@
 
 import { startGesture } from "./gestures.js";
 import { hitTest } from "./hit.js";
+import { createPinch } from "./pinch.js";
 import { clampView, zoomView } from "../lib/scale.js";
 
 const CLICK_PX = 3;
@@ -15,6 +16,8 @@ const CURSORS = {
   threshold: "ns-resize",
   track: "crosshair",
 };
+/** A finger hits a boundary this far beside it. */
+const FINGER_PX = 16;
 const WHEEL_ZOOM = 0.0016;
 const WHEEL_REST_MS = 1000;
 
@@ -25,6 +28,7 @@ const WHEEL_REST_MS = 1000;
  */
 export function attachPointer(store, timeline, actions) {
   const { surface, scroller } = timeline;
+  const pinch = createPinch(store, timeline);
   /** @type {import("./gestures.js").Gesture|null} */
   let gesture = null;
   /** @type {import("./gestures.js").Point} */
@@ -65,6 +69,7 @@ export function attachPointer(store, timeline, actions) {
 
   surface.addEventListener("pointermove", (event) => {
     const point = at(event);
+    if (pinch.move(event, point.x)) return undefined;
     if (!gesture) return hover(point);
     moved ||= Math.hypot(point.x - start.x, point.y - start.y) > CLICK_PX;
     if (!moved) return undefined;
@@ -74,9 +79,14 @@ export function attachPointer(store, timeline, actions) {
 
   surface.addEventListener("pointerdown", (event) => {
     if (event.button !== 0 || !store.state.document || !store.state.view) return;
+    if (pinch.down(event, at(event).x)) {
+      letGo();
+      return;
+    }
     start = at(event);
     moved = false;
-    const hit = hitTest(store.state, timeline, start.x, start.y);
+    const reach = event.pointerType === "touch" ? FINGER_PX : undefined;
+    const hit = hitTest(store.state, timeline, start.x, start.y, reach);
     gesture = startGesture(store, timeline, actions, hit, start);
     if (!gesture) return;
     surface.setPointerCapture(event.pointerId);
@@ -86,7 +96,18 @@ export function attachPointer(store, timeline, actions) {
     surface.focus({ preventScroll: true });
   });
 
+  /** Gives up what is being dragged; whether anything was. */
+  function letGo() {
+    if (!gesture) return false;
+    gesture.cancel?.();
+    gesture = null;
+    store.set({ holding: false });
+    surface.classList.remove("held");
+    return true;
+  }
+
   function finish(event) {
+    if (pinch.up(event)) return;
     if (!gesture) return;
     const ending = gesture;
     gesture = null;
@@ -145,14 +166,6 @@ export function attachPointer(store, timeline, actions) {
   );
 
   return {
-    /** Gives up what is being dragged. @returns {boolean} whether anything was */
-    cancel() {
-      if (!gesture) return false;
-      gesture.cancel?.();
-      gesture = null;
-      store.set({ holding: false });
-      surface.classList.remove("held");
-      return true;
-    },
+    cancel: letGo,
   };
 }

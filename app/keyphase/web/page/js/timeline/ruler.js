@@ -31,7 +31,7 @@ export function drawRuler(scale, { y, height }) {
         y: y + 10,
         class: "tick",
         "text-anchor": anchor,
-        text: at.toFixed(digits).replace("-", "−"),
+        text: timeText(at, at >= 600 && step >= 1 ? 0 : digits),
       }),
     );
   }

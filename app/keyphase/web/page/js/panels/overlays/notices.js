@@ -1,4 +1,7 @@
-/** What the server wants to have said, at the lower right; errors stay until closed. */
+/**
+ * What the server wants to have said, at the top of the scene, where nothing is pressed. Errors
+ * stay until closed; what belongs to a recording ends with it.
+ */
 
 import { byId, el, icon } from "../../lib/dom.js";
 
@@ -39,6 +42,9 @@ export function createNotices(store) {
     if (level !== "error") setTimeout(() => notice.remove(), STAYS_MS);
   }
 
+  store.on(["recording"], () => {
+    for (const notice of [...node.children]) if (!notice.matches(".error")) notice.remove();
+  });
   store.on(["notice"], ({ notice }) => {
     if (notice) show(notice);
   });

@@ -18,12 +18,17 @@ export function createPalette(store, actions, commands) {
       "aria-label": "Commands, recordings, labels",
       autocomplete: "off",
       spellcheck: "false",
+      role: "combobox",
+      "aria-expanded": "true",
+      "aria-controls": "palette-found",
     })
   );
-  const list = el("ul", { role: "listbox" });
+  const list = el("ul", { id: "palette-found", role: "listbox", "aria-label": "Found" });
   dialog.append(input, list);
   let entries = [];
   let at = 0;
+  /** What is looked for, where it is not everything. */
+  let ofKind = "";
 
   function everything() {
     const { document: doc, recordings, labels, comparison } = store.state;
@@ -60,6 +65,7 @@ export function createPalette(store, actions, commands) {
   function search() {
     const words = input.value.toLowerCase().split(/\s+/).filter(Boolean);
     entries = everything()
+      .filter(({ kind }) => kind.startsWith(ofKind))
       .filter(({ text, kind }) =>
         words.every((word) => `${text} ${kind}`.toLowerCase().includes(word)),
       )
@@ -74,6 +80,7 @@ export function createPalette(store, actions, commands) {
         el(
           "li",
           {
+            id: `found-${k}`,
             class: k === at ? "on" : "",
             role: "option",
             "aria-selected": String(k === at),
@@ -88,6 +95,7 @@ export function createPalette(store, actions, commands) {
     );
     if (!entries.length)
       list.replaceChildren(el("li", { class: "nothing", text: "Nothing has that name." }));
+    input.setAttribute("aria-activedescendant", `found-${at}`);
     list.children[at]?.scrollIntoView({ block: "nearest" });
   }
 
@@ -108,8 +116,9 @@ export function createPalette(store, actions, commands) {
   dialog.addEventListener("click", ({ target }) => target === dialog && dialog.close());
 
   return {
-    open(query = "") {
+    open(query = "", kind = "") {
       if (dialog.open) return;
+      ofKind = kind;
       input.value = query;
       dialog.showModal();
       search();

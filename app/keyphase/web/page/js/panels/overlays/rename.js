@@ -21,7 +21,7 @@ export function createRename(store, timeline, actions) {
       spellcheck: "false",
     })
   );
-  const list = el("ul", { role: "listbox" });
+  const list = el("ul", { role: "listbox", "aria-label": "Labels of the folder" });
   const hint = el(
     "p",
     {},
@@ -107,8 +107,8 @@ export function createRename(store, timeline, actions) {
   function finish(label, goesOn = false) {
     const { renaming, document: doc } = store.state;
     if (renaming === null) return;
-    const next = goesOn && renaming + 1 < doc.segments.length ? renaming + 1 : null;
-    store.set({ renaming: next });
+    const after = doc.segments.findIndex(({ kept }, index) => index > renaming && kept);
+    store.set({ renaming: goesOn && after >= 0 ? after : null });
     const text = label?.trim();
     if (text) actions.label(text, renaming);
   }

@@ -3,7 +3,7 @@
 import { originColor } from "../../lib/colors.js";
 import { UNSURE_BELOW } from "../../model/unsure.js";
 import { el } from "../../lib/dom.js";
-import { halfWidth, signed, time as timeText } from "../../lib/format.js";
+import { halfWidth, signed, moment } from "../../lib/format.js";
 import { glyphIcon } from "../../timeline/glyphs.js";
 
 const LEVER_M = 0.1;
@@ -48,12 +48,12 @@ export function createWhy(node, actions) {
 
 function heading(boundary, index) {
   return el(
-    "h4",
+    "h2",
     {},
     glyphIcon(boundary.origin, boundary.contact_change),
     `Boundary ${index + 1}`,
     el("span", { class: "space" }),
-    el("span", { text: `${timeText(boundary.time_s)} s` }),
+    el("span", { text: moment(boundary.time_s) }),
   );
 }
 

@@ -1,0 +1,45 @@
+/** Tells readers of the screen what an edit did, and which segment or boundary is chosen. */
+
+import { byId } from "../lib/dom.js";
+import { duration, moment } from "../lib/format.js";
+
+/** @param {import("../lib/store.js").Store} store */
+export function createAnnouncer(store) {
+  const node = byId("announcer");
+  let undo = null;
+  const say = (text) => (node.textContent = text);
+  store.later(["document"], ({ document: doc }) => {
+    const now = doc?.undo ?? null;
+    if (now !== undo && now) say(`${now}. ${doc.segments.length} segments.`);
+    undo = now;
+  });
+  store.later(["selected"], ({ document: doc, selected }) => {
+    if (doc?.segments[selected]) say(segmentText(doc, selected));
+  });
+  store.later(["current"], ({ document: doc, current }) => {
+    if (doc?.boundaries[current]) say(boundaryText(doc, current));
+  });
+}
+
+/** "Segment 3, Move down until contact, 2.464 to 3.596 s, kept". */
+export function segmentText({ segments }, index) {
+  const { label, start_s: start, end_s: end, kept, proposed } = segments[index];
+  const state = `${kept ? "kept" : "dropped"}${proposed ? ", name proposed" : ""}`;
+  return `Segment ${index + 1}, ${label}, ${moment(start)} to ${moment(end)}, ${duration(end - start)} long, ${state}`;
+}
+
+/** "Boundary 2 at 3.596 s, from force, contact change, confidence 0.98". */
+export function boundaryText({ boundaries }, index) {
+  const { time_s: time, origin, contact_change: contact, confidence, accepted } = boundaries[index];
+  const facts = [
+    `Boundary ${index + 1} at ${moment(time)}`,
+    origin === "both"
+      ? "from position and force"
+      : origin === "user"
+        ? "placed by hand"
+        : `from ${origin}`,
+    ...(contact ? ["contact change"] : []),
+    accepted ? "accepted" : `confidence ${confidence.toFixed(2)}`,
+  ];
+  return facts.join(", ");
+}

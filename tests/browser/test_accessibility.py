@@ -1,0 +1,124 @@
+"""For everyone: axe-core finds nothing, the timeline is in the tree, a finger hits."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from driver import KeyphasePage, Serve, Visit
+
+AXE = Path(__file__).parents[2] / "node_modules" / "axe-core" / "axe.min.js"
+
+_FOUND = """async () => {
+  const { violations } = await axe.run({ exclude: ["#viser"] });
+  return violations.flatMap(({ id, nodes }) =>
+    nodes.map(({ target, any }) => `${id}: ${target} ${any[0]?.message ?? ""}`));
+}"""
+
+
+def _tab(name: str) -> Callable[[KeyphasePage], None]:
+    return lambda page: page.panel.get_by_role("tab", name=name).click()
+
+
+def _select(page: KeyphasePage) -> None:
+    page.click(page.middle_of(0))
+
+
+def _unreadable_notes(page: KeyphasePage) -> None:
+    page.page.evaluate(
+        """() => {
+          const { store } = keyphase;
+          const document = { ...store.state.document, notices: ["2 rows were dropped."] };
+          store.set({ document });
+        }"""
+    )
+    page.page.locator("#read-notices").click()
+
+
+STATES: dict[str, Callable[[KeyphasePage], None]] = {
+    "as opened": lambda page: page.settle(),
+    "a segment selected": _select,
+    "why a boundary": lambda page: page.press("."),
+    "commands": lambda page: page.press("Control+k"),
+    "keys": lambda page: page.press("?"),
+    "a menu": lambda page: page.press("Shift+F10"),
+    "naming": lambda page: page.press("l"),
+    "notes on reading": _unreadable_notes,
+    "recording": _tab("Record"),
+    "replay": _tab("Replay"),
+    "export": _tab("Export"),
+}
+
+
+@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
+def test_axe_finds_nothing_in_any_state(
+    folder: Path, serve: Serve, visit: Visit, dark: bool
+) -> None:
+    assert AXE.exists(), "axe-core is missing; `make page-scripts` installs it"
+    page = visit(serve(folder), size=(1440, 900), dark=dark, scene=False)
+    page.wait_for_document()
+    page.page.evaluate(AXE.read_text())
+    found: dict[str, list[str]] = {}
+    for name, reach in STATES.items():
+        reach(page)
+        page.settle()
+        found[name] = page.page.evaluate(_FOUND)
+        for _ in range(2):
+            page.press("Escape")
+    assert {name: faults for name, faults in found.items() if faults} == {}
+
+
+def test_segments_and_boundaries_are_lists_that_arrows_walk(timeline: KeyphasePage) -> None:
+    timeline.tab_to("at.getAttribute('aria-label') === 'Segments'")
+    timeline.press("ArrowRight")
+    timeline.press("ArrowRight")
+    timeline.until("keyphase.state.selected === 1")
+    timeline.settle()
+    chosen = timeline.page.get_by_role("option", selected=True).and_(
+        timeline.page.locator("[id^=outline-segment]")
+    )
+    assert (chosen.text_content() or "").startswith("Segment 2, idle, 1.384 s to 2.464 s")
+    assert "Segment 2" in timeline.text("#announcer")
+
+
+def test_a_finger_beside_a_boundary_moves_it(timeline: KeyphasePage) -> None:
+    row = timeline.row("boundaries")
+    x, y = timeline.x(timeline.document["boundaries"][1]["time_s"]), row.y + row.height / 2
+    drag = """([x, y, to]) => {
+      const surface = document.querySelector(".surface");
+      const touch = (type, clientX) => surface.dispatchEvent(new PointerEvent(type,
+        { pointerId: 1, pointerType: "touch", isPrimary: true, button: 0, clientX, clientY: y,
+          bubbles: true }));
+      surface.setPointerCapture = () => {};
+      touch("pointerdown", x);
+      for (let k = 1; k <= 5; k++) touch("pointermove", x + ((to - x) * k) / 5);
+      touch("pointerup", to);
+    }"""
+    timeline.press("v")
+    timeline.change(lambda: timeline.page.evaluate(drag, [x + 10, y, x + 50]))
+    assert timeline.document["boundaries"][1]["origin"] == "user"
+
+
+def test_two_fingers_zoom(timeline: KeyphasePage) -> None:
+    row = timeline.row("force")
+    pinch = """([x, y]) => {
+      const surface = document.querySelector(".surface");
+      const touch = (type, pointerId, clientX) => surface.dispatchEvent(new PointerEvent(type,
+        { pointerId, pointerType: "touch", isPrimary: pointerId === 1, button: 0, clientX,
+          clientY: y, bubbles: true }));
+      surface.setPointerCapture = () => {};
+      touch("pointerdown", 1, x - 50);
+      touch("pointerdown", 2, x + 50);
+      for (let k = 1; k <= 10; k++) {
+        touch("pointermove", 1, x - 50 - 10 * k);
+        touch("pointermove", 2, x + 50 + 10 * k);
+      }
+      touch("pointerup", 1, x - 150);
+      touch("pointerup", 2, x + 150);
+    }"""
+    before = timeline.state("view")
+    timeline.page.evaluate(pinch, [row.x + row.width / 2, row.y + row.height / 2])
+    timeline.settle()
+    after = timeline.state("view")
+    assert after["to"] - after["from"] == pytest.approx(
+        (before["to"] - before["from"]) / 3, rel=0.1
+    )
