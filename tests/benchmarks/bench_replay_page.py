@@ -21,7 +21,7 @@ from driver import KeyphasePage
 from keyphase.files.shipped import shipped
 from keyphase.web.scene.replay_view import ReplayView, Running
 from keyphase.web.server import PageServer
-from keyphase.workbench.replay_run import Tick
+from keyphase.workbench.replaying.run import Tick
 
 WINDOW_S = 0.5
 MOST_JITTER = 0.05

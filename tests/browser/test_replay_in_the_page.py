@@ -7,7 +7,7 @@ import pytest
 from driver import KeyphasePage
 
 from keyphase.web.server import PageServer
-from keyphase.workbench.replay_settings import ReplaySettings
+from keyphase.workbench.replaying.settings import ReplaySettings
 
 
 @pytest.fixture

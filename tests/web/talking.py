@@ -2,22 +2,30 @@
 
 import asyncio
 import json
+import secrets
 import struct
 from collections.abc import Callable, Mapping
 from http.client import HTTPConnection, HTTPResponse
-from typing import Any
+from typing import Any, get_args
 
 import viser
 from websockets.asyncio.client import connect as async_connect
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
+from keyphase.web.protocol.requests import OnDocument, Request
 from keyphase.web.server import PageServer
 from keyphase.web.transport.access import cookie_name
 
 Message = dict[str, Any]
 
 StartServer = Callable[..., PageServer]
+
+ABOUT_A_DOCUMENT = {
+    tag
+    for kind in (*get_args(Request),)
+    if issubclass(kind, OnDocument) and isinstance(tag := kind.__struct_config__.tag, str)
+} | {"signals"}
 
 WAIT_S = 10.0
 """A test that waits longer than this has failed."""
@@ -82,15 +90,19 @@ async def wait_until(holds: Callable[[], bool]) -> None:
 class PageClient:
     """The page's side of the page's websocket."""
 
-    def __init__(self, server: PageServer, token: str | None = None) -> None:
+    def __init__(
+        self, server: PageServer, token: str | None = None, page: str | None = None
+    ) -> None:
         self.server = server
+        self.page = page or secrets.token_hex(16)
         self._socket: ClientConnection = connect(
-            f"ws://127.0.0.1:{server.port}/app/ws",
+            f"ws://127.0.0.1:{server.port}/app/ws?page={self.page}",
             additional_headers=cookie(server, token),
             max_size=None,
             max_queue=None,
         )
         self.heard: list[Message] = []
+        self.told: dict[str, Message] = {}
 
     def __enter__(self) -> "PageClient":
         return self
@@ -102,7 +114,23 @@ class PageClient:
         self._socket.close()
 
     def send(self, kind: str, /, **fields: object) -> None:
-        self.send_raw(json.dumps({"type": kind, **fields}))
+        """Say something; about a document: the one that was heard last, unless `fields` say."""
+        self.send_raw(json.dumps({"type": kind, **self._about(kind), **fields}))
+
+    def _about(self, kind: str) -> Message:
+        document = self.told.get("document")
+        if document is None or kind not in ABOUT_A_DOCUMENT:
+            return {}
+        about = {"recording": document["id"], "revision": document["revision"]}
+        return {"recording": document["id"]} if kind == "signals" else about
+
+    def id(self, line: int) -> str:
+        """The id of the recording in a line of the list, counted from 1."""
+        return self.told["recordings"]["items"][line - 1]["id"]
+
+    def open(self, line: int) -> None:
+        """Look at the recording in that line."""
+        self.send("open", id=self.id(line))
 
     def send_raw(self, data: str | bytes) -> None:
         self._socket.send(data)
@@ -120,6 +148,7 @@ class PageClient:
             if isinstance(message, bytes):
                 continue
             self.heard.append(message)
+            self.told[message["type"]] = message
             if message["type"] == kind and which(message):
                 return message
 

@@ -48,7 +48,7 @@ def test_a_world_that_cannot_be_is_refused(
 ) -> None:
     page.send("replay_settings", **wrong)
 
-    assert reason in page.wait_for("notice")["text"]
+    assert reason in page.wait_for("refused")["text"]
 
 
 def test_a_take_is_recorded_and_taken_back(page: PageClient, own_copy: Path) -> None:
@@ -69,7 +69,7 @@ def test_a_take_is_recorded_and_taken_back(page: PageClient, own_copy: Path) -> 
 def test_a_workcell_must_be_named_to_be_opened(page: PageClient) -> None:
     page.send("record", do="open")
 
-    assert "name a workcell" in page.wait_for("notice")["text"]
+    assert "name a workcell" in page.wait_for("refused")["text"]
 
 
 def test_the_plan_is_written_as_a_behaviour_tree(page: PageClient) -> None:
@@ -81,7 +81,7 @@ def test_the_plan_is_written_as_a_behaviour_tree(page: PageClient) -> None:
 def test_a_page_of_a_replay_needs_one_that_is_over(page: PageClient) -> None:
     page.send("export", kind="page")
 
-    assert "No replay is over" in page.wait_for("notice")["text"]
+    assert "No replay is over" in page.wait_for("refused")["text"]
 
 
 def test_another_arm_and_the_gizmo_of_the_robot_are_told(page: PageClient) -> None:
@@ -91,4 +91,4 @@ def test_another_arm_and_the_gizmo_of_the_robot_are_told(page: PageClient) -> No
     page.send("robot", arm="third")
 
     assert told["arm"] == arms[-1]
-    assert "no other" in page.wait_for("notice")["text"]
+    assert "no other" in page.wait_for("refused")["text"]

@@ -10,8 +10,9 @@ from keyphase.labeling.label import label
 from keyphase.labeling.labeling import Labeling
 from keyphase.readers import read
 from keyphase.segmentation import Boundary, Peak, segment
-from keyphase.web.protocol.document_message import document_message, ghosts, short_labels
-from keyphase.web.transport.page_sockets import encode
+from keyphase.web.protocol.document_content import boundaries_of, ghosts, plan_of
+from keyphase.web.protocol.document_messages import Ghost, Why
+from keyphase.workbench.showing.short_labels import short_labels
 
 PEAK = Peak(4.2, 4.21, 465.0, 80.0, (0.2, 0.1, 3.8), None, 9.0, "")
 
@@ -21,10 +22,10 @@ def labeling() -> Labeling:
     return label(segment(read(shipped("data") / "synthetic_setup1.npz")))
 
 
-def _why(labeling: Labeling, found: Boundary, threshold: float = 23.85) -> dict:
+def _why(labeling: Labeling, found: Boundary, threshold: float = 23.85) -> Why:
     segmentation = replace(labeling.segmentation, boundaries=(found,), threshold=threshold)
     one = label(replace(segmentation, segments=labeling.segments[:2]))  # type: ignore
-    return document_message(one)["boundaries"][0]["why"]
+    return boundaries_of(one)[0].why
 
 
 def test_a_boundary_of_both_says_height_and_what_position_alone_says(labeling: Labeling) -> None:
@@ -32,12 +33,12 @@ def test_a_boundary_of_both_says_height_and_what_position_alone_says(labeling: L
 
     why = _why(labeling, found)
 
-    assert why["sentences"] == [
+    assert why.sentences == (
         "The error peaks at 465, 19.5 × the threshold.",
         "Position alone puts the boundary 51 ms earlier.",
-    ]
-    assert why["times_threshold"] == pytest.approx(19.5, abs=0.01)
-    assert [(step["name"], step["value"]) for step in why["steps"]] == [
+    )
+    assert why.times_threshold == pytest.approx(19.5, abs=0.01)
+    assert [(step.name, step.value) for step in why.steps] == [
         ("Force x", 0.2),
         ("Force y", 0.1),
         ("Force z", 3.8),
@@ -47,41 +48,32 @@ def test_a_boundary_of_both_says_height_and_what_position_alone_says(labeling: L
 def test_a_boundary_of_position_names_the_gaussians_that_meet(labeling: Labeling) -> None:
     found = next(b for b in labeling.segmentation.boundaries if b.origin == "position")
 
-    sentences = _why(labeling, found)["sentences"]
+    sentences = _why(labeling, found).sentences
 
     assert sentences[0].startswith("Gaussian ")
     assert "% of the samples" in sentences[0]
 
 
-def test_every_message_is_json_without_nan(labeling: Labeling) -> None:
-    assert encode(document_message(labeling))
-
-
 def test_ghosts_are_what_comes_and_goes(labeling: Labeling) -> None:
     fewer = replace(labeling, boundaries=labeling.boundaries[1:])
 
-    assert ghosts(labeling, fewer) == [
-        {
-            "time_s": labeling.boundaries[0].time_s,
-            "origin": labeling.boundaries[0].origin,
-            "fate": "goes",
-        }
-    ]
-    assert ghosts(fewer, labeling)[0]["fate"] == "comes"
-    assert ghosts(labeling, labeling) == []
+    first = labeling.boundaries[0]
+    assert ghosts(labeling, fewer) == (Ghost(first.time_s, first.origin, "goes"),)
+    assert ghosts(fewer, labeling)[0].fate == "comes"
+    assert ghosts(labeling, labeling) == ()
 
 
 def test_the_plan_says_how_far_apart_its_entries_are(labeling: Labeling) -> None:
-    plan = document_message(labeling)["plan"]
+    plan = plan_of(labeling)
     demonstration = labeling.segmentation.demonstration
-    first, second = (labeling.segments[entry["segment"]] for entry in plan[:2])
+    first, second = (labeling.segments[entry.segment] for entry in plan[:2])
     gap = np.linalg.norm(
         demonstration.position_m[demonstration.index_at(second.start_s)]
         - demonstration.position_m[demonstration.index_at(first.end_s)]
     )
 
-    assert plan[0]["connect_mm"] is None
-    assert (plan[1]["connect_mm"] or 0.0) == pytest.approx(1e3 * gap, abs=1.0)
+    assert plan[0].connect_mm is None
+    assert (plan[1].connect_mm or 0.0) == pytest.approx(1e3 * gap, abs=1.0)
 
 
 @pytest.mark.parametrize(

@@ -27,14 +27,14 @@ def test_a_name_given_once_is_offered_in_the_whole_folder(
     with PageClient(start_server(*two)) as page:
         page.wait_for("document")
         named = _name_first_segment(page, "approach")
-        page.send("open", id="2")
-        other = page.wait_for("document", lambda m: m["id"] == "2")
+        page.open(2)
+        other = page.wait_for("document", lambda m: m["id"] == page.id(2))
         page.send("forget_label", label="approach")
         forgotten = page.wait_for("document", lambda m: not m["labels"])
 
     assert [label["name"] for label in named["labels"]] == ["approach"]
     assert other["labels"] == named["labels"]
-    assert forgotten["id"] == "2"
+    assert forgotten["id"] == other["id"]
 
 
 def test_an_accepted_proposal_is_no_word_of_the_vocabulary(page: PageClient) -> None:
@@ -54,8 +54,8 @@ def test_a_name_has_one_colour_wherever_it_is_given(
         before = page.wait_for("document")["segments"]
         page.send("edit", edit={"kind": "label", "time_s": before[1]["end_s"] - 0.01, "label": "x"})
         named = page.wait_for("document", lambda m: m["edits"] == 1)
-        page.send("open", id="2")
-        page.wait_for("document", lambda m: m["id"] == "2")
+        page.open(2)
+        page.wait_for("document", lambda m: m["id"] == page.id(2))
         other = _name_first_segment(page, "x")
 
     assert named["segments"][1]["color"] == before[1]["color"]
@@ -82,8 +82,8 @@ def test_before_parameters_are_spread_each_recording_says_what_would_change(
         page.wait_for("document", lambda m: m["undo"])
         page.send("spread", step="look")
         items = page.wait_for("spread", lambda m: len(m["items"]) == m["total"])["items"]
-        page.send("open", id="2")
-        other = page.wait_for("document", lambda m: m["id"] == "2")
+        page.open(2)
+        other = page.wait_for("document", lambda m: m["id"] == page.id(2))
 
     assert [item["name"] for item in items] == ["synthetic_setup1", "setup1"]
     assert items[0]["own"]
@@ -96,18 +96,18 @@ def test_spread_parameters_hold_in_the_whole_folder_except_where_others_were_set
 ) -> None:
     with PageClient(start_server(*two)) as page:
         page.wait_for("document")
-        page.send("open", id="2")
-        page.wait_for("document", lambda m: m["id"] == "2")
+        page.open(2)
+        page.wait_for("document", lambda m: m["id"] == page.id(2))
         page.send("set", parameter="persistence", value=7.0)
         page.wait_for("document", lambda m: m["undo"])
-        page.send("open", id="1")
-        page.wait_for("document", lambda m: m["id"] == "1")
+        page.open(1)
+        page.wait_for("document", lambda m: m["id"] == page.id(1))
         page.send("set", parameter="force_ratio", value=33.0)
         page.wait_for("document", lambda m: m["undo"])
         page.send("spread", step="apply")
         page.wait_for("notice", lambda m: m["level"] == "info")
-        page.send("open", id="2")
-        other = page.wait_for("document", lambda m: m["id"] == "2")
+        page.open(2)
+        other = page.wait_for("document", lambda m: m["id"] == page.id(2))
 
     assert other["parameters"]["force_ratio"] == 33.0
     assert other["parameters"]["persistence"] == 7.0
@@ -117,15 +117,17 @@ def test_who_spread_parameters_follows_the_next_who_does(
     two: tuple[Path, Path], start_server: StartServer
 ) -> None:
     with PageClient(start_server(*two)) as page:
-        for recording, ratio in (("1", 33.0), ("2", 44.0)):
-            page.send("open", id=recording)
-            page.wait_for("document", lambda m, at=recording: m["id"] == at)
+        page.wait_for("document")
+        for recording, ratio in ((1, 33.0), (2, 44.0)):
+            page.open(recording)
+            if page.told["document"]["id"] != page.id(recording):
+                page.wait_for("document", lambda m, at=recording: m["id"] == page.id(at))
             page.send("set", parameter="force_ratio", value=ratio)
             page.wait_for("document", lambda m: m["saved_at"])
             page.send("spread", step="apply")
             page.wait_for("notice", lambda m: m["level"] == "info")
-        page.send("open", id="1")
-        first = page.wait_for("document", lambda m: m["id"] == "1")
+        page.open(1)
+        first = page.wait_for("document", lambda m: m["id"] == page.id(1))
 
     assert first["parameters"]["force_ratio"] == 44.0
 
@@ -196,7 +198,7 @@ def test_taking_over_the_programs_own_takes_all_edits_back(page: PageClient) -> 
 def test_only_what_is_offered_is_taken_over(page: PageClient) -> None:
     page.send("take_over", **{"from": "../x.segments.json"})
 
-    assert "no such segment file" in page.wait_for("notice")["text"]
+    assert "no such segment file" in page.wait_for("refused")["text"]
 
 
 def test_a_segment_file_of_another_recording_is_refused(page: PageClient, own_copy: Path) -> None:
@@ -208,10 +210,10 @@ def test_a_segment_file_of_another_recording_is_refused(page: PageClient, own_co
     other.write_text(json.dumps(content))
     page.send("compare", **{"with": other.name})
 
-    assert "another recording" in page.wait_for("notice")["text"]
+    assert "another recording" in page.wait_for("refused")["text"]
 
 
 def test_only_files_that_are_offered_are_compared_with(page: PageClient) -> None:
     page.send("compare", **{"with": "../../../etc/passwd"})
 
-    assert "no such segment file" in page.wait_for("notice")["text"]
+    assert "no such segment file" in page.wait_for("refused")["text"]

@@ -17,11 +17,12 @@ from pathlib import Path
 from keyphase.web.server import PageServer
 
 server = PageServer([], folder=Path(sys.argv[1]))
-server.lead_through.record("setup1")
+lead = server.workbench.enter("page").lead
+lead.record("setup1")
 pause = threading.Event()
 while True:
     pause.wait(0.05)
-    print(f"{server.lead_through.status().running.recorded_s:.3f}", flush=True)
+    print(f"{lead.status().running.recorded_s:.3f}", flush=True)
 """
 
 

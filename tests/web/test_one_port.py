@@ -196,7 +196,7 @@ def test_a_defect_ends_a_conversation_with_a_word(
 
     with PageClient(server) as page:
         page.wait_for("hello")
-        monkeypatch.setattr(server.session.sockets, "_on_message", panic)
+        monkeypatch.setattr(server.sockets, "_on_message", panic)
         page.send("next", direction=1)
         with pytest.raises(ConnectionClosed) as ended:
             page.wait_for("nothing more")
@@ -208,7 +208,7 @@ def test_a_defect_ends_a_conversation_with_a_word(
 
 def test_a_curve_of_one_pixel_is_refused_and_the_page_hears_on(page: PageClient) -> None:
     page.send("signals", request=1, tracks=["force"], from_s=0.0, to_s=10.0, width=1)
-    refusal = page.wait_for("notice")
+    refusal = page.wait_for("refused")
     page.send("signals", request=2, tracks=["force"], from_s=0.0, to_s=10.0, width=2)
     header, _ = page.wait_for_signals()
 

@@ -23,6 +23,8 @@ KINDS = st.sampled_from([kind.__struct_config__.tag for kind in get_args(Request
 FIELDS = st.sampled_from(
     [
         "id",
+        "recording",
+        "revision",
         "parameter",
         "value",
         "event",
@@ -38,7 +40,7 @@ FIELDS = st.sampled_from(
         "from_s",
         "to_s",
         "width",
-        "format",
+        "kind",
         "what",
         "visible",
         "dark",
@@ -53,9 +55,10 @@ MESSAGES = st.builds(
 
 def test_a_request_becomes_a_value() -> None:
     assert parse('{"type": "seek", "time_s": 2}') == Seek(time_s=2.0)
-    assert parse('{"type": "set", "parameter": "force_ratio", "value": null}') == Set(
-        parameter="force_ratio", value=None
+    text = (
+        '{"type": "set", "recording": "a", "revision": 7, "parameter": "force_ratio", "value": 2}'
     )
+    assert parse(text) == Set("force_ratio", 2.0, recording="a", revision=7)
 
 
 @pytest.mark.parametrize(
@@ -73,14 +76,21 @@ def test_a_request_becomes_a_value() -> None:
         ('{"type": "seek", "time_s": 1e300}', "10000000000"),
         ('{"type": "seek", "time_s": 1, "and": 2}', "and"),
         ('{"type": "play", "playing": true, "speed": 0}', "0.01"),
-        ('{"type": "select", "segment": -1}', ">= 0"),
+        ('{"type": "select", "recording": "a", "revision": 1, "segment": -1}', ">= 0"),
         (
-            '{"type": "signals", "request": 1, "tracks": [], "from_s": 0, "to_s": 1, "width": 0}',
-            ">= 1",
+            '{"type": "signals", "recording": "a", "request": 1, "tracks": [], "from_s": 0, '
+            '"to_s": 1, "width": 1}',
+            ">= 2",
         ),
         ('{"type": "open", "id": "\ud800"}', "utf-8"),
         ('{"type": "open", "id": "' + "x" * 5000 + '"}', "4096"),
-        ('{"type": "edit", "edit": ' + "[" * 50_000 + "]" * 50_000 + "}", "object"),
+        (
+            '{"type": "edit", "recording": "a", "revision": 1, "edit": '
+            + "[" * 50_000
+            + "]" * 50_000
+            + "}",
+            "object",
+        ),
         ('{"type": "open", "id": "' + "x" * 300_000 + '"}', "characters"),
         (b"\x00\x01", "binary"),
     ],

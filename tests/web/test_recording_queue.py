@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from talking import PageClient, StartServer
 
-from keyphase.workbench.library import Library
-from keyphase.workbench.opened import Opened
-from keyphase.workbench.recordings import Recording, printable, queue, recordings_message
+from keyphase.workbench.desks.library import Library
+from keyphase.workbench.desks.open_recording import OpenRecording
+from keyphase.workbench.recordings import Recording, printable, recording_at
 
 
 @pytest.fixture
@@ -43,7 +43,7 @@ def looked(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     names: list[str] = []
     look = Library.look
 
-    def noted(library: Library, recording: Recording) -> Opened:
+    def noted(library: Library, recording: Recording) -> OpenRecording:
         names.append(recording.name)
         return look(library, recording)
 
@@ -64,19 +64,19 @@ def test_others_are_looked_at_when_there_is_time(
     three: list[Path], start_server: StartServer, looked: list[str]
 ) -> None:
     server = start_server()
-    queue = server.session.queue
     there_is_time = threading.Event()
-    queue.may_look = there_is_time.is_set
     with PageClient(server) as page:
+        page.wait_for("recordings")
+        server.workbench.looking.may_look = there_is_time.is_set
+        (view,) = server.workbench.views
         for path in three:
-            queue.add(path)
+            view.add(path)
         page.wait_for("document", lambda m: m["name"] == "again")
-        queue.follow_folder(server.session.current())
+        page.send("spread", step="apply")
         page.wait_for("notice", lambda m: "now have these parameters" in m["text"])
-        page.send("open", id="3")
         assert looked == []
         there_is_time.set()
-        page.wait_for("recordings", lambda _: looked == ["synthetic_setup1", "broken"])
+        page.wait_for("recordings", lambda _: "broken" in looked)
 
 
 def test_a_file_that_cannot_be_read_says_so_in_its_line_and_opens_nothing(
@@ -84,7 +84,7 @@ def test_a_file_that_cannot_be_read_says_so_in_its_line_and_opens_nothing(
 ) -> None:
     with PageClient(start_server(*three)) as page:
         page.wait_for("document")
-        page.send("open", id="2")
+        page.open(2)
         notice = page.wait_for("notice")
 
     assert "broken.npz" in notice["text"]
@@ -93,9 +93,9 @@ def test_a_file_that_cannot_be_read_says_so_in_its_line_and_opens_nothing(
 def test_another_recording_is_opened(three: list[Path], start_server: StartServer) -> None:
     with PageClient(start_server(*three)) as page:
         page.wait_for("document")
-        page.send("open", id="3")
-        document = page.wait_for("document", lambda m: m["id"] == "3")
-        recordings = page.wait_for("recordings", lambda m: m["current"] == "3")
+        page.open(3)
+        document = page.wait_for("document", lambda m: m["id"] == page.id(3))
+        recordings = page.wait_for("recordings", lambda m: m["current"] == page.id(3))
 
     assert document["name"] == "again"
     assert recordings["items"][2]["state"] == "automatic"
@@ -109,8 +109,8 @@ def test_work_goes_on_at_the_first_recording_that_is_not_done(
         page.wait_for("document")
         page.send("done", done=True)
         page.wait_for("document", lambda m: m["state"] == "done")
-        page.send("open", id="3")
-        page.wait_for("document", lambda m: m["id"] == "3")
+        page.open(3)
+        page.wait_for("document", lambda m: m["id"] == page.id(3))
         page.send("edit", edit={"kind": "add", "time_s": 0.4})
         page.wait_for("document", lambda m: m["edits"] == 1)
     first.stop()
@@ -132,9 +132,9 @@ def test_what_was_done_is_known_before_anything_is_looked_at(
         page.wait_for("document", lambda m: m["state"] == "done")
     first.stop()
 
-    lines = recordings_message(start_server(*three).session.queue.recordings, None)["items"]
+    lines = start_server(*three).workbench.recordings.recordings
 
-    assert [line["state"] for line in lines] == ["done", "automatic", "automatic"]
+    assert [line.state for line in lines] == ["done", "automatic", "automatic"]
 
 
 def test_going_back_finds_the_edits(three: list[Path], start_server: StartServer) -> None:
@@ -142,17 +142,17 @@ def test_going_back_finds_the_edits(three: list[Path], start_server: StartServer
         page.wait_for("document")
         page.send("edit", edit={"kind": "add", "time_s": 0.4})
         page.wait_for("document", lambda m: m["edits"] == 1)
-        page.send("open", id="3")
-        page.wait_for("document", lambda m: m["id"] == "3")
-        page.send("open", id="1")
+        page.open(3)
+        page.wait_for("document", lambda m: m["id"] == page.id(3))
+        page.open(1)
 
-        assert page.wait_for("document", lambda m: m["id"] == "1")["edits"] == 1
+        assert page.wait_for("document", lambda m: m["id"] == page.id(1))["edits"] == 1
 
 
 def test_an_unknown_recording_is_refused(page: PageClient) -> None:
     page.send("open", id="../../etc/passwd")
 
-    assert "no such recording" in page.wait_for("notice")["text"]
+    assert "no such recording" in page.wait_for("refused")["text"]
 
 
 def test_a_segment_file_for_each_that_can_be_read(
@@ -170,8 +170,8 @@ def test_a_segment_file_for_each_that_can_be_read(
 def test_without_recordings_the_page_is_empty_and_alive(start_server: StartServer) -> None:
     with PageClient(start_server()) as page:
         recordings = page.wait_for("recordings")
-        page.send("undo")
-        notice = page.wait_for("notice")
+        page.send("replay", do="run")
+        notice = page.wait_for("refused")
 
     assert recordings["items"] == []
     assert "No recording is open" in notice["text"]
@@ -201,7 +201,7 @@ def test_names_of_any_bytes_can_be_told() -> None:
     path = Path(b"caf\xe9.npz".decode("utf-8", "surrogateescape"))
 
     assert printable(path.stem).encode("utf-8")
-    assert recordings_message(queue([path]), None)["items"][0]["name"] == "caf?"
+    assert recording_at(path).name == "caf?"
 
 
 def test_a_recording_that_is_taken_out_gives_way_to_its_neighbour(
@@ -210,9 +210,9 @@ def test_a_recording_that_is_taken_out_gives_way_to_its_neighbour(
     first, _, last = three
     server = start_server(first, last)
     with PageClient(server) as page:
-        page.wait_for("document")
-        server.session.queue.remove(first)
-        document = page.wait_for("document", lambda m: m["id"] != "1")
+        first_id = page.wait_for("document")["id"]
+        server.workbench.remove(first)
+        document = page.wait_for("document", lambda m: m["id"] != first_id)
 
     assert document["name"] == "again"
-    assert [recording.path for recording in server.session.queue.recordings] == [last]
+    assert [recording.path for recording in server.workbench.recordings.recordings] == [last]

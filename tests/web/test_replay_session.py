@@ -12,6 +12,7 @@ from talking import Message, PageClient, StartServer
 from keyphase.files.shipped import shipped
 from keyphase.readers import read
 from keyphase.web.server import PageServer
+from keyphase.workbench.replaying.session import ReplaySession
 
 FAST = 4.0
 
@@ -32,6 +33,11 @@ def replaying(setup1: PageServer) -> Iterator[PageClient]:
         page.send("replay", do="run", speed=FAST)
         page.wait_for("replay", lambda m: m["phase"] == "running")
         yield page
+
+
+def _replay(server: PageServer) -> ReplaySession:
+    (view,) = server.workbench.views
+    return view.replay
 
 
 def over(page: PageClient) -> Message:
@@ -114,19 +120,19 @@ def test_pushed_it_leaves_the_path_and_comes_back(
 ) -> None:
     replaying.wait_for("replay", lambda m: m["current"] == 1)
     replaying.send("replay", do="speed", speed=1.0)
-    setup1.session.replay.push(np.array([0.0, -40.0, 0.0]))
+    _replay(setup1).push(np.array([0.0, -40.0, 0.0]))
     replaying.wait_for("replay_samples", lambda m: m["rows"][-1][10] > 8.0)
-    setup1.session.replay.push(np.zeros(3))
+    _replay(setup1).push(np.zeros(3))
     assert over(replaying)["succeeded"]
 
 
-def test_a_page_that_comes_later_is_told_everything(
+def test_a_page_that_comes_back_is_told_everything(
     replaying: PageClient, setup1: PageServer
 ) -> None:
     over(replaying)
-    with PageClient(setup1) as late:
-        told = late.wait_for("replay")
-        samples = late.wait_for("replay_samples")
+    with PageClient(setup1, page=replaying.page) as back:
+        told = back.wait_for("replay")
+        samples = back.wait_for("replay_samples")
     assert told["phase"] == "over"
     assert samples["rows"] == rows(replaying)
     assert len(samples["demonstrated"]) == len(told["skills"])
@@ -155,12 +161,12 @@ def test_an_empty_plan_is_refused_with_what_to_do(replaying: PageClient) -> None
 @pytest.mark.parametrize("fields", [{"do": "dance"}, {"do": "run", "speed": 1e3}, {}])
 def test_what_no_replay_can_do_is_refused(replaying: PageClient, fields: dict[str, Any]) -> None:
     replaying.send("replay", **fields)
-    assert replaying.wait_for("notice")["level"] == "warning"
+    assert replaying.wait_for("refused")["request"] == "replay"
 
 
 def test_who_may_only_look_cannot_replay(setup1: PageServer) -> None:
     with PageClient(setup1, setup1.access.looking_token) as page:
         page.wait_for("document")
         page.send("replay", do="run")
-        assert "looking only" in page.wait_for("notice")["text"]
-    assert setup1.session.replay.running is None
+        assert "looking only" in page.wait_for("refused")["text"]
+    assert all(view.replay.running is None for view in setup1.workbench.views)

@@ -18,9 +18,8 @@ def _document(page: PageClient) -> Message:
 
 def _drawn(server: PageServer) -> None:
     """Wait until the scene shows what the pages were told."""
-    with server.session.lock:
-        pass
-    assert server.session.views.wait_until_shown(20)
+    assert server.scene is not None
+    assert server.scene.wait_until_shown(20)
 
 
 def _node(server: PageServer, name: str) -> object:
@@ -78,7 +77,7 @@ def test_the_frame_stands_where_the_tool_was(page: PageClient) -> None:
     page.send("seek", time_s=1.0)
     page.wait_for("playhead", lambda m: m["time_s"] == 1.0)
     _drawn(page.server)
-    opened = page.server.session.current()
+    opened = page.server.workbench.views[0].current()
 
     frame = _node(page.server, "/frame/tool")
 
@@ -124,14 +123,15 @@ def test_a_hidden_part_is_hidden_in_the_scene(page: PageClient) -> None:
 
 def test_the_scene_is_built_anew_while_other_threads_draw_in_it(page: PageClient) -> None:
     """The robot comes and goes: the ground and the tube are put up again each time."""
-    server, scene, opened = page.server, page.server.scene, page.server.session.opened
-    assert opened is not None
+    server = page.server
     _drawn(server)
+    assert server.scene is not None
+    scene, robot = server.scene.scene, server.scene.robot
 
     def come_and_go(times: int) -> None:
         for _ in range(times):
-            server.robot.show_parts(frozenset({"robot"}))
-            server.robot.show_parts(frozenset())
+            robot.show_parts(frozenset({"robot"}))
+            robot.show_parts(frozenset())
 
     def move(times: int) -> None:
         for time_s in np.linspace(0.0, 1.0, times).tolist():

@@ -44,17 +44,17 @@ def test_a_higher_threshold_gives_fewer_contact_changes(
     page: PageClient, document: Message
 ) -> None:
     contacts = [b for b in document["boundaries"] if b["contact_change"]]
-    page.send("set", parameter="force_threshold", value=1e8, event=5)
+    page.send("set", parameter="force_threshold", value=1.0, event=5)
 
     changed = page.wait_for("document", lambda m: m["cause"] and m["cause"]["event"] == 5)
 
     assert contacts
     assert not [b for b in changed["boundaries"] if b["contact_change"]]
-    assert changed["threshold"] == 1e8
+    assert changed["threshold"] == 1.0
 
 
 def test_the_cause_names_the_page_and_its_input(page: PageClient) -> None:
-    hello = next(m for m in page.heard if m["type"] == "hello")
+    hello = page.told["hello"]
     page.send("set", parameter="force_ratio", value=30.0, event=41)
 
     changed = page.wait_for("document", lambda m: m["cause"])
@@ -63,7 +63,7 @@ def test_the_cause_names_the_page_and_its_input(page: PageClient) -> None:
 
 
 def test_while_a_slider_is_held_ghosts_show_what_goes(page: PageClient, document: Message) -> None:
-    page.send("set", parameter="force_threshold", value=1e8, held=True)
+    page.send("set", parameter="force_threshold", value=1.0, held=True)
     ghost = page.wait_for("ghost", lambda m: m["boundaries"])
 
     gone = {g["time_s"] for g in ghost["boundaries"] if g["fate"] == "goes"}
@@ -75,21 +75,21 @@ def test_while_a_slider_is_held_ghosts_show_what_goes(page: PageClient, document
 def test_what_was_held_is_undone_in_one_step_once_let_go(
     page: PageClient, document: Message
 ) -> None:
-    for value in (50.0, 60.0, 70.0):
+    for value in (0.5, 0.6, 0.7):
         page.send("set", parameter="force_threshold", value=value, held=True)
-    page.send("set", parameter="force_threshold", value=80.0, held=False)
+    page.send("set", parameter="force_threshold", value=0.8, held=False)
     kept = page.wait_for("document", lambda m: m["undo"])
     page.send("undo")
     back = page.wait_for("document", lambda m: m["redo"])
 
-    assert kept["undo"] == "Threshold 80"
+    assert kept["undo"] == "Threshold 0.8"
     assert back["parameters"] == document["parameters"]
     assert _boundaries(back) == _boundaries(document)
 
 
 def test_automatic_is_null(page: PageClient, document: Message) -> None:
-    page.send("set", parameter="force_threshold", value=80.0)
-    page.wait_for("document", lambda m: m["threshold"] == 80.0)
+    page.send("set", parameter="force_threshold", value=0.8)
+    page.wait_for("document", lambda m: m["threshold"] == 0.8)
     page.send("set", parameter="force_threshold", value=None)
 
     page.wait_for("document", lambda m: m["threshold"] == document["automatic_threshold"])
@@ -110,7 +110,7 @@ def test_a_value_that_cannot_be_is_refused_and_changes_nothing(
 ) -> None:
     page.send("set", parameter=parameter, value=value)
 
-    assert reason in page.wait_for("notice")["text"]
+    assert reason in page.wait_for("refused")["text"]
     assert not [m for m in page.heard if m["type"] == "document"][1:]
 
 
@@ -131,15 +131,18 @@ def test_an_edit_is_made_named_and_undone(page: PageClient, document: Message) -
 def test_an_edit_that_cannot_be_made_is_refused(page: PageClient) -> None:
     page.send("edit", edit={"kind": "remove", "time_s": -5.0})
 
-    assert page.wait_for("notice")["level"] == "warning"
+    refused = page.wait_for("refused")
+
+    assert refused["edit"] == {"kind": "remove", "time_s": -5.0}
+    assert refused["text"]
 
 
 def test_a_name_is_kept_while_thresholds_move(page: PageClient, document: Message) -> None:
     middle = 0.5 * document["segments"][0]["end_s"]
     page.send("edit", edit={"kind": "label", "time_s": middle, "label": "reach <b>"})
-    page.send("set", parameter="force_threshold", value=1e8)
+    page.send("set", parameter="force_threshold", value=1.0)
 
-    changed = page.wait_for("document", lambda m: m["threshold"] == 1e8)
+    changed = page.wait_for("document", lambda m: m["threshold"] == 1.0)
 
     assert changed["segments"][0]["label"] == "reach <b>"
     assert not changed["segments"][0]["proposed"]
@@ -174,10 +177,9 @@ def test_the_second_server_on_a_recording_says_that_it_only_looks(
     with PageClient(start_server(own_copy)) as second:
         document = second.wait_for("document")
         second.send("edit", edit={"kind": "add", "time_s": 0.4})
-        refusal = second.wait_for("notice")
+        refusal = second.wait_for("refused")
         second.send("set", parameter="force_ratio", value=40.0)
-        second.wait_for("document", lambda m: m["parameters"]["force_ratio"] == 40.0)
-        second.wait_for("document", lambda m: m["parameters"]["force_ratio"] == 20.0)
+        second.wait_for("refused", lambda m: m["request"] == "set")
 
     assert document["locked"]
     assert any("looking only" in notice for notice in document["notices"])
@@ -189,7 +191,7 @@ def test_a_selected_segment_is_told_and_forgotten_when_it_is_gone(
 ) -> None:
     last = len(document["segments"]) - 1
     page.send("select", segment=last)
-    told = page.wait_for("selection")
+    told = page.wait_for("selection", lambda m: m["segment"] == last)
     page.send("edit", edit={"kind": "merge", "from_s": 0.1, "to_s": document["end_s"] - 0.1})
     merged = page.wait_for("document", lambda m: len(m["segments"]) <= last)
 
@@ -200,7 +202,7 @@ def test_a_selected_segment_is_told_and_forgotten_when_it_is_gone(
 def test_there_is_no_segment_beyond_the_last(page: PageClient) -> None:
     page.send("select", segment=1000)
 
-    assert "1000" in page.wait_for("notice")["text"]
+    assert "1000" in page.wait_for("refused")["text"]
 
 
 def test_seeking_stays_inside_the_recording(page: PageClient, document: Message) -> None:
@@ -225,7 +227,7 @@ def test_parts_of_the_scene_are_shown_and_hidden(page: PageClient) -> None:
     page.send("show", what="ceiling", visible=False)
 
     assert hidden["parts"]["labels"]
-    assert "ceiling" in page.wait_for("notice")["text"]
+    assert "ceiling" in page.wait_for("refused")["text"]
 
 
 def test_a_segment_file_is_written_beside_the_recording(page: PageClient, own_copy: Path) -> None:
@@ -251,17 +253,23 @@ def test_a_recording_can_be_marked_as_done(page: PageClient) -> None:
 def test_how_long_the_page_took_is_remembered(page: PageClient) -> None:
     page.send("latency", event=1, milliseconds=12.5)
     page.send("select", segment=0)
-    page.wait_for("selection")
+    page.wait_for("selection", lambda m: m["segment"] == 0)
 
-    assert list(page.server.session.latencies_ms) == [12.5]
+    assert list(page.server.latencies_ms) == [12.5]
 
 
 def test_a_page_that_comes_late_is_told_what_is_under_way(page: PageClient) -> None:
-    telling = page.server.session.telling
-    telling.progress("reading", 0.5)
-    with PageClient(page.server) as late:
-        assert late.wait_for("progress")["what"] == "reading"
-    telling.progress_done()
-    with PageClient(page.server) as later:
-        later.wait_for("document")
-        assert not any(message["type"] == "progress" for message in later.heard)
+    with page.server.workbench.tasks.begin("reading") as task, PageClient(page.server) as late:
+        task.at(0.5)
+        assert late.wait_for("task", lambda m: m["fraction"] == 0.5)["name"] == "reading"
+
+
+def test_the_end_of_one_task_ends_no_other(page: PageClient) -> None:
+    tasks = page.server.workbench.tasks
+    with tasks.begin("trials"):
+        with tasks.begin("segmenting"):
+            pass
+        under_way = [task.name for task in tasks.under_way]
+
+    assert under_way == ["trials"]
+    assert not tasks.under_way

@@ -5,8 +5,9 @@ from pathlib import Path
 
 from talking import PageClient, StartServer
 
+from keyphase.web.protocol.conversation import MAX_CHANGES
 from keyphase.web.transport.budget import MESSAGES_PER_S, Budget
-from keyphase.web.transport.page_sockets import MOST_CHANGES
+from keyphase.workbench.desks.asked import Asked
 
 
 def test_a_connection_may_send_a_burst_and_then_waits() -> None:
@@ -23,9 +24,11 @@ def test_an_edit_comes_before_most_of_another_pages_flood(
 ) -> None:
     server, go = start_server(own_copy), threading.Event()
     with PageClient(server) as flooding, PageClient(server) as other:
-        flooding.wait_for("document")
+        recording = flooding.wait_for("document")["id"]
         other.wait_for("document")
-        server.session.change(lambda _: go.wait(20) and None)
+        with server.workbench.library.at(recording) as desk:
+            held_up = Asked("nobody", desk.state.revision, print)
+            desk.change(lambda _: go.wait(20) and None, held_up)
         for number in range(50):
             _label(flooding, f"flood {number}", number)
         for number in range(50):
@@ -37,7 +40,7 @@ def test_an_edit_comes_before_most_of_another_pages_flood(
         other.wait_for("document", lambda m: bool(m["cause"]) and m["cause"]["event"] == 1000)
 
     causes = [m["cause"] for m in other.heard if m["type"] == "document" and m["cause"]]
-    assert len(causes) <= MOST_CHANGES + 2
+    assert len(causes) <= MAX_CHANGES + 2
 
 
 def _label(page: PageClient, label: str, event: int) -> None:

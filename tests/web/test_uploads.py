@@ -110,7 +110,7 @@ def test_who_may_only_look_cannot_send(own_copy: Path, start_server: StartServer
         page.wait_for("document")
         page.send("upload", name="x.npz", size=5)
 
-        assert "looking" in page.wait_for("notice")["text"]
+        assert "looking" in page.wait_for("refused")["text"]
 
 
 def test_a_page_that_leaves_while_it_sends_leaves_nothing(
@@ -126,7 +126,7 @@ def test_a_page_that_leaves_while_it_sends_leaves_nothing(
         for _ in range(100):
             staying.send("seek", time_s=0.1)
             staying.wait_for("playhead")
-            if len(server.session.sockets) == 1:
+            if len(server.sockets) == 1:
                 break
 
     assert _files(own_copy.parent) == {own_copy.name}
@@ -157,7 +157,7 @@ def test_a_file_that_is_whole_is_not_cancelled(page: PageClient, own_copy: Path)
 def test_a_piece_of_nothing_is_refused(page: PageClient) -> None:
     page.send_raw(b"123")
 
-    assert "binary" in page.wait_for("notice")["text"]
+    assert "binary" in page.wait_for("refused")["text"]
 
 
 def _exported(page: PageClient) -> tuple[Path, Message]:

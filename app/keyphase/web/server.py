@@ -1,42 +1,33 @@
-"""Open the page: build the session, put it behind one port, print the link, wait."""
+"""Open the page: build the workbench, put it behind one port, print the link, wait."""
 
 import signal
 import sys
 import threading
+from collections import deque
 from collections.abc import Sequence
 from pathlib import Path
 
-import viser
-
-from keyphase import __version__
 from keyphase.errors import KeyphaseError
 from keyphase.readers import find_recordings
 from keyphase.robot.arms import robot_arms, yumi_arms
 from keyphase.robot.description import RobotDescription
-from keyphase.segmentation.parameters import RANGES
 from keyphase.simulation.demonstrating.recorder import recover
-from keyphase.web.protocol.controls import Controls, RecordTeller
-from keyphase.web.protocol.dispatch import hear
-from keyphase.web.scene.ground_shadow import shadow_of
-from keyphase.web.scene.parts_view import PartsView
-from keyphase.web.scene.replay_scene import ReplayCloser, ReplayScene
-from keyphase.web.scene.robot_view import RobotView
-from keyphase.web.scene.scene import Scene
-from keyphase.web.scene.workcell_scene import WorkcellCloser, WorkcellScene
+from keyphase.web.one_scene import OneScene
+from keyphase.web.protocol.conversation import Conversation
 from keyphase.web.transport.access import Access, Grant
 from keyphase.web.transport.lasting_keys import LastingKeys
 from keyphase.web.transport.one_port import serve, silent, usable_port
 from keyphase.web.transport.opening import BrowserFile, open_in_browser
+from keyphase.web.transport.page_sockets import Page, PageSockets
 from keyphase.web.transport.proving import prove
 from keyphase.web.transport.site import OurSite
-from keyphase.workbench.lead_through_session import LeadThroughSession
-from keyphase.workbench.library import Library
-from keyphase.workbench.session import Session
 from keyphase.workbench.uploads import DEFAULT_LIMIT_BYTES
+from keyphase.workbench.view import View
+from keyphase.workbench.workbench import Settings, Workbench
 
 
 class PageServer:
-    """A running server: one session behind one port."""
+    """A running server: one workbench behind one port."""
 
     def __init__(
         self,
@@ -50,37 +41,29 @@ class PageServer:
         arms: Sequence[RobotDescription] | None = None,
         folder: Path | None = None,
     ) -> None:
-        library = Library(recipe, read_only=read_only)
-        self.session = Session(paths, library, _hello(), hear)
-        self.session.upload_limit_bytes = upload_limit_bytes
-        self._browser_file: BrowserFile | None = None
+        arms = tuple(arms or yumi_arms())
         self._folder = folder or recording_folder(paths)
+        settings = Settings(
+            recipe=recipe,
+            read_only=read_only,
+            folder=self._folder,
+            arms=tuple(arm.tool_frame for arm in arms),
+            upload_limit_bytes=upload_limit_bytes,
+        )
+        self.workbench = Workbench(paths, settings)
+        self.latencies_ms: deque[float] = deque(maxlen=1000)
+        self.sockets = PageSockets(self._begin, self._hear, self._end)
+        self.scene: OneScene | None = None
+        self._arms = arms
+        self._lock = threading.Lock()
+        self._conversations: dict[str, Conversation] = {}
+        self._browser_file: BrowserFile | None = None
         self._grant = Grant.LOOKING if read_only else Grant.EVERYTHING
         try:
             self._listen(host, port)
         except KeyphaseError:
-            self.session.close()
+            self.workbench.close()
             raise
-        arms = arms or yumi_arms()
-        self.robot = RobotView(self.viser, self.session.telling, arms)
-        self.scene = Scene(
-            self.viser, self.session.select_at, lambda: self.robot.base, shadow_of(arms[0])
-        )
-        self.parts = PartsView(self.viser, self.session.telling)
-        self.robot.on_stand = self.scene.stand_anew
-        self._put_in_order_of_need()
-        # The robot first: where it stands decides how the scene is seen.
-        self.session.views.add(self.robot)
-        self.session.views.add(self.scene)
-        self.session.views.add(self.parts)
-        self.lead_through = LeadThroughSession(
-            self._folder, self.session.queue, self.session.telling
-        )
-        if not read_only:
-            self._offer_recording()
-        self._offer_replay()
-        self._offer_controls()
-        self.session.queue.open_first()
 
     def _listen(self, host: str, port: int) -> None:
         """Listen on the port that this folder's server had before, where none is asked for."""
@@ -88,7 +71,7 @@ class PageServer:
         self.port = usable_port(host, port, self._keys.ports())
         keys = self._keys.of(self.port)
         self.access = Access(host, keys.token, keys.looking_token)
-        site = OurSite(self.access, self.session.sockets)
+        site = OurSite(self.access, self.sockets)
         self.viser = serve(site, host, self.port)
         try:
             prove(host, self.port)
@@ -108,45 +91,44 @@ class PageServer:
         self._browser_file = open_in_browser(link, self._keys.folder)
         return self._browser_file is not None
 
-    def _put_in_order_of_need(self) -> None:
-        """What is asked for comes first, then what is seen beside it, then other recordings."""
-        self.robot.paths.gives_way = lambda: not (self.session.is_free and self.parts.is_free)
-        self.session.queue.may_look = lambda: self.robot.is_free
-
-    def _offer_recording(self) -> None:
-        lead = self.lead_through
-        lead.add(WorkcellScene(self.viser, self.scene, self.robot, lead))
-        self.session.views.add(WorkcellCloser(lead))
-
-        @self.viser.on_client_disconnect
-        def _(_client: viser.ClientHandle) -> None:
-            if not self.viser.get_clients():
-                lead.close()
-
-    def _offer_controls(self) -> None:
-        replay = self.session.replay
-        controls = Controls(
-            self.session.telling.all, self.lead_through, replay, self._replay_scene, self.robot
+    def _begin(self, page: Page) -> None:
+        conversation = Conversation(
+            self.workbench,
+            page.id,
+            page.send,
+            looking=page.is_looking,
+            latency=self.latencies_ms.append,
         )
-        self.lead_through.add(RecordTeller(self.session.telling.all))
-        replay.add(controls)
-        self.session.controls = controls
+        self._conversations[page.id] = conversation
+        with self._lock:
+            self._show(conversation.view)
 
-    def _offer_replay(self) -> None:
-        replay, telling = self.session.replay, self.session.telling
-        self._replay_scene = ReplayScene(self.viser, self.scene, self.robot, replay, telling)
-        replay.add(self._replay_scene)
-        self.session.views.add(ReplayCloser(replay))
+    def _show(self, view: View) -> None:
+        if self.scene is None:
+            self.scene = OneScene(self.viser, view, self._arms)
+            robot, parts = self.scene.robot, self.scene.parts
+            free = self.workbench.library
+            robot.paths.gives_way = lambda: not (free.is_free and parts.is_free)
+            self.workbench.looking.may_look = lambda: robot.is_free
+        else:
+            self.scene.turn_to(view)
+
+    def _hear(self, page: Page, message: str | bytes) -> None:
+        self._conversations[page.id].hear(message)
+
+    def _end(self, page: Page) -> None:
+        conversation = self._conversations.pop(page.id, None)
+        if conversation is not None:
+            conversation.end()
 
     def stop(self) -> None:
         """Stop serving and close the recordings."""
         if self._browser_file is not None:
             self._browser_file.close()
-        self.lead_through.close()
-        self.session.close()
-        self._replay_scene.close()
-        self.robot.close()
-        self.parts.close()
+        self.sockets.close()
+        if self.scene is not None:
+            self.scene.close()
+        self.workbench.close()
         with silent():
             self.viser.stop()
 
@@ -213,13 +195,3 @@ def recording_folder(paths: Sequence[Path]) -> Path:
     if not paths:
         return Path.cwd()
     return paths[0] if paths[0].is_dir() else paths[0].parent
-
-
-def _hello() -> dict[str, object]:
-    return {
-        "type": "hello",
-        "version": __version__,
-        "theme_default": "light",
-        "ranges": {name: list(bounds) for name, bounds in RANGES.items()},
-        "labels": [],
-    }

@@ -1,28 +1,33 @@
-"""The queue of recordings: what is known of each without having it open."""
+"""Recordings as lines of a list: what is known of each without having it open."""
 
+import hashlib
+import os
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
 from keyphase.files.parts import stem_of
+from keyphase.labeling.storage.journal import summarize
+from keyphase.workbench.showing.doubts import Piece
 
 State = Literal["automatic", "touched", "done"]
 
 
 @dataclass(frozen=True)
 class Recording:
-    """One line of the queue.
+    """One line of the list.
 
-    state, confidence, strip   what its segmentation has come to; empty until it was looked at
-    error                      why it cannot be opened
+    state, confidence, unsure, strip   what its segmentation has come to; empty until looked at
+    error                              why it cannot be opened
     """
 
     id: str
     path: Path
     state: State = "automatic"
     confidence: float | None = None
-    strip: tuple[dict[str, Any], ...] = ()
+    unsure: int = 0
+    strip: tuple[Piece, ...] = ()
     error: str | None = None
 
     @property
@@ -31,29 +36,14 @@ class Recording:
         return printable(stem_of(self.path))
 
 
-def queue(paths: Sequence[Path]) -> tuple[Recording, ...]:
-    """A line for each path, in the given order."""
-    return tuple(Recording(str(number), path) for number, path in enumerate(paths, start=1))
+def recording_at(path: Path) -> Recording:
+    """A line for a file, with what its journal says before anybody has looked at it.
 
-
-def recordings_message(recordings: Sequence[Recording], current: str | None) -> dict[str, Any]:
-    """The `recordings` message."""
-    return {
-        "type": "recordings",
-        "folder": folder_name(recordings),
-        "current": current,
-        "items": [
-            {
-                "id": recording.id,
-                "name": recording.name,
-                "state": recording.state,
-                "confidence": recording.confidence,
-                "strip": list(recording.strip),
-                "error": recording.error,
-            }
-            for recording in recordings
-        ],
-    }
+    Its id follows from where it is, so that a page finds it again after the server has restarted.
+    """
+    said = summarize(path)
+    state = "done" if said.done else "touched" if said.touched else "automatic"
+    return replace(Recording(_id(path), path), state=state)
 
 
 def folder_name(recordings: Sequence[Recording]) -> str:
@@ -65,3 +55,7 @@ def folder_name(recordings: Sequence[Recording]) -> str:
 def printable(name: str) -> str:
     """A file name as text that can be sent; bytes that are no text become a mark."""
     return name.encode("utf-8", "replace").decode("utf-8")
+
+
+def _id(path: Path) -> str:
+    return hashlib.blake2b(os.fsencode(path.absolute()), digest_size=6).hexdigest()

@@ -8,20 +8,22 @@ _log = logging.getLogger(__name__)
 
 
 class Worker:
-    """One thread; `submit` replaces a waiting job of the same kind.
+    """One thread, begun with the first job; `submit` replaces a waiting job of the same kind.
 
     A slider sends values faster than they can be computed and drawn, and only the last one
-    matters; an edit must never be lost, so jobs without a kind all run, in order.
+    matters; an edit must never be lost, so jobs without a kind all run, in order. `on_idle` is
+    called in the thread when nothing more is to be done.
     """
 
-    def __init__(self, on_error: Callable[[Exception], None]) -> None:
-        self._on_error = on_error
+    def __init__(
+        self, on_error: Callable[[Exception], object], on_idle: Callable[[], None] = lambda: None
+    ) -> None:
+        self._on_error, self._on_idle = on_error, on_idle
         self._waiting: dict[object, tuple[Callable[[], None], threading.Event]] = {}
         self._changed = threading.Condition()
         self._stopped = False
         self._running: object = None
-        self._thread = threading.Thread(target=self._run, name="worker", daemon=True)
-        self._thread.start()
+        self._thread: threading.Thread | None = None
 
     def submit(self, job: Callable[[], None], kind: str | None = None) -> threading.Event:
         """Run `job` in the worker's thread; of waiting jobs of one kind only the last runs.
@@ -35,6 +37,9 @@ class Worker:
             self._waiting[key] = job, over
             if self._stopped:
                 self._forget(key)
+            elif self._thread is None:
+                self._thread = threading.Thread(target=self._run, name="worker", daemon=True)
+                self._thread.start()
             self._changed.notify_all()
         return over
 
@@ -60,7 +65,7 @@ class Worker:
 
     def join(self) -> None:
         """Wait until what runs has finished, after `stop`."""
-        if threading.current_thread() is not self._thread:
+        if self._thread is not None and threading.current_thread() is not self._thread:
             self._thread.join()
 
     def _run(self) -> None:
@@ -76,7 +81,10 @@ class Worker:
             over.set()
             with self._changed:
                 self._running = None
+                idle = not self._waiting
                 self._changed.notify_all()
+            if idle:
+                self._on_idle()
 
     def _forget(self, key: object) -> None:
         if key in self._waiting:

@@ -1,14 +1,13 @@
 """What the page draws as controls: recording by hand, the world of a replay, trials, the robot."""
 
-import functools
 from typing import get_args
 
 import numpy as np
 from msgspec import Struct
 
-from keyphase.simulation.workcells.registry import workcell
-from keyphase.workbench.lead_through_session import LeadThroughStatus
-from keyphase.workbench.replay_settings import RANGES, WORKCELLS, EndBy, ReplaySettings
+from keyphase.simulation.workcells.registry import workcell, workcell_names
+from keyphase.workbench.leading.status import LeadThroughStatus
+from keyphase.workbench.replaying.settings import RANGES, EndBy, ReplaySettings
 
 FULL_FORCE_N = 20.0
 """The force at which the bar beside a recording is full."""
@@ -118,7 +117,6 @@ def replay_settings_message(settings: ReplaySettings) -> ReplaySettingsMessage:
     )
 
 
-@functools.cache
 def workcell_choices() -> tuple[WorkcellChoice, ...]:
     """The workcells there are."""
-    return tuple(WorkcellChoice(name, workcell(name).title) for name in WORKCELLS)
+    return tuple(WorkcellChoice(name, workcell(name).title) for name in workcell_names())

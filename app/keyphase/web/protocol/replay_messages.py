@@ -1,75 +1,154 @@
-"""What pages are told of a replay: how it stands, and what was measured since the last message."""
+"""What a page is told of a replay: how it stands, and what was measured since the last message."""
 
+import threading
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from msgspec import UNSET, Struct, UnsetType
 
-from keyphase.demonstration import Array, Demonstration
-from keyphase.segmentation.end_condition import AFTER_S, ContactEnd
+from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.simulation.replay.replay import Replay
-from keyphase.simulation.replay.result import (
-    ReplayResult,
-    ReplayState,
-    SkillResult,
-    went_on,
+from keyphase.simulation.replay.result import ReplayState, SkillResult, went_on
+from keyphase.skills.skill import until
+from keyphase.web.protocol.document_messages import Point
+from keyphase.web.scene.force_arrow import BESIDE_M, LEAST_FORCE_N
+from keyphase.web.scene.path_geometry import METRES_PER_NEWTON
+from keyphase.workbench.replaying.plan import PlannedSkill
+from keyphase.workbench.replaying.plan_paths import (
+    demonstrated,
+    expected_s,
+    middle_of_skill,
+    path_of_skill,
 )
-from keyphase.skills.skill import Skill, drawn, until
-from keyphase.web.protocol.document_message import short_labels
-from keyphase.web.scene.force_arrow import force_arrow_message
-from keyphase.web.scene.polyline import Polyline
-from keyphase.workbench.recordings import Recording
-from keyphase.workbench.replay_plan import PlannedSkill, ReplayPlan
-from keyphase.workbench.replay_run import ReplayRun
-from keyphase.workbench.replay_settings import ReplaySettings
-
-Rows = NDArray[np.intp]
+from keyphase.workbench.replaying.polyline import Polyline
+from keyphase.workbench.replaying.run import Phase
+from keyphase.workbench.replaying.running import Running
+from keyphase.workbench.showing.short_labels import short_labels
 
 EVERY = 2
 """Of the ticks every second one is told: 125 Hz show all there is to see."""
 
-MOST_DEMONSTRATED = 250
-"""So many samples of the demonstration are told of each skill."""
+
+class ContactMessage(Struct, frozen=True):
+    """The contact at which a skill is over."""
+
+    direction: Point
+    threshold_N: float
 
 
-def replay_message(
-    *,
-    number: int,
-    recording: Recording,
-    settings: ReplaySettings,
-    plan: ReplayPlan,
-    goals: Sequence[str],
-    run: ReplayRun,
-    result: ReplayResult | None,
-) -> dict[str, Any]:
-    """The `replay` message: everything but what was measured."""
+class ForceArrowMessage(Struct, frozen=True):
+    """How the scene draws the force, so that a page can put its size at the arrow's tip."""
+
+    beside_m: Point = BESIDE_M
+    metres_per_N: float = METRES_PER_NEWTON
+    least_N: float = LEAST_FORCE_N
+
+
+class SkillMessage(Struct, frozen=True):
+    """One skill of a replay.
+
+    entry           index in the plan; null in a connecting move
+    middle_m        where it is named
+    demonstrated_s  (from, to) in the recording
+    met_s           when a contact was met
+    """
+
+    entry: int | None
+    segment: int | None
+    color: int | None
+    label: str
+    short: tuple[str, str, str]
+    middle_m: Point
+    until: str
+    contact: ContactMessage | None
+    expected_s: float
+    demonstrated_s: tuple[float, float] | None
+    way_m: float
+    outcome: str | None
+    start_s: float | None
+    end_s: float | None
+    met_s: float | None
+    peak_N: float | None
+
+
+class ReplayMessage(Struct, frozen=True, tag_field="type", tag="replay"):
+    """How a replay stands, whenever a skill ends or it pauses, goes on, is over.
+
+    run      counts up
+    words    what is disturbed; `world` is seed, friction and noise
+    current  index of the skill that runs
+    zero_m   positions are told from there
+    """
+
+    run: int
+    phase: Phase
+    recording: str
+    name: str
+    workcell: str
+    words: str
+    world: str
+    goal: str
+    speed: float
+    held: bool
+    time_s: float
+    current: int | None
+    zero_m: Point
+    force_arrow: ForceArrowMessage
+    skills: tuple[SkillMessage, ...]
+    outcome: str | None
+    succeeded: bool | None
+    stopped: bool | None
+
+
+class ReplayClosed(Struct, frozen=True, tag_field="type", tag="replay"):
+    """The replay is shown no more."""
+
+    phase: None = None
+
+
+class ReplaySamples(Struct, frozen=True, tag_field="type", tag="replay_samples"):
+    """What was measured since, about 60 times a second, at 125 Hz.
+
+    first         index of the first row
+    factor        replay time per real time
+    rows          time_s, position x y z [mm], force x y z [N], torque x y z [N m], mm off the path
+    demonstrated  columns by name for each skill, with row 0 only; null in a connecting move
+    """
+
+    run: int
+    first: int
+    factor: float
+    rows: list[list[float]]
+    demonstrated: tuple[dict[str, list[float]] | None, ...] | UnsetType = UNSET
+
+
+def replay_message(running: Running) -> ReplayMessage:
+    """Everything but what was measured."""
+    run, settings, plan, result = running.run, running.settings, running.plan, running.result
     results = run.replay.results
-    return {
-        "type": "replay",
-        "run": number,
-        "phase": run.phase,
-        "recording": recording.id,
-        "name": recording.name,
-        "workcell": settings.workcell,
-        "words": settings.in_words(),
-        "world": settings.world(),
-        "goal": f"Success when {' and '.join(goals)}",
-        "speed": settings.speed,
-        "held": run.held,
-        "time_s": run.elapsed_s,
-        "current": None if run.phase == "over" else running_skill(run.replay),
-        "zero_m": plan.demonstration.position_m[0].tolist(),
-        "force_arrow": force_arrow_message(),
-        "skills": [
-            _skill_message(plan, one, results[k] if k < len(results) else None, run.met_s.get(k))
+    return ReplayMessage(
+        run=running.number,
+        phase=run.phase,
+        recording=running.opened.recording.id,
+        name=running.opened.recording.name,
+        workcell=settings.workcell,
+        words=settings.in_words(),
+        world=settings.world(),
+        goal=f"Success when {' and '.join(running.goals)}",
+        speed=settings.speed,
+        held=run.held,
+        time_s=run.elapsed_s,
+        current=None if run.phase == "over" else running_skill(run.replay),
+        zero_m=_point(plan.demonstration.position_m[0]),
+        force_arrow=ForceArrowMessage(),
+        skills=tuple(
+            _skill(running, one, results[k] if k < len(results) else None, run.met_s.get(k))
             for k, one in enumerate(plan.planned)
-        ],
-        "outcome": None if result is None else result.outcome(),
-        "succeeded": None if result is None else result.succeeded,
-        "stopped": None if result is None else result.stopped,
-    }
+        ),
+        outcome=None if result is None else result.outcome(),
+        succeeded=None if result is None else result.succeeded,
+        stopped=None if result is None else result.stopped,
+    )
 
 
 def running_skill(replay_: Replay) -> int | None:
@@ -80,87 +159,38 @@ def running_skill(replay_: Replay) -> int | None:
     return len(results)
 
 
-def _skill_message(
-    plan: ReplayPlan, one: PlannedSkill, result: SkillResult | None, met_s: float | None
-) -> dict[str, Any]:
-    skill = one.skill
-    contact = skill.end_condition if isinstance(skill.end_condition, ContactEnd) else None
-    return {
-        "entry": one.entry,
-        "segment": one.segment,
-        "color": one.color,
-        "label": skill.label,
-        "short": short_labels(skill.label),
-        "middle_m": middle_of_skill(plan, skill).tolist(),
-        "until": until(skill),
-        "contact": None
-        if contact is None
-        else {"direction": list(contact.direction), "threshold_N": contact.threshold_N},
-        "expected_s": expected_s(skill),
-        "demonstrated_s": skill.demonstrated_s,
-        "way_m": float(
-            np.linalg.norm(skill.end_position_m - skill.primitive.start_position_m),
-        ),
-        "outcome": None if result is None else result.outcome or "stopped",
-        "start_s": None if result is None else result.start_s,
-        "end_s": None if result is None else result.end_s,
-        "met_s": met_s,
-        "peak_N": None if result is None else result.peak_force_N,
-    }
-
-
-def expected_s(skill: Skill) -> float:
-    """How long a skill takes if all is as it was demonstrated."""
-    if skill.demonstrated_s is None:
-        return skill.primitive.duration_s
-    start_s, end_s = skill.demonstrated_s
-    return end_s - start_s + (AFTER_S[1] if isinstance(skill.end_condition, ContactEnd) else 0.0)
-
-
-@dataclass
 class Streamed:
-    """What was told of one replay's measurements; used under the lock of its session."""
+    """What one page was told of one replay's measurements; for many threads."""
 
-    number: int
-    plan: ReplayPlan
-    _told: int = 0
-    _factor: float = 0.0
-    _rows: list[list[float]] = field(default_factory=list)
-    _paths: dict[int, Polyline] = field(default_factory=dict)
+    def __init__(self, running: Running) -> None:
+        self._running = running
+        self._lock = threading.Lock()
+        self._ticks = self._rows = 0
+        self._paths: dict[int, Polyline] = {}
 
-    def more(self, states: Sequence[ReplayState], factor: float) -> dict[str, Any] | None:
-        """The `replay_samples` message with what has come since; None where nothing has."""
-        end = len(states)
-        new = [states[k] for k in range(self._told, end) if k % EVERY == 0]
-        self._told, self._factor = end, factor
-        if not new:
-            return None
-        first = len(self._rows)
-        self._rows += self._rows_of(new)
-        return self._message(first)
-
-    def everything(self) -> dict[str, Any]:
-        """All rows told so far and what was demonstrated, for a page that has come later."""
-        return self._message(0)
-
-    def _message(self, first: int) -> dict[str, Any]:
-        message: dict[str, Any] = {
-            "type": "replay_samples",
-            "run": self.number,
-            "first": first,
-            "factor": round(self._factor, 3),
-            "rows": self._rows[first:],
-        }
-        if first == 0:
-            message["demonstrated"] = [demonstrated(self.plan, one) for one in self.plan.planned]
-        return message
+    def more(self) -> ReplaySamples | None:
+        """What has come since it was asked last; None where nothing has."""
+        run = self._running.run
+        with self._lock:
+            states = run.replay.states
+            end = len(states)
+            new = [states[k] for k in range(self._ticks, end) if k % EVERY == 0]
+            self._ticks = end
+            if not new:
+                return None
+            first = self._rows
+            self._rows += len(new)
+            rows = self._rows_of(new)
+        plan = self._running.plan
+        shown = tuple(demonstrated(plan, one) for one in plan.planned) if first == 0 else UNSET
+        return ReplaySamples(self._running.number, first, round(run.factor, 3), rows, shown)
 
     def _rows_of(self, states: Sequence[ReplayState]) -> list[list[float]]:
         samples = [state.sample for state in states]
         at_m = np.array([sample.position_m for sample in samples])
         columns = (
             np.array([[state.elapsed_s] for state in states]),
-            1e3 * (at_m - self.plan.demonstration.position_m[0]),
+            1e3 * (at_m - self._running.plan.demonstration.position_m[0]),
             np.array([sample.force_N for sample in samples]),
             np.array([sample.torque_Nm for sample in samples]),
             np.array([[self._off_mm(state)] for state in states]),
@@ -169,51 +199,39 @@ class Streamed:
 
     def _off_mm(self, state: ReplayState) -> float:
         """How far the tool is from the path of its skill, wherever on it [mm]."""
-        skill = state.skill if state.skill is not None else len(self.plan.planned) - 1
+        plan = self._running.plan
+        skill = state.skill if state.skill is not None else len(plan.planned) - 1
         if skill not in self._paths:
-            path_m = path_of_skill(self.plan, self.plan.planned[skill].skill)
-            self._paths[skill] = Polyline(path_m)
+            self._paths[skill] = Polyline(path_of_skill(plan, plan.planned[skill].skill))
         return 1e3 * self._paths[skill].distance_m(state.sample.position_m)
 
 
-def path_of_skill(plan: ReplayPlan, skill: Skill) -> Array:
-    """The path (M, 3) a skill repeats: as demonstrated, or as planned in a connecting move."""
-    if skill.demonstrated_s is None:
-        return drawn(skill).position_m
-    return plan.demonstration.position_m[_rows(plan.demonstration, *skill.demonstrated_s)]
+def _skill(
+    running: Running, one: PlannedSkill, result: SkillResult | None, met_s: float | None
+) -> SkillMessage:
+    skill = one.skill
+    contact = skill.end_condition if isinstance(skill.end_condition, ContactEnd) else None
+    way_m = np.linalg.norm(skill.end_position_m - skill.primitive.start_position_m)
+    return SkillMessage(
+        entry=one.entry,
+        segment=one.segment,
+        color=one.color,
+        label=skill.label,
+        short=short_labels(skill.label),
+        middle_m=_point(middle_of_skill(running.plan, skill)),
+        until=until(skill),
+        contact=None if contact is None else ContactMessage(contact.direction, contact.threshold_N),
+        expected_s=expected_s(skill),
+        demonstrated_s=skill.demonstrated_s,
+        way_m=float(way_m),
+        outcome=None if result is None else result.outcome or "stopped",
+        start_s=None if result is None else result.start_s,
+        end_s=None if result is None else result.end_s,
+        met_s=met_s,
+        peak_N=None if result is None else result.peak_force_N,
+    )
 
 
-def middle_of_skill(plan: ReplayPlan, skill: Skill) -> Array:
-    """Where (3,) the path of a skill is named."""
-    path_m = path_of_skill(plan, skill)
-    return path_m[len(path_m) // 2]
-
-
-def demonstrated(plan: ReplayPlan, one: PlannedSkill) -> dict[str, list[float]] | None:
-    """What was demonstrated of a skill and shortly after it, in the time since its start."""
-    span, recording = one.skill.demonstrated_s, plan.demonstration
-    if span is None:
-        return None
-    after = AFTER_S[1] if isinstance(one.skill.end_condition, ContactEnd) else 0.0
-    rows = _rows(recording, span[0], min(span[1] + after, recording.end_s))
-    at_mm = 1e3 * (recording.position_m[rows] - recording.position_m[0])
-    columns = {"time_s": recording.time_s[rows] - span[0]}
-    for name, values in (
-        ("position", at_mm),
-        ("force", _of(recording.force_N, rows)),
-        ("torque", _of(recording.torque_Nm, rows)),
-    ):
-        if values is not None:
-            columns |= {f"{name}_{axis}": values[:, k] for k, axis in enumerate("xyz")}
-    return {name: np.round(values, 4).tolist() for name, values in columns.items()}
-
-
-def _of(values: Array | None, rows: Rows) -> Array | None:
-    return None if values is None else values[rows]
-
-
-def _rows(recording: Demonstration, from_s: float, to_s: float) -> Rows:
-    first, last = np.searchsorted(recording.time_s, (from_s, to_s)).tolist()
-    last = max(last, first + 2)
-    count = min(last - first, MOST_DEMONSTRATED)
-    return np.unique(np.linspace(first, min(last, len(recording)) - 1, count).astype(np.intp))
+def _point(values: np.ndarray) -> Point:
+    x, y, z = values.tolist()
+    return x, y, z

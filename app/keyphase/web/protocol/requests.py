@@ -4,13 +4,14 @@ docs/protocol.md has both directions in words. Unknown types and fields, wrong k
 are not finite or far out of range and texts that are too long are refused with a reason.
 """
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 import msgspec
 from msgspec import UNSET, Meta, Struct, UnsetType
 
 from keyphase.errors import RequestError
-from keyphase.workbench.replay_settings import SPEEDS, Action, EndBy
+from keyphase.labeling import edits as labeling
+from keyphase.workbench.replaying.settings import SPEEDS, Action, EndBy
 
 _Time = Annotated[float, Meta(ge=-1e9, le=1e10)]
 _Value = Annotated[float, Meta(ge=-1e12, le=1e12)]
@@ -26,69 +27,85 @@ class _Request(Struct, frozen=True, tag_field="type", forbid_unknown_fields=True
     """A message from a page."""
 
 
+class OnDocument(_Request, frozen=True, kw_only=True):
+    """A request about a recording; `revision` is that of the document it was made on.
+
+    `event` is the page's own number of it: the document that contains it names it as its cause,
+    or it comes back as `refused`.
+    """
+
+    recording: _Id
+    revision: _Counter
+    event: _Counter | None = None
+
+
 class Open(_Request, tag="open", frozen=True):
-    """Make a recording the current one."""
+    """Look at a recording."""
 
     id: _Id
 
 
-class Set(_Request, tag="set", frozen=True):
+class Follow(_Request, tag="follow", frozen=True):
+    """See what another page sees; null: no more."""
+
+    page: _Id | None
+
+
+class Set(OnDocument, tag="set", frozen=True):
     """Change a parameter; `held` while the person is still dragging."""
 
     parameter: _Name
     value: _Value | _Name | None
-    event: _Counter | None = None
     held: bool = False
 
 
-class Reset(_Request, tag="reset", frozen=True):
+class Reset(OnDocument, tag="reset", frozen=True):
     """Parameters back to automatic."""
 
 
-class Edit(_Request, tag="edit", frozen=True):
+class Edit(OnDocument, tag="edit", frozen=True):
     """Apply one edit."""
 
-    edit: dict[str, Any]
-    event: _Counter | None = None
+    edit: labeling.Edit
 
 
-class Undo(_Request, tag="undo", frozen=True):
+class Undo(OnDocument, tag="undo", frozen=True):
     """Take back the last edit or parameter change."""
 
 
-class Redo(_Request, tag="redo", frozen=True):
+class Redo(OnDocument, tag="redo", frozen=True):
     """Do again what was taken back."""
 
 
-class Done(_Request, tag="done", frozen=True):
+class Done(OnDocument, tag="done", frozen=True):
     """This recording is, or is not, finished."""
 
     done: bool
 
 
-class KeepLabels(_Request, tag="keep_labels", frozen=True):
+class KeepLabels(OnDocument, tag="keep_labels", frozen=True):
     """The recording has changed since it was labeled, and the labels are to be kept."""
 
 
-class ForgetLabel(_Request, tag="forget_label", frozen=True):
+class ForgetLabel(OnDocument, tag="forget_label", frozen=True):
     """Take a label out of the folder's vocabulary."""
 
     label: _Name
 
 
-class Spread(_Request, tag="spread", frozen=True):
+class Spread(OnDocument, tag="spread", frozen=True):
     """Tell what these parameters would do to all recordings of the folder; do it; or never mind."""
 
     step: Literal["look", "apply", "leave"]
 
 
-class Compare(_Request, tag="compare", frozen=True):
+class Compare(OnDocument, tag="compare", frozen=True):
     """Compare with another segmentation of this recording; null: tell with which one can."""
 
     other: _Id | None = msgspec.field(name="with", default=None)
 
 
-class TakeOver(_Request, tag="take_over", frozen=True):
+class TakeOver(OnDocument, tag="take_over", frozen=True):
     """Make another segmentation of this recording its own, as one edit."""
 
     other: _Id = msgspec.field(name="from")
@@ -105,7 +122,7 @@ class UploadCancel(_Request, tag="upload_cancel", frozen=True):
     """The file on its way is not wanted after all."""
 
 
-class Select(_Request, tag="select", frozen=True):
+class Select(OnDocument, tag="select", frozen=True):
     """Select a segment, or none."""
 
     segment: Annotated[int, Meta(ge=0, le=1_000_000)] | None
@@ -128,6 +145,7 @@ class Play(_Request, tag="play", frozen=True):
 class Signals(_Request, tag="signals", frozen=True):
     """Ask for the visible range of some tracks."""
 
+    recording: _Id
     request: _Counter
     tracks: Annotated[list[_Name], Meta(max_length=20)]
     from_s: _Time
@@ -135,7 +153,7 @@ class Signals(_Request, tag="signals", frozen=True):
     width: _Width
 
 
-class Export(_Request, tag="export", frozen=True):
+class Export(OnDocument, tag="export", frozen=True):
     """Write a file.
 
     The segment file as `json` or `csv`, or those of `all` recordings; the plan as `skills`,
@@ -224,6 +242,7 @@ class Latency(_Request, tag="latency", frozen=True):
 
 Request = (
     Open
+    | Follow
     | Set
     | Reset
     | Edit
@@ -254,7 +273,18 @@ Request = (
     | Latency
 )
 
-LOOKING_REQUESTS = (Signals, Latency, Compare)
+LOOKING_REQUESTS = (
+    Open,
+    Follow,
+    Select,
+    Seek,
+    Play,
+    Show,
+    Theme,
+    Signals,
+    Latency,
+    Compare,
+)
 """What a page may ask that was opened by the link for looking."""
 
 _LARGEST_BYTES = 256 << 10
@@ -276,3 +306,17 @@ def parse(raw: str | bytes) -> Request:
         return _decoder.decode(raw)
     except (msgspec.MsgspecError, UnicodeError, RecursionError) as error:
         raise RequestError(f"This message is refused: {error}.") from error
+
+
+def about(raw: str | bytes) -> tuple[str, int | None]:
+    """Type and event of a message that was refused as a whole, where it tells them."""
+    try:
+        told = msgspec.json.decode(raw, type=_About)
+    except (msgspec.MsgspecError, UnicodeError, RecursionError):
+        return "", None
+    return told.type[:100], told.event
+
+
+class _About(Struct, frozen=True):
+    type: str = ""
+    event: int | None = None

@@ -5,8 +5,7 @@ import viser
 from keyphase.demonstration import Demonstration
 from keyphase.simulation.workcells.parts_path import PartsPath, parts_path
 from keyphase.web.scene.part_figures import PartFigures
-from keyphase.web.scene.views import View
-from keyphase.workbench.opened import Opened
+from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.playback import Playhead
 from keyphase.workbench.telling import Telling
 from keyphase.workbench.worker import Worker
@@ -14,7 +13,7 @@ from keyphase.workbench.worker import Worker
 ROOT = "/parts/shown"
 
 
-class PartsView(View):
+class PartsView:
     """Parts for demonstrations from our workcells, none for others."""
 
     def __init__(self, server: viser.ViserServer, telling: Telling) -> None:
@@ -39,7 +38,7 @@ class PartsView(View):
         """Whether the parts are worked out within `timeout_s`."""
         return self._worker.wait_until_idle(timeout_s)
 
-    def show_document(self, opened: Opened) -> None:
+    def show_document(self, opened: DeskState) -> None:
         """Work out where the parts were, in the background."""
         demonstration = opened.demonstration
         if demonstration is not self._demonstration:

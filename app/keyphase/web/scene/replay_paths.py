@@ -7,9 +7,9 @@ import numpy as np
 import viser
 
 from keyphase.demonstration import Array
-from keyphase.web.protocol.replay_messages import path_of_skill
 from keyphase.web.scene.palette import IDLE, Rgb, painted, segment_color
-from keyphase.workbench.replay_plan import PlannedSkill, ReplayPlan
+from keyphase.workbench.replaying.plan import PlannedSkill, ReplayPlan
+from keyphase.workbench.replaying.plan_paths import path_of_skill
 
 PIECE_M = 0.003
 """The path that was run grows by pieces of this length at least."""

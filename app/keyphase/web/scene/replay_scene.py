@@ -15,22 +15,18 @@ from keyphase.demonstration import Array
 from keyphase.simulation.replay.result import Frame, ReplayResult, ReplayState
 from keyphase.simulation.replay.shared_page import with_summary
 from keyphase.skills.execution.executor import STEP_S
-from keyphase.web.protocol.replay_messages import middle_of_skill, path_of_skill
 from keyphase.web.scene.force_arrow import ForceArrow
 from keyphase.web.scene.lent_yumi import LentYumi
 from keyphase.web.scene.part_figures import PartFigures
 from keyphase.web.scene.replay_paths import ReplayPaths
 from keyphase.web.scene.replay_push import PushGizmo
-from keyphase.web.scene.replay_view import ReplayView, Running
 from keyphase.web.scene.robot_view import RobotView
 from keyphase.web.scene.scene import Scene
-from keyphase.web.scene.views import View
-from keyphase.workbench.opened import Opened
-from keyphase.workbench.recordings import printable
-from keyphase.workbench.replay_exports import write_page
-from keyphase.workbench.replay_run import Tick
-from keyphase.workbench.replay_session import ReplaySession
-from keyphase.workbench.telling import Telling
+from keyphase.workbench.replaying.exports import write_page
+from keyphase.workbench.replaying.plan_paths import middle_of_skill, path_of_skill
+from keyphase.workbench.replaying.run import Tick
+from keyphase.workbench.replaying.running import Running
+from keyphase.workbench.view import View
 from keyphase.workbench.worker import Worker
 
 PartPoses = Mapping[str, tuple[Array, Array]]
@@ -65,7 +61,7 @@ class _Shown:
         self.arrow.label(wanted)
 
 
-class ReplayScene(ReplayView):
+class ReplayScene:
     """Takes the scene over while a replay is shown."""
 
     def __init__(
@@ -73,13 +69,11 @@ class ReplayScene(ReplayView):
         server: viser.ViserServer,
         scene: Scene,
         robot: RobotView,
-        session: ReplaySession,
-        telling: Telling,
+        view: View,
     ) -> None:
-        self._server, self._scene, self._session = server, scene, session
+        self._server, self._scene, self.view = server, scene, view
         self._yumi = LentYumi(server, robot)
-        self._telling = telling
-        self._painter = Worker(telling.report)
+        self._painter = Worker(view.telling.report)
         self._shown: _Shown | None = None
         self._gizmo: PushGizmo | None = None
         self._tool_m = np.zeros(3)
@@ -96,12 +90,8 @@ class ReplayScene(ReplayView):
         self._offered = offered
         self._painter.submit(self._show_gizmo, "gizmo")
 
-    def share(self) -> None:
-        """Write the replay that is over as one page that opens without a server.
-
-        Raises SimulationError where none is over.
-        """
-        running = self._session.over()
+    def share(self, running: Running) -> None:
+        """Write the replay that is over as one page that opens without a server."""
         self._painter.submit(lambda: self._share(running))
 
     # -- what the session says
@@ -213,12 +203,12 @@ class ReplayScene(ReplayView):
         shown.label(False)
         page = with_summary(page, result, running.plan.demonstration)
         path = write_page(page, running.opened.recording.path)
-        self._telling.all({"type": "saved", "path": printable(str(path))})
+        self.view.each(lambda watcher: watcher.show_saved(path, "page"))
 
     def _show_gizmo(self) -> None:
         wanted = self._offered and self._shown is not None
         if wanted and self._gizmo is None:
-            push = self._session.push
+            push = self.view.replay.push
             self._gizmo = PushGizmo(self._server, f"{ROOT}/push", self._tool_m, push)
         elif not wanted and self._gizmo is not None:
             self._gizmo.remove()
@@ -234,17 +224,3 @@ def parts_in(result: ReplayResult, frame: Frame) -> PartPoses:
     """Where everything that is no link of the robot was."""
     poses = zip(result.bodies, frame.position_m, frame.orientation_wxyz, strict=True)
     return {name: (position, wxyz) for name, position, wxyz in poses}
-
-
-class ReplayCloser(View):
-    """Shows a replay no more when a person turns to another recording."""
-
-    def __init__(self, session: ReplaySession) -> None:
-        self._session = session
-
-    def show_document(self, opened: Opened) -> None:
-        """This recording is to be seen; its workcell is proposed."""
-        running = self._session.running
-        if running and running.opened.demonstration is not opened.demonstration:
-            self._session.leave()
-        self._session.propose(opened.demonstration)

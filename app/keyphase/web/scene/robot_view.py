@@ -19,10 +19,9 @@ from keyphase.robot.follow import JointPath, posture_at
 from keyphase.robot.placing import suggested_placement, within_reach
 from keyphase.robot.pose import Placement
 from keyphase.web.scene.robot_figure import RobotFigure
-from keyphase.web.scene.views import View
-from keyphase.workbench.joint_paths import JointPaths, OvertakenError, Task
-from keyphase.workbench.opened import Opened
-from keyphase.workbench.placements import forget_placement, save_placement, saved_placement
+from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.placing.joint_paths import JointPaths, OvertakenError, Task
+from keyphase.workbench.placing.placements import forget_placement, save_placement, saved_placement
 from keyphase.workbench.playback import Playhead
 from keyphase.workbench.telling import Telling
 from keyphase.workbench.worker import Worker
@@ -32,7 +31,7 @@ ROOT = "/robot"
 _GIZMO_M = 0.35
 
 
-class RobotView(View):
+class RobotView:
     """The robot of one server; `arms` are descriptions of the same robot with different tools.
 
     `on_stand` is called when the robot stands elsewhere than before, or has appeared or gone.
@@ -85,7 +84,7 @@ class RobotView(View):
 
     # -- what the session says
 
-    def show_document(self, opened: Opened) -> None:
+    def show_document(self, opened: DeskState) -> None:
         """Follow another recording; the same one with other segments changes nothing."""
         with self._lock:
             if self._task and self._task.demonstration is opened.demonstration:
@@ -165,7 +164,7 @@ class RobotView(View):
 
     # -- working it out
 
-    def _known_placement(self, opened: Opened) -> Placement | None:
+    def _known_placement(self, opened: DeskState) -> Placement | None:
         """Where the recording is, if that is known without working it out."""
         try:
             saved = saved_placement(opened.recording.path, self._arm.robot.name)

@@ -26,10 +26,9 @@ from keyphase.web.scene.viewpoint import (
     viewpoint_of,
     viewpoint_with_robot,
 )
-from keyphase.web.scene.views import View
-from keyphase.workbench.opened import Opened
+from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.playback import Playhead
-from keyphase.workbench.session import FIRST_HIDDEN, PARTS
+from keyphase.workbench.scene_choices import FIRST_HIDDEN, PARTS
 
 _OWN = tuple(part for part in PARTS if part not in ("robot", "shadows"))
 """The parts that are shown and hidden here."""
@@ -46,7 +45,7 @@ _ABOVE_GROUND_M = 0.001
 class _Stage:
     """What stands in the scene for one recording."""
 
-    opened: Opened
+    opened: DeskState
     path: Path
     view: Viewpoint
     tube: ScenePath
@@ -54,7 +53,7 @@ class _Stage:
     base: Placement | None
 
 
-class Scene(View):
+class Scene:
     """viser's scene. `on_click` is told the time at which a person clicked the path.
 
     `robot_base` says where a robot stands beside the path, if one does, and `shadow` what it
@@ -83,7 +82,7 @@ class Scene(View):
         self._dress()
         server.on_client_connect(self._point_camera)
 
-    def show_document(self, opened: Opened) -> None:
+    def show_document(self, opened: DeskState) -> None:
         """Draw what the document of the current recording has become.
 
         Most moves of a slider change no segment, and then nothing is drawn: a frame of the scene
@@ -172,7 +171,7 @@ class Scene(View):
                     self._draw_ground(self._stage.path.size_m, _ground_of(self._stage))
                     self._draw_explained(self._stage)
 
-    def _draw(self, opened: Opened, stage: _Stage | None) -> None:
+    def _draw(self, opened: DeskState, stage: _Stage | None) -> None:
         """Put what was found into what stands there, built first if nothing does."""
         with self._server.atomic():
             stage = stage or self._build(opened)
@@ -201,7 +200,7 @@ class Scene(View):
             cast_shadow="shadows" not in self._hidden,
         )
 
-    def _build(self, opened: Opened) -> _Stage:
+    def _build(self, opened: DeskState) -> _Stage:
         for part in _DRAWN:
             self._server.scene.remove_by_name(f"/{part}")
         self.show_parts(self._hidden)
@@ -274,7 +273,7 @@ class Scene(View):
             client.camera.position, client.camera.look_at = view.position_m, view.look_at_m
 
 
-def _seen_of(opened: Opened) -> tuple[object, ...]:
+def _seen_of(opened: DeskState) -> tuple[object, ...]:
     """What of a document is seen in the scene; equal where it would look the same."""
     labeling = opened.labeling
     cuts = tuple((b.time_s, b.origin, b.contact_change) for b in labeling.boundaries)

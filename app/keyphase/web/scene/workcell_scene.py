@@ -3,7 +3,6 @@
 import numpy as np
 import viser
 
-from keyphase.demonstration import Demonstration
 from keyphase.robot.arm import Arm
 from keyphase.robot.pose import Placement
 from keyphase.robot.yumi import yumi
@@ -14,13 +13,8 @@ from keyphase.web.scene.part_figures import PartFigures
 from keyphase.web.scene.robot_figure import RobotFigure
 from keyphase.web.scene.robot_view import RobotView
 from keyphase.web.scene.scene import Scene
-from keyphase.web.scene.views import View
-from keyphase.workbench.lead_through_session import (
-    LeadThroughSession,
-    LeadThroughStatus,
-    LeadThroughView,
-)
-from keyphase.workbench.opened import Opened
+from keyphase.workbench.leading.session import LeadThroughSession
+from keyphase.workbench.leading.status import LeadThroughStatus
 
 ROOT = "/workcell"
 GIZMO = f"{ROOT}/gizmo"
@@ -29,21 +23,7 @@ GIZMO_M = 0.14
 _SEEN_M = 0.42
 
 
-class WorkcellCloser(View):
-    """Closes the workcell when a person turns to a recording, unless one is being made."""
-
-    def __init__(self, session: LeadThroughSession) -> None:
-        self._session = session
-        self._shown: Demonstration | None = None
-
-    def show_document(self, opened: Opened) -> None:
-        """Another recording is to be seen."""
-        before, self._shown = self._shown, opened.demonstration
-        if before is not self._shown and not self._session.status().recording:
-            self._session.close()
-
-
-class WorkcellScene(LeadThroughView):
+class WorkcellScene:
     """Takes the scene over while a workcell is open; called by one thread at a time."""
 
     def __init__(
@@ -60,6 +40,10 @@ class WorkcellScene(LeadThroughView):
         self._parts: PartFigures | None = None
         self._arrow: ForceArrow | None = None
         self._gizmo: viser.TransformControlsHandle | None = None
+
+    def turn_to(self, session: LeadThroughSession) -> None:
+        """Be led by another page."""
+        self._session = session
 
     def show_workcell(self, status: LeadThroughStatus, shapes: tuple[Shape, ...]) -> None:
         """Clear the scene, then put the workcell into it."""

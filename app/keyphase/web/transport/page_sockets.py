@@ -3,11 +3,9 @@
 import asyncio
 import logging
 import secrets
-import threading
-from collections import deque
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import msgspec
@@ -16,15 +14,11 @@ from websockets.exceptions import ConnectionClosed
 
 from keyphase.web.transport.access import Grant
 from keyphase.web.transport.budget import Budget
-from keyphase.workbench.uploads import Upload
 
 _log = logging.getLogger(__name__)
 
 MOST_PAGES = 100
 """So many pages at once; the next one is turned away."""
-
-MOST_CHANGES = 1
-"""So many changes of one page may wait to be made; with more, the page itself waits."""
 
 _LAGGING_BYTES = 1 << 20
 _LOST_BYTES = 64 << 20
@@ -32,14 +26,12 @@ _LOST_BYTES = 64 << 20
 
 @dataclass(eq=False)
 class Page:
-    """One open page, the file it is sending, if any, and the changes it waits for."""
+    """One open page."""
 
     id: str
     grant: Grant
     connection: ServerConnection
     loop: asyncio.AbstractEventLoop
-    upload: Upload | None = None
-    changes: deque[threading.Event] = field(default_factory=deque)
 
     @property
     def is_looking(self) -> bool:
@@ -56,15 +48,9 @@ class Page:
         data = message if isinstance(message, str | bytes) else encode(message)
         call_soon(self.loop, lambda: _push(self, data, may_drop))
 
-    def wait_for(self, change: threading.Event) -> None:
-        """Wait until few of this page's changes are still to be made, so that others' are, too."""
-        self.changes.append(change)
-        while len(self.changes) > MOST_CHANGES:
-            self.changes.popleft().wait()
-
 
 class PageSockets:
-    """All open pages. `on_open` greets a page and adds it, `on_message` hears it.
+    """All open pages. `on_open` greets a page, `on_message` hears it.
 
     `on_close` is told when it has left. All run outside the loop, for each page in a thread of its
     own, one after another: nobody waits for another page's turn.
@@ -79,12 +65,11 @@ class PageSockets:
         self._on_open = on_open
         self._on_message = on_message
         self._on_close = on_close
-        self._pages: set[Page] = set()
         self._threads: set[ThreadPoolExecutor] = set()
         self._closed = False
 
     def __len__(self) -> int:
-        return len(self._pages)
+        return len(self._threads)
 
     async def serve(
         self, connection: ServerConnection, grant: Grant, id: str | None = None
@@ -105,7 +90,6 @@ class PageSockets:
             pass
         finally:
             self._threads.discard(thread)
-            self._pages.discard(page)
             if not self._closed:
                 thread.submit(self._leave, page)
             thread.shutdown(wait=False)
@@ -122,24 +106,9 @@ class PageSockets:
     def _leave(self, page: Page) -> None:
         """The last thing in a page's thread, after what it was doing when it left."""
         try:
-            if page.upload is not None:
-                page.upload.abandon()
             self._on_close(page)
         except Exception:
             _log.exception("A page that left could not be taken leave of.")
-
-    def add(self, page: Page) -> None:
-        """Include a page in broadcasts, once it has been told how things stand."""
-        self._pages.add(page)
-
-    def broadcast(
-        self, message: Mapping[str, Any] | msgspec.Struct, may_drop: bool = False
-    ) -> None:
-        """Send to every page, from any thread; `may_drop` spares pages that lag behind."""
-        pages = tuple(self._pages)
-        if pages:
-            data = encode(message)
-            call_soon(pages[0].loop, lambda: [_push(page, data, may_drop) for page in pages])
 
     def close(self) -> None:
         """Stop hearing."""

@@ -30,6 +30,7 @@ import { createReplay, createReplayActions } from "./replay/replay.js";
 import { createRename } from "./panels/overlays/rename.js";
 import { createScene } from "./scene/scene.js";
 import { createNames } from "./scene/names.js";
+import { aboutDocument } from "./model/about_document.js";
 import { askForShadows } from "./scene/shadows.js";
 import { createSignals } from "./model/signals.js";
 import { openSocket } from "./lib/socket.js";
@@ -56,7 +57,7 @@ const store = createStore(firstState(isSmall()));
 
 /** @type {import("./lib/socket.js").Socket|null} */
 let socket = null;
-const send = (message) => socket?.send(message) ?? false;
+const send = (message) => socket?.send(aboutDocument(message, store.state.document)) ?? false;
 const latency = createLatency(store, send, sceneFrames);
 const signals = createSignals(store, send, () => wantedTracks(store.state));
 const own = createOwnChanges(store);

@@ -12,6 +12,7 @@ export function createReceiver(
 ) {
   const { state } = store;
   let client = "";
+  const tasks = new Map();
 
   const hear = {
     hello(message) {
@@ -23,6 +24,7 @@ export function createReceiver(
         defaults: message.defaults ?? {},
         command: message.command ?? null,
       });
+      tasks.clear();
     },
     recordings(message) {
       store.set({ recordings: message });
@@ -63,7 +65,12 @@ export function createReceiver(
     ghost: (message) => store.set({ ghost: message.boundaries }),
     playhead: (message) => playback.receive(message),
     selection: (message) => store.set({ selected: message.segment }),
-    progress: (message) => store.set({ progress: message.done ? null : message }),
+    task(message) {
+      if (message.done) tasks.delete(message.id);
+      else tasks.set(message.id, { ...message, what: message.name });
+      store.set({ progress: [...tasks.values()].at(-1) ?? null });
+    },
+    nothing: () => own.closed(),
     upload_ready: (message) => upload().heard(message),
     upload_refused: (message) => upload().heard(message),
     upload_cancelled: (message) => upload().heard(message),

@@ -1,0 +1,238 @@
+"""The document of a recording as messages: what the page draws, and what led to it."""
+
+from typing import Any, Literal
+
+from msgspec import UNSET, Struct, UnsetType
+
+from keyphase.labeling.labeling import Inapplicable
+from keyphase.labeling.vocabulary import VocabularyLabel
+from keyphase.segmentation.segmentation import Origin
+from keyphase.workbench.recordings import State
+
+Point = tuple[float, float, float]
+
+
+class CauseMessage(Struct, frozen=True):
+    """The page's own number of the request that led here, and which page it was."""
+
+    event: int
+    client: str
+
+
+class StepMessage(Struct, frozen=True):
+    """How much one channel changed at a contact change."""
+
+    name: str
+    value: float
+    unit: str
+    axis: str
+
+
+class ReasonMessage(Struct, frozen=True):
+    """One term of a boundary's probability: in words, and what it adds to the log-odds."""
+
+    sentence: str
+    contribution: float
+
+
+class Why(Struct, frozen=True):
+    """Why a boundary is where it is, in words and figures; the strongest reason first."""
+
+    sentences: tuple[str, ...]
+    reasons: tuple[ReasonMessage, ...]
+    height: float | None
+    times_threshold: float | None
+    position_s: float | None
+    steps: tuple[StepMessage, ...]
+
+
+class BoundaryMessage(Struct, frozen=True):
+    """A boundary.
+
+    was_s     moved by hand from there
+    accepted  seen by a person and found right
+    unsure    a person should look at it
+    change    what became of the contact; "" where it is no contact change
+    at_m      where the tool was at a contact change
+    """
+
+    time_s: float
+    origin: Origin
+    interval_s: tuple[float, float]
+    confidence: float
+    contact_change: bool
+    change: str
+    was_s: float | None
+    accepted: bool
+    unsure: bool
+    at_m: Point | None
+    why: Why
+
+
+class EndConditionMessage(Struct, frozen=True, omit_defaults=True):
+    """When a skill is over: `contact` or `configuration`, with the figures of that kind."""
+
+    kind: Literal["contact", "configuration"]
+    direction: Point | UnsetType = UNSET
+    threshold_N: float | UnsetType = UNSET
+    release: bool | UnsetType = UNSET
+    agrees: bool | UnsetType | None = UNSET
+    offset_m: float | UnsetType | None = UNSET
+    position_tolerance_m: float | UnsetType = UNSET
+    rotation_tolerance_rad: float | UnsetType = UNSET
+    timeout_s: float | UnsetType | None = UNSET
+
+
+class SegmentMessage(Struct, frozen=True):
+    """A segment.
+
+    proposed  its name is not accepted yet
+    color     number of its colour
+    short     the label, shorter, shortest
+    detail    how far, how much or how strong; "" where nobody knows
+    middle_m  where the tool was in its middle
+    """
+
+    start_s: float
+    end_s: float
+    label: str
+    proposed: bool
+    kept: bool
+    idle: bool
+    color: int
+    end_condition: EndConditionMessage
+    short: tuple[str, str, str]
+    detail: str
+    middle_m: Point
+
+
+class PeakMessage(Struct, frozen=True):
+    """A peak of the error; `rejection` says why it is no boundary, nothing where it is."""
+
+    time_s: float
+    bin_time_s: float
+    height: float
+    rejection: str
+
+
+class CandidateMessage(Struct, frozen=True):
+    """A place where a boundary could be; `why_not` says what would let it in."""
+
+    time_s: float
+    kind: str
+    probability: float
+    given: bool
+    why_not: str
+
+
+class GaussianMessage(Struct, frozen=True):
+    """One component of the mixture over time."""
+
+    weight: float
+    mean_time_s: float
+    sigma_time_s: float
+
+
+class PlanEntryMessage(Struct, frozen=True):
+    """One entry of the plan.
+
+    time_s      its anchor inside the segment
+    repeat      how often the segment came before
+    connect_mm  how far it starts from where the last one ended; null where that is near
+    """
+
+    time_s: float
+    segment: int
+    repeat: int
+    connect_mm: float | None
+
+
+class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
+    """What a recording is at one revision.
+
+    selected      index of the segment this page has selected
+    folder        name of the folder it lies in
+    notices       what was done on reading, and what journal and folder say
+    threshold     the force threshold in force; null without force
+    unlike        over 0.2: unlike anything the weights were fitted on
+    candidates    where boundaries could be, and what became of each
+    locked        why nothing can be changed; null where it can
+    changed       the file is no longer the one that was labeled
+    labels        the folder's vocabulary, in the order of the number keys
+    saved_at      HH:MM:SS of the last step on disk
+    inapplicable  edits whose place is gone
+    """
+
+    revision: int
+    cause: CauseMessage | None
+    id: str
+    name: str
+    folder: str
+    start_s: float
+    end_s: float
+    rate_hz: float
+    channels: tuple[str, ...]
+    force_channels: int
+    edits: int
+    notices: tuple[str, ...]
+    parameters: dict[str, Any]
+    threshold: float | None
+    automatic_threshold: float | None
+    motion_threshold: float | None
+    automatic_motion_threshold: float | None
+    unlike: float
+    boundaries: tuple[BoundaryMessage, ...]
+    segments: tuple[SegmentMessage, ...]
+    peaks: tuple[PeakMessage, ...]
+    gaussians: tuple[GaussianMessage, ...]
+    candidates: tuple[CandidateMessage, ...]
+    plan: tuple[PlanEntryMessage, ...]
+    proposed_drops: tuple[int, ...]
+    inapplicable: tuple[Inapplicable, ...]
+    undo: str | None
+    redo: str | None
+    saved_at: str | None
+    state: State
+    locked: str | None
+    changed: bool
+    labels: tuple[VocabularyLabel, ...]
+    selected: int | None = None
+
+
+class Ghost(Struct, frozen=True):
+    """A boundary that a change under way would bring or take."""
+
+    time_s: float
+    origin: Origin
+    fate: Literal["comes", "goes"]
+
+
+class GhostMessage(Struct, frozen=True, tag_field="type", tag="ghost"):
+    """What a slider or line that is held would bring and take; empty when let go."""
+
+    boundaries: tuple[Ghost, ...]
+
+
+class PlayheadMessage(Struct, frozen=True, tag_field="type", tag="playhead"):
+    """Where this page's playhead is."""
+
+    time_s: float
+    playing: bool
+    speed: float
+    loop: bool
+
+
+class SelectionMessage(Struct, frozen=True, tag_field="type", tag="selection"):
+    """The segment this page has selected."""
+
+    segment: int | None
+
+
+class ShownMessage(Struct, frozen=True, tag_field="type", tag="shown"):
+    """Which parts this page's scene shows."""
+
+    parts: dict[str, bool]
+
+
+class NothingMessage(Struct, frozen=True, tag_field="type", tag="nothing"):
+    """No recording is looked at any more."""

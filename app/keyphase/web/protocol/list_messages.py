@@ -1,0 +1,235 @@
+"""The list of recordings, and what is told beside the document: tasks, notices, uploads."""
+
+from typing import Any, Literal
+
+from msgspec import UNSET, Struct, UnsetType, field
+
+from keyphase.workbench.recording_list import Listing
+from keyphase.workbench.recordings import Recording, State, folder_name, printable
+from keyphase.workbench.showing.doubts import UNSURE_BELOW, Piece
+from keyphase.workbench.spread import Spread, SpreadItem
+
+
+class Hello(Struct, frozen=True, tag_field="type", tag="hello"):
+    """What a page is told first.
+
+    client        its id, as in the cause of a document
+    read_only     it may only look
+    ranges        least and greatest value of each number among the parameters
+    defaults      the parameters as they are where nobody chose any
+    unsure_below  a boundary counts as unsure below this confidence
+    command       how the server is started again; null where that is not known
+    """
+
+    version: str
+    client: str
+    read_only: bool
+    ranges: dict[str, tuple[float, float]]
+    defaults: dict[str, Any]
+    unsure_below: float = UNSURE_BELOW
+    command: str | None = None
+
+
+class PageThere(Struct, frozen=True):
+    """Another page at a recording."""
+
+    id: str
+    name: str
+    color: int
+
+
+class RecordingLine(Struct, frozen=True):
+    """One line of the list.
+
+    folder  name of the folder it lies in
+    strip   its segments in small; `color` null: idle or dropped
+    unsure  how many boundaries a person should look at
+    pages   who else is there
+    """
+
+    id: str
+    name: str
+    folder: str
+    state: State
+    confidence: float | None
+    unsure: int
+    strip: tuple[Piece, ...]
+    error: str | None
+    pages: tuple[PageThere, ...]
+
+
+class Recordings(Struct, frozen=True, tag_field="type", tag="recordings"):
+    """The list, whenever it changes; `current` is what this page looks at."""
+
+    folder: str
+    current: str | None
+    items: tuple[RecordingLine, ...]
+
+
+class Following(Struct, frozen=True, tag_field="type", tag="following"):
+    """The page that is followed; null: none."""
+
+    page: str | None
+
+
+class TaskMessage(Struct, frozen=True, tag_field="type", tag="task"):
+    """Something that takes long; `fraction` null: nobody knows how much is left."""
+
+    id: int
+    name: str
+    fraction: float | None
+    done: bool
+
+
+class Notice(Struct, frozen=True, tag_field="type", tag="notice"):
+    """A line of text, never HTML."""
+
+    level: Literal["info", "warning", "error"]
+    text: str
+
+
+class Refused(Struct, frozen=True, tag_field="type", tag="refused"):
+    """A request that was not done, and why; `edit` gives an edit back that was not made."""
+
+    request: str
+    recording: str | None
+    revision: int | None
+    event: int | None
+    text: str
+    edit: dict[str, Any] | None = None
+
+
+class Saved(Struct, frozen=True, tag_field="type", tag="saved"):
+    """A file was written."""
+
+    path: str
+    kind: str
+
+
+class UploadReady(Struct, frozen=True, tag_field="type", tag="upload_ready"):
+    """The pieces of the file may come; `name` is what it will be called."""
+
+    name: str
+
+
+class UploadRefused(Struct, frozen=True, tag_field="type", tag="upload_refused"):
+    """Why a file was not taken, before or after it came; nothing is left of it."""
+
+    text: str
+
+
+class UploadCancelled(Struct, frozen=True, tag_field="type", tag="upload_cancelled"):
+    """The answer to `upload_cancel`; nothing is left of the file."""
+
+    name: str
+
+
+class Uploaded(Struct, frozen=True, tag_field="type", tag="uploaded"):
+    """The file is whole, could be read, and has this name now.
+
+    A recording is opened; a segment file (`compares`) is one of the options to compare with.
+    """
+
+    name: str
+    compares: bool
+
+
+class SpreadLine(Struct, frozen=True):
+    """What the parameters would do to one recording; with an `error` nothing is known.
+
+    newly_inapplicable  edits whose place would be gone
+    own                 parameters set on that recording alone, which go on holding
+    """
+
+    id: str
+    name: str
+    state: State
+    error: str | None
+    comes_s: tuple[float, ...] | UnsetType = UNSET
+    goes_s: tuple[float, ...] | UnsetType = UNSET
+    moves_s: tuple[tuple[float, float], ...] | UnsetType = UNSET
+    newly_inapplicable: tuple[str, ...] | UnsetType = UNSET
+    own: tuple[str, ...] | UnsetType = UNSET
+
+
+class SpreadMessage(Struct, frozen=True, tag_field="type", tag="spread"):
+    """What parameters would do to a folder, again and again until all `total` are known.
+
+    Each look has a number of its own, so that what was left is told from what is asked.
+    """
+
+    look: int
+    total: int
+    items: tuple[SpreadLine, ...]
+
+
+class ComparisonMessage(Struct, frozen=True, tag_field="type", tag="comparison"):
+    """With what a recording can be compared, and where `with` is not null how that agrees.
+
+    shared                       (shown, other) times of boundaries both have
+    only_first_s, only_second_s  boundaries of what is shown alone, of the other alone
+    timing_s                     median distance of shared boundaries
+    """
+
+    recording: str
+    options: tuple[str, ...]
+    other: str | None = field(name="with", default=None)
+    boundaries_s: tuple[float, ...] = ()
+    labels: tuple[str, ...] = ()
+    shared: tuple[tuple[float, float], ...] = ()
+    only_first_s: tuple[float, ...] = ()
+    only_second_s: tuple[float, ...] = ()
+    f1: float | None = None
+    covering: float | None = None
+    same_label: float | None = None
+    timing_s: float | None = None
+
+
+def recordings_message(listing: Listing, current: str | None, page: str) -> Recordings:
+    """The list as one page sees it."""
+    there: dict[str, list[PageThere]] = {}
+    for one in listing.presences:
+        if one.recording is not None and one.page != page:
+            there.setdefault(one.recording, []).append(PageThere(one.page, one.name, one.color))
+    return Recordings(
+        folder_name(listing.recordings),
+        current,
+        tuple(_line(line, tuple(there.get(line.id, ()))) for line in listing.recordings),
+    )
+
+
+def spread_message(spread: Spread) -> SpreadMessage:
+    """What is known of a look."""
+    items = tuple(map(_spread_line, spread.items))
+    return SpreadMessage(spread.look, len(spread.recordings), items)
+
+
+def _line(recording: Recording, pages: tuple[PageThere, ...]) -> RecordingLine:
+    return RecordingLine(
+        recording.id,
+        recording.name,
+        printable(recording.path.parent.name),
+        recording.state,
+        recording.confidence,
+        recording.unsure,
+        recording.strip,
+        recording.error,
+        pages,
+    )
+
+
+def _spread_line(item: SpreadItem) -> SpreadLine:
+    recording, change = item.recording, item.change
+    if change is None:
+        return SpreadLine(recording.id, recording.name, recording.state, item.error)
+    return SpreadLine(
+        recording.id,
+        recording.name,
+        recording.state,
+        None,
+        tuple(map(float, change.comes_s)),
+        tuple(map(float, change.goes_s)),
+        tuple((float(a), float(b)) for a, b in change.moves_s),
+        change.newly_inapplicable,
+        change.own,
+    )

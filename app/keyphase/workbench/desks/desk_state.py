@@ -1,0 +1,70 @@
+"""What a recording at work is at one revision; it never changes."""
+
+from dataclasses import dataclass, replace
+
+from keyphase.demonstration import Demonstration
+from keyphase.labeling.document import Document
+from keyphase.labeling.labeling import Labeling
+from keyphase.labeling.vocabulary import Vocabulary
+from keyphase.segmentation import Parameters
+from keyphase.workbench.recordings import Recording
+from keyphase.workbench.recordings import State as RecordingState
+from keyphase.workbench.showing.doubts import least_confidence, strip, unsure_count
+from keyphase.workbench.showing.signals import SignalTracks
+
+
+@dataclass(frozen=True)
+class Cause:
+    """The request of a page that led to a change."""
+
+    page: str
+    event: int
+
+
+@dataclass(frozen=True, eq=False)
+class DeskState:
+    """One revision of one recording at work.
+
+    document        as it is on disk
+    parameters      what is shown, possibly while a slider is still held
+    labeling        what these parameters give, with the edits
+    kept_labeling   the same under the parameters that are kept
+    vocabulary      of its folder
+    notices         of journal and folder
+    state           automatic, touched or done
+    locked          why nothing can be changed; None where it can
+    changed         the file is no longer the one that was labeled
+    saved_at        clock time of the last step on disk, HH:MM:SS
+    """
+
+    revision: int
+    recording: Recording
+    document: Document
+    parameters: Parameters
+    labeling: Labeling
+    kept_labeling: Labeling
+    tracks: SignalTracks
+    vocabulary: Vocabulary
+    notices: tuple[str, ...]
+    state: RecordingState
+    locked: str | None
+    changed: bool
+    saved_at: str | None
+    cause: Cause | None = None
+
+    @property
+    def demonstration(self) -> Demonstration:
+        """The recording itself."""
+        return self.document.demonstration
+
+    @property
+    def line(self) -> Recording:
+        """Its line in the list."""
+        return replace(
+            self.recording,
+            state=self.state,
+            confidence=least_confidence(self.kept_labeling),
+            unsure=unsure_count(self.kept_labeling),
+            strip=strip(self.kept_labeling),
+            error=None,
+        )

@@ -1,0 +1,1 @@
+"""Recording by lead-through at work: the workcell that runs, and its takes."""

@@ -1,0 +1,1 @@
+"""A robot beside a recording: where it stands, and how it must move."""

@@ -1,0 +1,98 @@
+"""The list of recordings of one workbench, and who is at which."""
+
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from keyphase.errors import RequestError
+from keyphase.workbench.recordings import Recording, recording_at
+
+COLORS = 8
+"""So many colours tell pages apart."""
+
+
+@dataclass(frozen=True)
+class Presence:
+    """A page as others see it: a name, the number of its colour, the recording it is at."""
+
+    page: str
+    name: str
+    color: int
+    recording: str | None
+
+
+@dataclass(frozen=True)
+class Listing:
+    """The list as it is now."""
+
+    recordings: tuple[Recording, ...]
+    presences: tuple[Presence, ...] = ()
+
+
+class RecordingList:
+    """The lines of the list; `tell` is told of each change. For many threads."""
+
+    def __init__(self, paths: Sequence[Path], tell: Callable[[Listing], None]) -> None:
+        self._lock = threading.RLock()
+        self._tell = tell
+        self._listing = Listing(tuple(map(recording_at, dict.fromkeys(paths))))
+
+    @property
+    def listing(self) -> Listing:
+        """The list as it is now."""
+        return self._listing
+
+    @property
+    def recordings(self) -> tuple[Recording, ...]:
+        """Its lines."""
+        return self._listing.recordings
+
+    def find(self, recording_id: str) -> Recording:
+        """The line with that id. Raises RequestError where there is none."""
+        for recording in self.recordings:
+            if recording.id == recording_id:
+                return recording
+        raise RequestError("There is no such recording in this list; choose one that is.")
+
+    def first_to_do(self) -> Recording | None:
+        """The first recording that is not done, so that work goes on where it was left."""
+        open_ones = (recording for recording in self.recordings if recording.state != "done")
+        return next(open_ones, next(iter(self.recordings), None))
+
+    def add(self, path: Path) -> Recording:
+        """A line more; the one there is where the file is listed already."""
+        added = recording_at(path)
+        with self._lock:
+            known = next((r for r in self.recordings if r.id == added.id), None)
+            if known is None:
+                self._change((*self.recordings, added))
+        return known or added
+
+    def remove(self, path: Path) -> tuple[Recording, Recording | None] | None:
+        """A line less: that line and its neighbour; None where the file is not listed."""
+        with self._lock:
+            place = next((i for i, r in enumerate(self.recordings) if r.path == path), None)
+            if place is None:
+                return None
+            removed = self.recordings[place]
+            left = (*self.recordings[:place], *self.recordings[place + 1 :])
+            self._change(left)
+            return removed, left[min(place, len(left) - 1)] if left else None
+
+    def update(self, changed: Recording) -> None:
+        """Put a changed line into the list."""
+        with self._lock:
+            if changed not in self.recordings:
+                self._change(tuple(changed if r.id == changed.id else r for r in self.recordings))
+
+    def show_pages(self, presences: Sequence[Presence]) -> None:
+        """Who is at which recording by now."""
+        with self._lock:
+            if tuple(presences) != self._listing.presences:
+                self._listing = Listing(self.recordings, tuple(presences))
+                self._tell(self._listing)
+
+    def _change(self, recordings: tuple[Recording, ...]) -> None:
+        self._listing = Listing(recordings, self._listing.presences)
+        self._tell(self._listing)

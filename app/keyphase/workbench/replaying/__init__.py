@@ -1,0 +1,1 @@
+"""Replay and trials of a plan at work, for whoever asked for them."""

@@ -1,0 +1,1 @@
+"""What is shown of a recording at work: curves, reasons, comparisons, doubts."""

@@ -1,0 +1,102 @@
+"""Another segmentation of the open recording beside the one that is shown."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from statistics import median
+
+from keyphase.errors import KeyphaseError, RequestError
+from keyphase.files.parts import stem_of
+from keyphase.labeling.comparison import Comparison as ComparisonResult
+from keyphase.labeling.comparison import Outline, compare
+from keyphase.labeling.edits import Reset
+from keyphase.labeling.label import label
+from keyphase.labeling.segment_file import SUFFIX, SegmentFile, read_segment_file
+from keyphase.labeling.taking_over import taking_over
+from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.desks.open_recording import OpenRecording
+from keyphase.workbench.recordings import printable
+
+AUTOMATIC = "automatic"
+"""Compare with what the program found, without anybody's edits."""
+
+MOST_FILES = 50
+"""So many segment files of a folder are offered."""
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """With what a recording can be compared, and how one of these agrees with what is kept."""
+
+    options: tuple[str, ...]
+    other: str | None = None
+    outline: Outline | None = None
+    result: ComparisonResult | None = None
+
+    @property
+    def timing_s(self) -> float | None:
+        """Median distance of shared boundaries; None where there are none."""
+        pairs = self.result.shared if self.result else ()
+        return float(median(abs(pair.distance_s) for pair in pairs)) if pairs else None
+
+
+def comparison(state: DeskState, other: str | None) -> Comparison:
+    """With what the recording can be compared, and how `other` agrees.
+
+    `other` is None, "automatic", or the name of a segment file beside the recording. Raises
+    RequestError for a name that is not offered, SegmentFileError and LabelingError for a file
+    that cannot be compared.
+    """
+    names = _segment_files(state)
+    options = (AUTOMATIC, *map(printable, names))
+    if other is None:
+        return Comparison(options)
+    if other not in options:
+        raise _unknown()
+    index = options.index(other)
+    outline = _automatic(state) if index == 0 else Outline.of_file(_filed(state, names[index - 1]))
+    result = compare(Outline.of_labeling(state.kept_labeling), outline)
+    return Comparison(options, other, outline, result)
+
+
+def take_over(opened: OpenRecording, other: str) -> None:
+    """Make another segmentation this recording's, as one edit; the program's own resets it.
+
+    Raises as `comparison_message` does, and JournalError where it cannot be kept.
+    """
+    names = _segment_files(opened)
+    if other == AUTOMATIC:
+        opened.apply(Reset())
+    elif other in map(printable, names):
+        name = next(name for name in names if printable(name) == other)
+        opened.apply(taking_over(_filed(opened, name), opened.kept_labeling.segmentation))
+    else:
+        raise _unknown()
+
+
+def _unknown() -> RequestError:
+    return RequestError("There is no such segment file beside this recording.")
+
+
+def _segment_files(opened: DeskState | OpenRecording) -> Sequence[str]:
+    """Names of segment files in the recording's folder; its own first."""
+    path = opened.recording.path
+    found = sorted(file.name for file in path.parent.glob(f"*{SUFFIX}"))
+    own = stem_of(path) + SUFFIX
+    found.sort(key=lambda name: (name != own, not name.startswith(stem_of(path))))
+    return found[:MOST_FILES]
+
+
+def _automatic(opened: DeskState | OpenRecording) -> Outline:
+    return Outline.of_labeling(label(opened.kept_labeling.segmentation))
+
+
+def _filed(opened: DeskState | OpenRecording, name: str) -> SegmentFile:
+    """A segment file, which must be about the same bytes."""
+    file = read_segment_file(opened.recording.path.parent / name, check_recording=False)
+    source = opened.demonstration.source
+    if source is None or file.demonstration.sha256 != source.sha256:
+        raise KeyphaseError(
+            f"{printable(name)} is about another recording than {opened.recording.name}; choose a "
+            "segment file of this one."
+        )
+    return file

@@ -1,0 +1,238 @@
+"""The workbench: the list of recordings, the desks they lie on, the pages that look at them."""
+
+import itertools
+import threading
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from keyphase.errors import KeyphaseError, RequestError
+from keyphase.workbench.desks.asked import Asked
+from keyphase.workbench.desks.desk import Desk
+from keyphase.workbench.desks.library import Library
+from keyphase.workbench.exports import export
+from keyphase.workbench.leading.takes import Takes
+from keyphase.workbench.looking import Looking
+from keyphase.workbench.playback import Clock
+from keyphase.workbench.recording_list import Listing, RecordingList
+from keyphase.workbench.spread import Spread, beside, look_into
+from keyphase.workbench.tasks import Tasks, TaskState
+from keyphase.workbench.uploads import DEFAULT_LIMIT_BYTES, Upload
+from keyphase.workbench.view import View
+
+KEPT_S = 30.0
+"""A page that comes back within this time finds its view as it left it."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How a workbench is set up.
+
+    recipe       how to read tables that are not in keyphase's own form
+    read_only    nothing may be changed by anybody
+    folder       where takes are put
+    arms         names of the tools a robot beside a recording could follow with
+    """
+
+    recipe: Path | None = None
+    read_only: bool = False
+    folder: Path = Path()
+    arms: tuple[str, ...] = ()
+    upload_limit_bytes: int = DEFAULT_LIMIT_BYTES
+
+
+class Workbench:
+    """Everything one server knows. Methods may be called from any thread."""
+
+    def __init__(self, paths: Sequence[Path], settings: Settings | None = None) -> None:
+        self.settings = settings or Settings()
+        self.tasks = Tasks(self._tell_task)
+        self.library = Library(self.tasks, self.settings.recipe, read_only=self.settings.read_only)
+        self._lock = threading.RLock()
+        self._views: dict[str, View] = {}
+        self._held: dict[str, int] = {}
+        self._leaving: dict[str, threading.Timer] = {}
+        self._numbers, self._looks = itertools.count(1), itertools.count(1)
+        self._spreads: dict[str, int] = {}
+        self.recordings = RecordingList(paths, self._tell_list)
+        self.library.on_change = lambda state: self.recordings.update(state.line)
+        self.takes = Takes(self.settings.folder)
+        self.arms = self.settings.arms
+        self.looking = Looking(self.recordings, self.library)
+        self._clock = Clock(self._step)
+        self.looking.begin()
+
+    def close(self) -> None:
+        """End all threads and let go of the recordings."""
+        with self._lock:
+            views = tuple(self._views.values())
+            self._views = {}
+            for timer in self._leaving.values():
+                timer.cancel()
+        self._clock.stop()
+        self.looking.stop()
+        for view in views:
+            view.close()
+        self.library.close()
+
+    # -- pages
+
+    @property
+    def views(self) -> tuple[View, ...]:
+        """The views of all pages, the oldest first."""
+        with self._lock:
+            return tuple(self._views.values())
+
+    def enter(self, page: str) -> View:
+        """The view of a page, made where there is none; each entering needs a leaving.
+
+        A new view looks at the first recording that is not done.
+        """
+        with self._lock:
+            if (timer := self._leaving.pop(page, None)) is not None:
+                timer.cancel()
+            self._held[page] = self._held.get(page, 0) + 1
+            view = self._views.get(page)
+            is_new = view is None
+            if view is None:
+                view = self._views[page] = View(page, next(self._numbers), self)
+        if is_new:
+            self.view_changed(view)
+            first = self.recordings.first_to_do()
+            if first is not None:
+                view.open(first.id)
+        return view
+
+    def leave(self, page: str) -> None:
+        """One of those who entered has gone; after the last one the view is kept for KEPT_S."""
+        with self._lock:
+            if page not in self._views:
+                return
+            self._held[page] -= 1
+            if self._held[page] == 0:
+                timer = threading.Timer(KEPT_S, self._forget, (page,))
+                timer.daemon = True
+                self._leaving[page] = timer
+                timer.start()
+
+    def find_view(self, page: str) -> View:
+        """The view of a page. Raises RequestError where there is none."""
+        with self._lock:
+            if page not in self._views:
+                raise RequestError("That page is no longer there.")
+            return self._views[page]
+
+    def followers(self, page: str) -> tuple[View, ...]:
+        """The views that follow a page."""
+        return tuple(view for view in self.views if view.following == page)
+
+    def view_changed(self, view: View) -> None:
+        """A view looks at another recording, or has come or gone."""
+        with self._lock:
+            self.recordings.show_pages([one.presence for one in self._views.values()])
+        view.each(lambda watcher: watcher.show_recordings(self.recordings.listing, view.recording))
+
+    def wake_clock(self) -> None:
+        """A playhead has begun to run."""
+        self._clock.wake()
+
+    def _forget(self, page: str) -> None:
+        with self._lock:
+            if self._held.get(page):
+                return
+            view = self._views.pop(page, None)
+            self._held.pop(page, None)
+            self._leaving.pop(page, None)
+        if view is not None:
+            for follower in self.followers(page):
+                follower.follow(None)
+            view.close()
+            self.view_changed(view)
+
+    def _step(self, elapsed_s: float) -> bool:
+        still_running = [view.step(elapsed_s) for view in self.views]
+        return any(still_running)
+
+    # -- the list
+
+    def remove(self, path: Path) -> None:
+        """A recording less; whoever looks at it turns to its neighbour."""
+        removed = self.recordings.remove(path)
+        if removed is not None:
+            for view in self.views:
+                view.recording_gone(*removed)
+
+    def take_in(self, upload: Upload, beside_sha256: str | None) -> Path:
+        """A file that was sent, read and named; where it now is.
+
+        `beside_sha256` is the hash of the recording a segment file is to be about. Raises
+        RequestError with the reason where it cannot be used.
+        """
+        with self.tasks.begin(f"{upload.name}: reading"):
+            return self.library.take_in(upload, beside_sha256)
+
+    def export_all(self, view: View) -> None:
+        """Write a segment file for every recording; what cannot be opened says so in its line."""
+        recordings, written = self.recordings.recordings, 0
+        with self.tasks.begin("Writing segment files") as task:
+            for number, recording in enumerate(recordings):
+                task.at(number / len(recordings), f"{recording.name}: writing")
+                try:
+                    opened = self.library.look(recording)
+                    opened.close()
+                    export(opened.kept_labeling, recording.path, "json")
+                    written += 1
+                except KeyphaseError as error:
+                    view.tell("warning", f"{recording.name}: {error}")
+        view.tell("info", f"{written} of {len(recordings)} segment files were written.")
+
+    # -- parameters for a whole folder
+
+    def look_into_spread(self, desk: Desk, view: View) -> None:
+        """Tell a page what the parameters of a recording would do to all of its folder."""
+        state = desk.state
+        if state is None:
+            raise RequestError("This recording is not open yet; wait until it is shown.")
+        number = next(self._looks)
+        self._spreads[view.id] = number
+        spread = Spread(number, beside(desk.recording, self.recordings.recordings))
+        view.errands.submit(
+            lambda: look_into(
+                spread,
+                state.parameters,
+                self.library,
+                self.tasks,
+                lambda known: view.each(lambda watcher: watcher.show_spread(known)),
+                lambda: self._spreads.get(view.id) == number,
+            )
+        )
+
+    def leave_spread(self, view: View) -> None:
+        """Look no further into what would change."""
+        self._spreads.pop(view.id, None)
+
+    def share(self, desk: Desk, asked: Asked, view: View) -> threading.Event:
+        """Give the folder of a recording the parameters it has; its others follow."""
+        self.leave_spread(view)
+        over = desk.share_parameters(asked)
+
+        def follow() -> None:
+            over.wait()
+            for other in self.library.beside(desk):
+                other.follow_folder()
+            self.looking.begin()
+            view.tell("info", "All recordings of this folder now have these parameters.")
+
+        view.errands.submit(follow)
+        return over
+
+    # -- telling
+
+    def _tell_list(self, listing: Listing) -> None:
+        for view in self.views:
+            recording = view.recording
+            view.each(lambda watcher, at=recording: watcher.show_recordings(listing, at))
+
+    def _tell_task(self, task: TaskState) -> None:
+        for view in self.views:
+            view.each(lambda watcher: watcher.show_task(task))
