@@ -60,7 +60,6 @@ class Workbench:
         self.arms = self.settings.arms
         self.looking = Looking(self.recordings, self.library)
         self._clock = Clock(self._step)
-        self.looking.begin()
 
     def close(self) -> None:
         """End all threads and let go of the recordings."""
@@ -101,6 +100,8 @@ class Workbench:
             first = self.recordings.first_to_do()
             if first is not None:
                 view.open(first.id)
+            if len(self.views) == 1:
+                self.looking.begin()
         return view
 
     def leave(self, page: str) -> None:

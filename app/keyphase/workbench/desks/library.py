@@ -88,7 +88,8 @@ class Library:
     def has_open(self, recording_id: str) -> bool:
         """Whether there is a desk, so that there is no need to look at the recording."""
         with self._lock:
-            return recording_id in self._desks
+            desk = self._desks.get(recording_id)
+            return desk is not None and desk.failure is None
 
     def beside(self, desk: Desk) -> tuple[Desk, ...]:
         """The other desks of its folder."""
