@@ -26,7 +26,6 @@ class Heard:
 
     def _opened(self, page: Page) -> None:
         page.send({"type": "hello"})
-        self.sockets.add(page)
 
     def _message(self, page: Page, message: str | bytes) -> None:
         if message == "wait":
