@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from talking import PageClient, StartServer
+from talking import PageClient, StartServer, scene_of
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import RobotError
@@ -18,7 +18,6 @@ from keyphase.robot.arms import robot_arms
 from keyphase.robot.link_frames import link_frames
 from keyphase.robot.pose import Placement, matrix
 from keyphase.robot.yumi import yumi
-from keyphase.web.one_scene import OneScene
 from keyphase.web.server import PageServer
 from keyphase.workbench.placing.placements import save_placement, saved_placement
 
@@ -51,11 +50,6 @@ def settle(server: PageServer) -> None:
     assert scene.wait_until_shown(WAIT_S)
     assert scene.robot.wait_until_idle(WAIT_S)
     assert scene.wait_until_shown(WAIT_S)
-
-
-def scene_of(server: PageServer) -> OneScene:
-    assert server.scene is not None
-    return server.scene
 
 
 def notices(server: PageServer, client: PageClient) -> list[str]:

@@ -5,7 +5,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import msgspec
 import numpy as np
-from talking import CAMERA, Message, PageClient, visers_socket
+from talking import CAMERA, Message, PageClient, scene_of, visers_socket
 
 from keyphase.web.scene.palette import SEGMENT_COLORS, painted
 from keyphase.web.server import PageServer
@@ -18,8 +18,7 @@ def _document(page: PageClient) -> Message:
 
 def _drawn(server: PageServer) -> None:
     """Wait until the scene shows what the pages were told."""
-    assert server.scene is not None
-    assert server.scene.wait_until_shown(20)
+    assert scene_of(server).wait_until_shown(20)
 
 
 def _node(server: PageServer, name: str) -> object:
