@@ -3,7 +3,8 @@
 Nothing here knows how a demonstration is stored; `keyphase.readers` turns files into one.
 """
 
-from collections.abc import Mapping
+import copy
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -23,6 +24,15 @@ UNIT_TOLERANCE = 1e-3
 LARGEST = 1e9
 """No pose or wrench in SI units is larger; what is has been read in the wrong unit or type."""
 
+FARTHEST_S = 1e10
+"""No time stamp is farther from zero; nanoseconds since 1970 read as seconds are."""
+
+SHORTEST_STEP_S = 1e-10
+"""No recorder is faster."""
+
+_GAP_STEPS = 8.0
+_LEAST_GAP_S = 0.2
+
 _CHANNELS: Mapping[str, int | None] = {
     "position_m": 3,
     "orientation_wxyz": 4,
@@ -34,10 +44,15 @@ _CHANNELS: Mapping[str, int | None] = {
 
 @dataclass(frozen=True)
 class Source:
-    """The file a demonstration was read from: its path and the SHA-256 of its bytes (hex)."""
+    """The file a demonstration was read from: its path and the SHA-256 of its bytes (hex).
+
+    recipe, recipe_sha256  the recipe it was read with, its name and the SHA-256 of its text
+    """
 
     path: Path
     sha256: str
+    recipe: str | None = None
+    recipe_sha256: str | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,6 +125,25 @@ class Demonstration:
         """Samples per second, from the median step."""
         return float(1.0 / np.median(np.diff(self.time_s)))
 
+    @cached_property
+    def gaps_s(self) -> tuple[tuple[float, float], ...]:
+        """Stretches without data, as (last time before, first time after).
+
+        A step many times longer than the others; what lies inside is neither rest nor motion that
+        was demonstrated.
+        """
+        steps = np.diff(self.time_s)
+        usual = max(float(np.median(steps)), float(np.quantile(steps, 0.95)) / 2)
+        rows = np.flatnonzero(steps > max(_GAP_STEPS * usual, _LEAST_GAP_S))
+        times = self.time_s
+        return tuple((float(times[row]), float(times[row + 1])) for row in rows)
+
+    def told(self, more: Iterable[str]) -> "Demonstration":
+        """The same recording with more notices."""
+        other = copy.copy(self)
+        object.__setattr__(other, "notices", (*self.notices, *more))
+        return other
+
     def index_at(self, time_s: float) -> int:
         """Index of the sample nearest to `time_s`."""
         after = int(np.searchsorted(self.time_s, time_s).clip(1, len(self) - 1))
@@ -131,6 +165,7 @@ def _checked_time(values: ArrayLike, name: str) -> Array:
             f"but has shape {time.shape}."
         )
     _refuse_not_finite(time, "time_s", name)
+    _refuse_impossible_time(time, name)
     steps = np.diff(time)
     if (steps <= 0).any():
         row = int(np.argmax(steps <= 0)) + 1
@@ -139,6 +174,21 @@ def _checked_time(values: ArrayLike, name: str) -> Array:
             f"after {time[row - 1]:.9g} s; sort the rows or drop the repeated ones."
         )
     return time
+
+
+def _refuse_impossible_time(time: Array, name: str) -> None:
+    farthest = float(np.abs(time).max())
+    if farthest > FARTHEST_S:
+        raise DemonstrationError(
+            f"{name}: time_s must lie within {FARTHEST_S:g} s, but reaches {farthest:g}; check the "
+            "column and its unit."
+        )
+    step = float(np.median(np.abs(np.diff(time))))
+    if 0.0 < step < SHORTEST_STEP_S:
+        raise DemonstrationError(
+            f"{name}: time_s must have steps of at least {SHORTEST_STEP_S:g} s, but the median one "
+            f"is {step:g} s; check the column and its unit."
+        )
 
 
 def _checked_channel(

@@ -38,7 +38,11 @@ REFUSED = {
     "time twice": (TIME + "rate_hz = 5\n" + POSITION, "either column or rate_hz"),
     "rate zero": ("[time]\nrate_hz = 0\n" + POSITION, "rate_hz must be a positive number, but"),
     "rate infinite": ("[time]\nrate_hz = inf\n" + POSITION, "rate_hz must be a positive number"),
-    "no position": (TIME, r"either \[position\] or \[pose\]"),
+    "no position": (TIME, r"\[position\] or \[pose\] is missing"),
+    "joints only": (
+        TIME + '[joints]\ncolumns = ["a"]\nunit = "rad"',
+        "joint angles alone do not say",
+    ),
     "position twice": (
         SOUND + '[pose]\ncolumns = "m*"\nunit = "m"\nlayout = "row_major"',
         r"either \[position\] or \[pose\]",

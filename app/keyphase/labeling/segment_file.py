@@ -7,8 +7,13 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from keyphase.errors import KeyphaseError, SegmentFileError
+from keyphase.demonstration import Demonstration
+from keyphase.errors import KeyphaseError, LabelingError, SegmentFileError
+from keyphase.files.numbers import finite_number, whole_number
+from keyphase.files.reading import read_regular
 from keyphase.files.writing import write_whole
+from keyphase.labeling.earlier import parameters_as_meant
+from keyphase.labeling.edits import LONGEST_PLAN, check_label
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file_content import as_csv, as_json, segment_file_content
 from keyphase.readers import fingerprint
@@ -19,18 +24,27 @@ from keyphase.segmentation.segmentation import Origin
 SUFFIX = ".segments.json"
 """How the names of segment files end."""
 
+MOST_SEGMENTS = 5_000
+
 _LIMIT_BYTES = 64 * 1024**2
 
 
 @dataclass(frozen=True)
 class FiledDemonstration:
-    """The recording a segment file is about; `path` is relative to the segment file."""
+    """The recording a segment file is about; `path` is relative to the segment file.
+
+    recipe, recipe_sha256  what it was read with; both None for keyphase's own forms
+    notices                what was said when it was read
+    """
 
     name: str
     path: str
     sha256: str
     duration_s: float
     rate_hz: float
+    recipe: str | None = None
+    recipe_sha256: str | None = None
+    notices: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -98,6 +112,7 @@ def read_segment_file(path: Path, *, check_recording: bool = True) -> SegmentFil
     `check_recording` is False, where the recording is missing or no longer the same.
     """
     content = _json(path)
+    _refuse_too_many(content, path)
     _check_schema(content, path)
     file = _parsed(content, path)
     _check_consistency(file)
@@ -122,29 +137,55 @@ def require_same_recording(file: SegmentFile, recording: Path) -> None:
         )
 
 
+def require_same_reading(file: SegmentFile, demonstration: Demonstration) -> None:
+    """Raise SegmentFileError unless a recording was read as when it was segmented.
+
+    With another recipe the same numbers are another demonstration. Files from before recipes were
+    named in them are taken as they are.
+    """
+    source = demonstration.source
+    made_with, now = file.demonstration.recipe_sha256, source.recipe_sha256 if source else None
+    known = "keyphase 0.1" not in file.software_version
+    if made_with != now and (made_with is not None or known):
+        raise SegmentFileError(
+            f"{file.path}: it was made of {file.demonstration.name} as read with "
+            f"{_called(file.demonstration.recipe)}, not with "
+            f"{_called(source.recipe if source else None)}; give that recipe, or segment again."
+        )
+
+
+def _called(recipe: str | None) -> str:
+    return f"the recipe {recipe}" if recipe else "no recipe"
+
+
 def _json(path: Path) -> Any:
     try:
-        with path.open("rb") as file:
-            data = file.read(_LIMIT_BYTES + 1)
-    except OSError as error:
+        data = read_regular(path, _LIMIT_BYTES)
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
         raise SegmentFileError(
-            f"{path}: the segment file cannot be read ({error.strerror}); check the path."
+            f"{path}: the segment file cannot be read ({reason}); check the path."
         ) from error
-    if len(data) > _LIMIT_BYTES:
-        raise SegmentFileError(
-            f"{path}: a segment file has at most {_LIMIT_BYTES} bytes, but this one is larger; "
-            "name another file."
-        )
     try:
-        return json.loads(data, parse_constant=_refuse_constant)
+        return json.loads(
+            data, parse_constant=finite_number, parse_float=finite_number, parse_int=whole_number
+        )
     except (ValueError, RecursionError) as error:
         raise SegmentFileError(
             f"{path}: expected JSON, but it cannot be parsed ({error}); write the file again."
         ) from error
 
 
-def _refuse_constant(name: str) -> float:
-    raise ValueError(f"{name} is no JSON number")
+def _refuse_too_many(content: Any, path: Path) -> None:
+    """Before the schema is checked, which takes a while for each."""
+    limits = {"segments": MOST_SEGMENTS, "boundaries": MOST_SEGMENTS, "plan": LONGEST_PLAN}
+    for name, most in limits.items():
+        items = content.get(name) if isinstance(content, Mapping) else None
+        if isinstance(items, list) and len(items) > most:
+            raise SegmentFileError(
+                f"{path}: a segment file has at most {most} {name}, but this one has {len(items)}; "
+                "divide the recording."
+            )
 
 
 def _check_schema(content: Any, path: Path) -> None:
@@ -166,14 +207,19 @@ def _parsed(content: Mapping[str, Any], path: Path) -> SegmentFile:
         return SegmentFile(
             path,
             content["software_version"],
-            FiledDemonstration(**content["demonstration"]),
-            Parameters(**content["parameters"]),
+            FiledDemonstration(
+                **{
+                    **content["demonstration"],
+                    "notices": tuple(content["demonstration"].get("notices", ())),
+                }
+            ),
+            Parameters(**parameters_as_meant(content["parameters"])),
             tuple(_boundary(item) for item in content["boundaries"]),
             tuple(_segment(item) for item in content["segments"]),
             tuple(content["plan"]),
         )
-    except (KeyphaseError, TypeError) as error:
-        raise SegmentFileError(f"{path}: {error}") from error
+    except (KeyphaseError, ArithmeticError, TypeError, ValueError) as error:
+        raise SegmentFileError(f"{path}: {error}; write the file again.") from error
 
 
 def _boundary(item: Mapping[str, Any]) -> FiledBoundary:
@@ -204,6 +250,11 @@ def _check_consistency(file: SegmentFile) -> None:
         raise _contradiction(file, "times must ascend from segment to segment")
     if any(b.interval_s[0] > b.interval_s[1] for b in file.boundaries):
         raise _contradiction(file, "interval_s must be ascending")
+    for segment in file.segments:
+        try:
+            check_label(segment.label)
+        except LabelingError as error:
+            raise SegmentFileError(f"{file.path}: segment {segment.id}: {error}") from error
     kept = {segment.id for segment in file.segments if segment.kept}
     if not kept.issuperset(file.plan):
         unknown = next(id_ for id_ in file.plan if id_ not in kept)

@@ -98,6 +98,9 @@ def _demonstration(demonstration: Demonstration, path: Path) -> dict[str, Any]:
         "sha256": demonstration.source.sha256,
         "duration_s": demonstration.duration_s,
         "rate_hz": demonstration.rate_hz,
+        "recipe": demonstration.source.recipe,
+        "recipe_sha256": demonstration.source.recipe_sha256,
+        "notices": list(demonstration.notices),
     }
 
 

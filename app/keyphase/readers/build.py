@@ -9,6 +9,7 @@ from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import DemonstrationError
 from keyphase.files.parts import stem_of
 from keyphase.files.reading import WholeFile
+from keyphase.oddities import oddities_of
 from keyphase.readers.held import held_notices
 from keyphase.readers.timing import irregular_notices
 
@@ -22,20 +23,21 @@ def build(
 ) -> Demonstration:
     """The demonstration of `channels` (by their names in Demonstration), named after its file.
 
-    What holds and irregular rows are left in it is added to the notices. Raises
+    What holds, irregular rows and whatever is odd about it is added to the notices. Raises
     DemonstrationError, naming the file, where the channels break an invariant.
     """
     name = stem_of(file.source.path)
     try:
         with np.errstate(all="ignore"):
             found = (*irregular_notices(channels["time_s"]), *held_notices(channels))
-            return Demonstration(
+            read = Demonstration(
                 name=name,
                 **channels,
                 metadata=metadata or {},
                 source=file.source,
                 notices=(*notices, *found),
             )
+            return read.told(odd.text for odd in oddities_of(read))
     except DemonstrationError as error:
         reason = str(error).removeprefix(f"{name}: ")
         raise DemonstrationError(f"{file.name}: {reason}") from error

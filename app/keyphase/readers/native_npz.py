@@ -10,7 +10,6 @@ data.
 import difflib
 import io
 import json
-import math
 import struct
 import tokenize
 import zipfile
@@ -29,6 +28,12 @@ from keyphase.errors import DemonstrationError
 from keyphase.files.reading import WholeFile
 from keyphase.files.writing import write_whole
 from keyphase.readers.build import build
+from keyphase.readers.npz_members import (
+    Member,
+    member_of,
+    numbers_of,
+    refuse_wrong_shapes,
+)
 
 MAGIC = b"PK\x03\x04"
 """How a zip archive that holds anything begins."""
@@ -47,6 +52,8 @@ _DAMAGE = (
     tokenize.TokenError,
     EOFError,
     LookupError,
+    RecursionError,
+    AttributeError,
     MemoryError,
     OSError,
     OverflowError,
@@ -65,10 +72,13 @@ def read_npz(file: WholeFile, limit_bytes: int) -> Demonstration:
     shapes, and archives that unpack to more than `limit_bytes`.
     """
     with _damage_told(file), zipfile.ZipFile(io.BytesIO(file.data)) as archive:
-        members = _members(archive, file)
+        found = _members(archive, file)
+        members = {n: member_of(archive, info, n, file.name) for n, info in found.items()}
+        refuse_wrong_shapes(members, file.name)
         _refuse_too_large(members, file, limit_bytes)
-        arrays = {name: _array(archive, info, file) for name, info in members.items()}
+        arrays = {n: numbers_of(archive, member, file.name) for n, member in members.items()}
         unknown = _unknown_notices(archive)
+    arrays["time_s"] = arrays["time_s"].reshape(-1)
     metadata = _metadata(arrays.pop(_METADATA, None), file)
     return build(file, arrays, metadata=metadata, notices=unknown)
 
@@ -105,60 +115,13 @@ def _members(archive: zipfile.ZipFile, file: WholeFile) -> dict[str, zipfile.Zip
     return found
 
 
-def _refuse_too_large(
-    members: Mapping[str, zipfile.ZipInfo], file: WholeFile, limit_bytes: int
-) -> None:
-    """Declared sizes bound what is read: zipfile never unpacks a member beyond its own."""
-    unpacked = sum(info.file_size for info in members.values())
+def _refuse_too_large(members: Mapping[str, Member], file: WholeFile, limit_bytes: int) -> None:
+    """Counted in bytes as they will lie in memory, whatever type they are stored in."""
+    unpacked = sum(max(m.bytes_in_memory, m.info.file_size) for m in members.values())
     if unpacked > limit_bytes:
         raise DemonstrationError(
             f"{file.name}: the archive unpacks to {unpacked} bytes, more than the limit of "
             f"{limit_bytes}; cut the recording or raise the limit."
-        )
-
-
-def _array(archive: zipfile.ZipFile, info: zipfile.ZipInfo, file: WholeFile) -> NDArray[Any]:
-    data = archive.read(info)
-    stream = io.BytesIO(data)
-    member = info.filename.removesuffix(_SUFFIX)
-    shape, fortran_order, dtype = _header(stream, member, file)
-    _refuse_wrong_type(dtype, member, file)
-    offset = stream.tell()
-    expected, came = math.prod(shape) * dtype.itemsize, len(data) - offset
-    if expected != came or min(shape, default=1) < 0:
-        raise DemonstrationError(
-            f"{file.name}: {member} declares shape {shape} and {expected} bytes, but {came} bytes "
-            "follow; save the archive again."
-        )
-    flat = np.frombuffer(data, dtype, offset=offset) if came else np.empty(0, dtype)
-    return flat.reshape(shape, order="F" if fortran_order else "C")
-
-
-def _header(
-    stream: io.BytesIO, member: str, file: WholeFile
-) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
-    version = npy.read_magic(stream)
-    if version == (1, 0):
-        return npy.read_array_header_1_0(stream)
-    if version == (2, 0):
-        return npy.read_array_header_2_0(stream)
-    raise DemonstrationError(
-        f"{file.name}: {member} must be stored in NPY version 1 or 2, but has {version}; "
-        "save plain arrays with numpy.savez."
-    )
-
-
-def _refuse_wrong_type(dtype: np.dtype[Any], member: str, file: WholeFile) -> None:
-    if dtype.hasobject:
-        raise DemonstrationError(
-            f"{file.name}: {member} holds pickled Python objects, which are never loaded; "
-            "save plain arrays of numbers."
-        )
-    kinds, expected = ("U", "text") if member == _METADATA else ("fiu", "real numbers")
-    if dtype.kind not in kinds:
-        raise DemonstrationError(
-            f"{file.name}: {member} must hold {expected}, but its type is {dtype}; "
-            "convert it before saving."
         )
 
 

@@ -3,10 +3,12 @@
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.errors import DemonstrationError
 
+_COARSE = 0.5
 _JITTER = 0.5
 """How far a step may be from the median one, relative to it, and still be regular."""
 
@@ -14,12 +16,35 @@ _JITTER = 0.5
 def refuse_not_increasing(time_s: Array, where: Callable[[int], str]) -> None:
     """Refuse the first row that is not later than the one before; `where` names a row."""
     stuck = np.flatnonzero(~(np.diff(time_s) > 0))
-    if stuck.size:
-        row = int(stuck[0]) + 1
+    if not stuck.size:
+        return
+    row = int(stuck[0]) + 1
+    came = (
+        f"{where(row)}: expected time to increase, but {float(time_s[row])!r} s comes after "
+        f"{float(time_s[row - 1])!r} s; "
+    )
+    again = _restarts(time_s, stuck)
+    if len(again) == len(stuck):
+        places = ", ".join(where(int(start)).rpartition(": ")[2] for start in again[:5])
+        more = ", …" if len(again) > 5 else ""
         raise DemonstrationError(
-            f"{where(row)}: expected time to increase, but {time_s[row]:.9g} s comes after "
-            f"{time_s[row - 1]:.9g} s; sort the rows, or let a recipe drop the repeated ones."
+            f"{came}time starts over at {places}{more}, so the file seems to hold "
+            f"{len(again) + 1} recordings: say so in a recipe, [table] time_starts_again = true, "
+            "or demonstration = the column that tells them apart."
         )
+    if len(stuck) > _COARSE * len(time_s):
+        raise DemonstrationError(
+            f"{came}{len(stuck)} of {len(time_s)} rows have no time of their own: this column is "
+            "too coarse; name another, such as [time] seconds and nanoseconds."
+        )
+    raise DemonstrationError(f"{came}sort the rows, or let a recipe drop the repeated ones.")
+
+
+def _restarts(time_s: Array, stuck: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Rows at which time goes back to near where it began."""
+    rows = stuck + 1
+    near = time_s[0] + 0.1 * (time_s[: rows[0]].max() - time_s[0])
+    return rows[(time_s[rows] < time_s[rows - 1]) & (time_s[rows] <= near)]
 
 
 def irregularity(time_s: Array) -> str | None:

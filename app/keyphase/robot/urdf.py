@@ -3,6 +3,7 @@
 The parsers behind yourdfpy and Pinocchio print their reasons where no user of a page sees them.
 """
 
+import re
 from collections import Counter
 from pathlib import Path
 from xml.etree import ElementTree
@@ -10,6 +11,11 @@ from xml.etree import ElementTree
 import numpy as np
 
 from keyphase.errors import RobotError
+from keyphase.files.reading import read_regular
+
+_LARGEST_BYTES = 16 * 1024**2
+_ENCODING = re.compile(rb"""\W{0,4}<\?xml[^>]*encoding\s*=\s*["']([^"']*)""")
+_ENCODINGS = frozenset({"utf-8", "utf8", "utf-16", "us-ascii", "ascii", "iso-8859-1", "latin-1"})
 
 MOVING = ("revolute", "continuous", "prismatic")
 _TYPES = (*MOVING, "fixed", "floating", "planar")
@@ -45,14 +51,20 @@ def refuse_bad_urdf(path: Path) -> None:
 
 
 def _parsed(path: Path) -> ElementTree.Element:
-    if not path.is_file():
+    try:
+        data = read_regular(path, _LARGEST_BYTES)
+    except FileNotFoundError as error:
         raise RobotError(
             f"{path}: expected a robot description, but there is no such file; "
             "give the path of a URDF."
-        )
+        ) from error
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        raise RobotError(f"{path}: the URDF cannot be read ({reason}); check it.") from error
+    _refuse_declarations(path, data)
     try:
-        robot = ElementTree.parse(path).getroot()
-    except (ElementTree.ParseError, ValueError) as error:
+        robot = ElementTree.fromstring(data)
+    except (ElementTree.ParseError, LookupError, ValueError) as error:
         raise RobotError(
             f"{path}: expected a URDF, but it is no XML ({error}); "
             "give a URDF, which is an XML file."
@@ -64,6 +76,22 @@ def _parsed(path: Path) -> ElementTree.Element:
             "convert other formats (xacro, SDF, MJCF) to URDF first."
         )
     return robot
+
+
+def _refuse_declarations(path: Path, data: bytes) -> None:
+    """Entities of one's own can make gigabytes of a line, and encodings anything of a file."""
+    plain = data.replace(b"\0", b"")
+    if b"<!DOCTYPE" in plain or b"<!ENTITY" in plain:
+        raise RobotError(
+            f"{path}: a URDF must not declare a document type or entities of its own, but this one "
+            "does; write out what they stand for."
+        )
+    named = _ENCODING.match(plain)
+    if named and named[1].decode("ascii", "replace").lower() not in _ENCODINGS:
+        raise RobotError(
+            f"{path}: a URDF must be UTF-8, UTF-16, ASCII or Latin-1 text, but says it is "
+            f"{named[1][:40].decode('ascii', 'replace')!r}; save it as UTF-8."
+        )
 
 
 def _refuse_bad_joint(path: Path, joint: ElementTree.Element, links: set[str]) -> None:

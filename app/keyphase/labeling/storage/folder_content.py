@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, fields
 from typing import Any
 
 from keyphase.errors import KeyphaseError
+from keyphase.labeling.earlier import parameters_as_meant
 from keyphase.labeling.vocabulary import COLORS, MOST_LABELS, Vocabulary, VocabularyLabel
 from keyphase.segmentation.parameters import Parameters
 
@@ -83,7 +84,7 @@ def _parameters(values: Any, left_out: list[str]) -> Parameters:
         return Parameters()
     known = {each.name for each in fields(Parameters)}
     good: dict[str, Any] = {}
-    for name, value in values.items():
+    for name, value in parameters_as_meant(values).items():
         try:
             if name not in known:
                 raise ValueError("unknown")

@@ -142,6 +142,7 @@ class Journal:
             shared,
             state.history,
             state.next_number,
+            own_before=state.own_before,
             done_before=state.done_before,
         )
         self._labeled_sha256 = state.sha256
@@ -177,7 +178,11 @@ class Journal:
         """Write the whole journal from memory; where the one before is kept."""
         document = self._document
         state = Journaled(
-            self._labeled_sha256, document.history, document.next_number, document.done_before
+            self._labeled_sha256,
+            document.history,
+            document.next_number,
+            document.own_before,
+            document.done_before,
         )
         data = b"".join(map(encode, compact(state, opening(document.demonstration)))) + more
         old = keep_as_old(self._path) if keep_old else None

@@ -10,12 +10,13 @@ from keyphase.errors import JournalError, KeyphaseError
 from keyphase.labeling.edits import edit_as_json, edit_from_json
 from keyphase.labeling.history import History, ParameterChange, Step
 from keyphase.labeling.storage.records import Record
-from keyphase.segmentation.parameters import Parameters
+from keyphase.segmentation.parameters import Parameters, parameters_before_variant
 
 FORMAT = 2
 """Version of the records; a change that old readers cannot follow raises it. 2: what was seen when
 a recording was done is kept."""
 
+_WITHOUT_VARIANT = 1
 _LARGEST_NUMBER = 2**53
 _LONGEST_NAME = 300
 
@@ -25,6 +26,7 @@ class Journaled:
     """The state a journal leads to.
 
     sha256       of the recording when a person last agreed to it; None in an empty journal
+    own_before   parameters of this recording alone that an older version had without saying so
     done_before  it was finished by a version that did not keep what was seen
     refused      how many whole records could not be understood
     """
@@ -32,6 +34,7 @@ class Journaled:
     sha256: str | None = None
     history: History = field(default_factory=History)
     next_number: int = 0
+    own_before: Mapping[str, Any] = field(default_factory=dict)
     done_before: bool = False
     refused: int = 0
 
@@ -44,9 +47,11 @@ def replay(records: Iterable[Record]) -> Journaled:
     of a later format.
     """
     state = Journaled()
+    earlier = False
     for record in records:
         try:
-            state = _followed(state, record)
+            earlier = earlier or record.get("format") == _WITHOUT_VARIANT
+            state = _followed(state, _as_of_now(record) if earlier else record)
         except JournalError:
             raise
         except (KeyphaseError, ArithmeticError, LookupError, TypeError, ValueError):
@@ -82,6 +87,8 @@ def changes(before: History, after: History, next_number: int) -> list[Record]:
 def compact(state: Journaled, first: Record) -> list[Record]:
     """The fewest records that lead to a state again, after `first` about the recording."""
     recording = {**first, "sha256": state.sha256 or first["sha256"], "next": state.next_number}
+    if state.own_before:
+        recording["own"] = dict(state.own_before)
     empty = History()
     return [
         recording,
@@ -113,7 +120,8 @@ def _with_recording(state: Journaled, record: Record) -> Journaled:
             f"form that keyphase {__version__} cannot read; update keyphase."
         )
     number = max(state.next_number, _whole(record.get("next", 0)))
-    return replace(state, sha256=str(record["sha256"]), next_number=number)
+    own = _own(record.get("own", {}))
+    return replace(state, sha256=str(record["sha256"]), next_number=number, own_before=own)
 
 
 def _with_step(state: Journaled, record: Record) -> Journaled:
@@ -123,6 +131,26 @@ def _with_step(state: Journaled, record: Record) -> Journaled:
     step = Step(number, _plain(str(record["name"])), change)
     history = replace(state.history, position=position).with_step(step)
     return replace(state, history=history, next_number=max(state.next_number, number + 1))
+
+
+def _as_of_now(record: Record) -> Record:
+    """A record from before there were variants of the method, when it was the paper's."""
+    match record["op"]:
+        case "recording":
+            return {**record, "own": parameters_before_variant({})}
+        case "step" if isinstance(record.get("parameters"), Mapping):
+            return {**record, "parameters": parameters_before_variant(record["parameters"])}
+        case _:
+            return record
+
+
+def _own(values: Any) -> dict[str, Any]:
+    """Parameters of one recording. Raises KeyphaseError or ValueError where they cannot be."""
+    known = {each.name for each in fields(Parameters)}
+    if not isinstance(values, Mapping) or not known.issuperset(values):
+        raise ValueError("parameters this version does not know")
+    Parameters(**values)
+    return dict(values)
 
 
 def _whole(value: Any) -> int:
@@ -148,12 +176,7 @@ def _position(history: History, number: Any) -> int:
 def _change(record: Record) -> Any:
     if "edit" in record:
         return edit_from_json(record["edit"])
-    own = record["parameters"]
-    known = {each.name for each in fields(Parameters)}
-    if not isinstance(own, Mapping) or not known.issuperset(own):
-        raise ValueError("parameters this version does not know")
-    Parameters(**own)
-    return ParameterChange(dict(own))
+    return ParameterChange(_own(record["parameters"]))
 
 
 def _step(step: Step, previous: Step | None) -> Record:

@@ -1,11 +1,12 @@
 """Lines of a journal: one JSON object each, with a checksum, so that damage is seen."""
 
 import json
-import math
 import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
+
+from keyphase.files.numbers import finite_number
 
 Record = Mapping[str, Any]
 
@@ -48,15 +49,7 @@ def _decode_line(line: bytes) -> Record | None:
     if checksum != b"%08x" % zlib.crc32(content):
         return None
     try:
-        record = json.loads(content, parse_float=_finite, parse_constant=_finite)
+        record = json.loads(content, parse_float=finite_number, parse_constant=finite_number)
     except (ValueError, RecursionError):
         return None
     return record if isinstance(record, dict) else None
-
-
-def _finite(text: str) -> float:
-    """A number as floats hold it; 1e999 is none, nor is NaN."""
-    value = float(text)
-    if not math.isfinite(value):
-        raise ValueError(f"{text} is no finite number")
-    return value

@@ -1,5 +1,7 @@
 """Recipes as files: TOML, every word of which is known and checked."""
 
+import hashlib
+import re
 import tomllib
 from collections.abc import Mapping
 from dataclasses import replace
@@ -7,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from keyphase.errors import RecipeError
+from keyphase.files.reading import read_regular
 from keyphase.readers.recipes.keys import Keys
 from keyphase.readers.recipes.presets import merged, preset_values
 from keyphase.readers.recipes.recipe import Recipe
@@ -22,7 +25,8 @@ from keyphase.readers.recipes.sections import (
     wrench_of,
 )
 
-_LONGEST_RECIPE = 1_000_000
+_LONGEST_RECIPE = 64 * 1024
+_TOO_DEEP = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){12}""")
 _MOST_JOINTS = 100
 _MOST_PARTS = 100
 _CHANNELS = ("pose", "position", "orientation", "force", "torque", "joints", "gripper")
@@ -36,16 +40,12 @@ def load_recipe(path: Path | str) -> Recipe:
     """
     path = Path(path)
     try:
-        with path.open("rb") as file:
-            data = file.read(_LONGEST_RECIPE + 1)
-    except OSError as error:
+        data = read_regular(path, _LONGEST_RECIPE)
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
         raise RecipeError(
-            f"{path}: the recipe cannot be read ({error.strerror}); check the path."
+            f"{path}: the recipe cannot be read ({reason}); check the path and that it is a recipe."
         ) from error
-    if len(data) > _LONGEST_RECIPE:
-        raise RecipeError(
-            f"{path}: the file is longer than a recipe can be; check that it is a recipe."
-        )
     try:
         return parse_recipe(data.decode(), str(path))
     except UnicodeDecodeError as error:
@@ -54,11 +54,20 @@ def load_recipe(path: Path | str) -> Recipe:
 
 def parse_recipe(text: str, name: str) -> Recipe:
     """The recipe written in `text`; raises RecipeError as `load_recipe` does."""
+    # The parser takes minutes over keys nested thousands deep.
+    if len(text) > _LONGEST_RECIPE or _TOO_DEEP.search(text):
+        raise RecipeError(
+            f"{name}: a recipe has at most {_LONGEST_RECIPE} characters and no key of more than "
+            "twelve parts; check that it is a recipe."
+        )
     try:
         values = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         raise RecipeError(f"{name}: the recipe must be TOML, but is not ({error}).") from error
-    return recipe_of(values, name)
+    digest = hashlib.sha256(text.encode(errors="backslashreplace")).hexdigest()
+    recipe = recipe_of(values, name)
+    parts = {part: replace(one, sha256=digest) for part, one in recipe.parts.items()}
+    return replace(recipe, sha256=digest, parts=parts)
 
 
 def recipe_of(values: Mapping[str, Any], name: str) -> Recipe:
@@ -125,7 +134,14 @@ def _one(values: Mapping[str, Any], name: str) -> Recipe:
 
 
 def _refuse_contradictions(recipe: Recipe) -> None:
-    if (recipe.pose is None) == (recipe.position is None):
+    if recipe.pose is None and recipe.position is None:
+        joints = recipe.joints is not None
+        raise RecipeError(
+            f"{recipe.name}: [position] or [pose] is missing: keyphase needs the place of the tool"
+            + (", which joint angles alone do not say; log it with them, or compute it by your "
+               "robot's forward kinematics." if joints else "; add one of them.")
+        )  # fmt: skip
+    if recipe.pose is not None and recipe.position is not None:
         raise RecipeError(f"{recipe.name}: expected either [position] or [pose]; keep one of them.")
     if recipe.pose and recipe.orientation:
         raise RecipeError(

@@ -82,6 +82,14 @@ class Keys:
             raise self._wrong(key, "a positive number", value)
         return number
 
+    def number(self, key: str) -> float | None:
+        """A finite number, or None where the key is not there."""
+        value = self._take(key)
+        number = None if value is None else _finite(value)
+        if value is not None and number is None:
+            raise self._wrong(key, "a number", value)
+        return number
+
     def sign(self) -> Literal[1, -1]:
         """Plus or minus one under `sign`."""
         value = self._required("sign", None)

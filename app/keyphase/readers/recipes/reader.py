@@ -4,6 +4,8 @@ Columns become channels in SI units; then come, in this order, repeated rows, th
 sign and frame, held channels, and uneven rows. Each step says in the notices what it did.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from keyphase.demonstration import Demonstration
@@ -11,6 +13,7 @@ from keyphase.errors import DemonstrationError, RecipeError
 from keyphase.files.reading import WholeFile
 from keyphase.readers.build import build
 from keyphase.readers.held import find_hold
+from keyphase.readers.recipes.bad_rows import without_bad_rows
 from keyphase.readers.recipes.channels import Channels, Noted, channels_of, where
 from keyphase.readers.recipes.recipe import RateTime, Recipe
 from keyphase.readers.recipes.several import recipe_of_part, rows_of_part
@@ -18,6 +21,9 @@ from keyphase.readers.resampling import interpolate_hold, resample
 from keyphase.readers.table import Columned, open_table
 from keyphase.readers.timing import irregularity, refuse_not_increasing
 from keyphase.readers.wrench import in_base_frame, offset_of
+
+_FINER, _LEAST_ROOM = 10, 10_000
+"""Resampling makes at most so many times the rows that were recorded, or so many rows."""
 
 _LOADS = {"force_N": "N", "torque_Nm": "N m"}
 
@@ -42,6 +48,8 @@ def demonstration_of(
 ) -> Demonstration:
     """The demonstration in the columns that a recipe chooses; errors as in `read_by_recipe`."""
     channels, notices = channels_of(table, recipe)
+    channels, more = without_bad_rows(channels, recipe.rows, table.line)
+    notices += more
     channels, more = _distinct(channels, recipe, table)
     _refuse_single_row(channels, file.name)
     notices += more
@@ -52,7 +60,9 @@ def demonstration_of(
     notices += more
     if "gripper" in channels:
         channels["gripper"] = channels["gripper"][:, 0]
-    return build(file, channels, notices=(f"Read with the recipe {recipe.name}.", *notices))
+    source = replace(file.source, recipe=recipe.name, recipe_sha256=recipe.sha256)
+    read = replace(file, source=source)
+    return build(read, channels, notices=(f"Read with the recipe {recipe.name}.", *notices))
 
 
 def _distinct(channels: Channels, recipe: Recipe, table: Columned) -> Noted:
@@ -136,7 +146,8 @@ def _even(channels: Channels, recipe: Recipe, limit_bytes: int, file: str) -> No
     if rate is None:
         return channels, ()
     columns = sum(values[:1].size for values in channels.values())
-    if (time[-1] - time[0]) * rate * columns * time.itemsize > limit_bytes:
+    rows = (time[-1] - time[0]) * rate
+    if rows * columns * time.itemsize > limit_bytes or rows > max(_LEAST_ROOM, _FINER * len(time)):
         raise RecipeError(
             f"{recipe.name}: [rows]: {rate:g} Hz over {time[-1] - time[0]:.6g} s makes more "
             "samples than the limit allows; choose a lower rate_hz."

@@ -134,12 +134,18 @@ class Split:
 
 @dataclass(frozen=True)
 class Rows:
-    """What to do about rows with the time of the row before, uneven steps and held channels."""
+    """What to do about rows with the time of the row before, uneven steps and held channels.
+
+    outliers  rows to which the tool jumps faster than any arm, and back
+    missing   rows whose whole place holds this number, as it stands in the table
+    """
 
     repeated: Literal["refuse", "drop"] = "refuse"
     irregular: Literal["leave", "refuse", "resample"] = "leave"
     rate_hz: float | None = None
     held: Literal["leave", "interpolate"] = "leave"
+    outliers: Literal["leave", "drop"] = "leave"
+    missing: float | None = None
 
 
 @dataclass(frozen=True)
@@ -164,3 +170,5 @@ class Recipe:
     """Where several demonstrations stand in one table, one below the other."""
     parts: Mapping[str, "Recipe"] = field(default_factory=dict)
     """Where several stand in one table side by side: how to read each, by its name."""
+    sha256: str = ""
+    """Of the recipe's text (hex)."""

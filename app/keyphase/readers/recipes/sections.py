@@ -120,6 +120,8 @@ def rows_of(keys: Keys | None) -> Rows:
         ),
         rate_hz=keys.positive("rate_hz"),
         held=keys.choice("held", {"leave": "leave", "interpolate": "interpolate"}, "leave"),
+        outliers=keys.choice("outliers", {"leave": "leave", "drop": "drop"}, "leave"),
+        missing=keys.number("missing"),
     )
     if (rows.irregular == "resample") != (rows.rate_hz is not None):
         raise RecipeError(

@@ -1,0 +1,45 @@
+"""What is odd about a recording, said before anyone labels it; nothing is changed by it."""
+
+import numpy as np
+
+from keyphase.demonstration import Demonstration
+from keyphase.oddities.forces import (
+    constant_force,
+    helping_force,
+    odd_size,
+    saturated_force,
+    wandering_force,
+)
+from keyphase.oddities.oddity import Oddity
+from keyphase.oddities.poses import jumps, odd_reach, still_pose, turns_too_fast, zero_rows
+from keyphase.oddities.time_steps import gaps, odd_time
+
+__all__ = ["Oddity", "oddities_of"]
+
+FEWEST_ROWS = 20
+
+_CHECKS = (
+    odd_time,
+    gaps,
+    jumps,
+    turns_too_fast,
+    zero_rows,
+    still_pose,
+    odd_reach,
+    odd_size,
+    constant_force,
+    saturated_force,
+    wandering_force,
+    helping_force,
+)
+
+
+def oddities_of(demonstration: Demonstration) -> tuple[Oddity, ...]:
+    """Everything odd about a recording: of time first, then of the pose, then of the force.
+
+    A few rows are too few to say.
+    """
+    if len(demonstration) < FEWEST_ROWS:
+        return ()
+    with np.errstate(all="ignore"):
+        return tuple(found for check in _CHECKS for found in check(demonstration))

@@ -1,0 +1,114 @@
+"""Poses no arm has: jumps, rows of zeros, a pose that stands while joints move, a wrong unit."""
+
+import numpy as np
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.oddities.oddity import Oddity, at_row, first_few
+
+FASTEST_M_S = 7.0
+"""No arm's tool goes faster; neither does a hand that leads one."""
+
+_LEAST_JUMP_M = 0.02
+_FASTEST_RAD_S = 60.0
+_LEAST_JUMP_RAD = 0.3
+_LARGEST_REACH_M = 20.0
+_SMALLEST_REACH_M = 5e-5
+_LEAST_JOINT_RAD = 0.02
+
+
+def jumps(demonstration: Demonstration) -> list[Oddity]:
+    """Places faster left than any arm can, and back where it comes back."""
+    time, steps = demonstration.time_s, np.diff(demonstration.time_s)
+    travel = np.linalg.norm(np.diff(demonstration.position_m, axis=0), axis=1)
+    gone = {float(start) for start, _ in demonstration.gaps_s}
+    rows = np.flatnonzero((travel > _LEAST_JUMP_M) & (travel > FASTEST_M_S * steps))
+    found: list[Oddity] = []
+    last = -2
+    for row in rows.tolist():
+        if time[row] in gone or row == last + 1:
+            last = row
+            continue
+        last = row
+        back = row + 2 < len(time) and _is_back(demonstration.position_m, row, travel[row])
+        text = (
+            f"The tool jumps {travel[row]:.3g} m within {steps[row]:.2g} s"
+            f"{' and back' if back else ''} {at_row(demonstration, row + 1)}, "
+            f"{travel[row] / steps[row]:.2g} m/s; no arm does that."
+        )
+        span = float(time[row]), float(time[min(row + 1 + back, len(time) - 1)])
+        found.append(Oddity("jump", "warning", text, span))
+    return first_few(found)
+
+
+def turns_too_fast(demonstration: Demonstration) -> list[Oddity]:
+    """Orientations that flip from row to row."""
+    wxyz = demonstration.orientation_wxyz
+    if wxyz is None:
+        return []
+    inner = np.abs(np.sum(wxyz[1:] * wxyz[:-1], axis=1)).clip(0.0, 1.0)
+    angle, steps = 2 * np.arccos(inner), np.diff(demonstration.time_s)
+    rows = np.flatnonzero((angle > _LEAST_JUMP_RAD) & (angle > _FASTEST_RAD_S * steps))
+    if not rows.size:
+        return []
+    row = int(rows[0])
+    text = (
+        f"The tool turns by {np.degrees(angle[row]):.0f}° within {steps[row]:.2g} s "
+        f"{at_row(demonstration, row + 1)}"
+        + (f", and {len(rows) - 1} times more" if len(rows) > 1 else "")
+        + "; no arm does that."
+    )
+    span = float(demonstration.time_s[row]), float(demonstration.time_s[row + 1])
+    return [Oddity("jump", "warning", text, span)]
+
+
+def zero_rows(demonstration: Demonstration) -> list[Oddity]:
+    """Rows whose place is exactly the base's origin, as loggers write where reading failed."""
+    zero = np.all(demonstration.position_m == 0.0, axis=1)
+    count = int(zero.sum())
+    if not 0 < count < len(zero) or not _far_from_origin(demonstration.position_m, zero):
+        return []
+    row = int(np.argmax(zero))
+    rows = "row has" if count == 1 else "rows have"
+    text = (
+        f"{count} {rows} the place 0 0 0, first {at_row(demonstration, row)}: the recorder read "
+        "nothing there; a recipe drops them with missing = 0 in [rows]."
+    )
+    return [Oddity("zero rows", "warning", text)]
+
+
+def still_pose(demonstration: Demonstration) -> list[Oddity]:
+    """A pose that never changes, though joints do."""
+    if np.ptp(demonstration.position_m, axis=0).any():
+        return []
+    joints = demonstration.joints_rad
+    turned = 0.0 if joints is None else float(np.ptp(joints, axis=0).max(initial=0.0))
+    if turned > _LEAST_JOINT_RAD:
+        text = (
+            f"position_m never changes while joints_rad do (by up to {np.degrees(turned):.0f}°): "
+            "the pose was not recorded."
+        )
+        return [Oddity("still pose", "warning", text)]
+    return [Oddity("constant", "warning", "position_m never changes.")]
+
+
+def odd_reach(demonstration: Demonstration) -> list[Oddity]:
+    """A reach no robot has, as when millimetres are read as metres."""
+    reach = float(np.linalg.norm(np.ptp(demonstration.position_m, axis=0)))
+    if reach > _LARGEST_REACH_M:
+        text = f"The tool reaches {reach:.4g} m: no robot does; were millimetres read as metres?"
+        return [Oddity("scale", "warning", text)]
+    if 0.0 < reach < _SMALLEST_REACH_M:
+        text = f"The tool moves {1e6 * reach:.2g} µm in all; were metres read as millimetres?"
+        return [Oddity("scale", "warning", text)]
+    return []
+
+
+def _far_from_origin(position_m: Array, zero: np.ndarray) -> bool:
+    """Whether the tool is elsewhere in the rows beside those of zeros."""
+    beside = ~zero & (np.roll(zero, 1) | np.roll(zero, -1))
+    distances = np.linalg.norm(position_m[beside], axis=1)
+    return bool(distances.size) and float(np.median(distances)) > _LEAST_JUMP_M
+
+
+def _is_back(position_m: Array, row: int, travel: float) -> bool:
+    return bool(np.linalg.norm(position_m[row + 2] - position_m[row]) < 0.2 * travel)
