@@ -2,7 +2,7 @@
 
 from handmade import Person, described, segmentation
 
-from keyphase.labeling.edits import Add, Label
+from keyphase.labeling.edits import Add, Done, Label
 from keyphase.labeling.spreading import preview
 from keyphase.segmentation.parameters import Parameters
 
@@ -38,3 +38,25 @@ def test_parameters_set_on_the_recording_alone_go_on_holding():
 
 def test_the_same_parameters_change_nothing():
     assert preview(Person(segmentation()).document, Parameters(), segment, described).is_none
+
+
+def test_a_finished_recording_is_left_alone_and_says_so():
+    person = Person(segmentation())
+    person.makes(Done())
+    change = preview(person.document, Parameters(force_ratio=3.0), _finds_more, described)
+    assert change.is_none
+    assert change.done
+
+
+def test_a_finished_recording_is_opened_again_only_on_request():
+    person = Person(segmentation())
+    person.makes(Done())
+    shared = Parameters(force_ratio=3.0)
+    change = preview(person.document, shared, _finds_more, described, include_done=True)
+    assert change.comes_s == (1.0,)
+    assert person.document.done
+
+
+def _finds_more(parameters):
+    more = (1.0,) if parameters.force_ratio == 3.0 else ()
+    return segmentation((*more, 2.0, 4.0, 6.0, 8.0), parameters=parameters)

@@ -6,7 +6,7 @@ from typing import Any
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import LabelingError
-from keyphase.labeling.edits import Edit
+from keyphase.labeling.edits import Edit, Reopen
 from keyphase.labeling.finished import frozen_of, is_done, needs_freezing
 from keyphase.labeling.frozen import Frozen
 from keyphase.labeling.history import History, ParameterChange, Step
@@ -92,6 +92,10 @@ class Document:
         """
         complete = edit.anchored(labeling)
         return self._with(complete.step_name(labeling), complete)
+
+    def reopened(self) -> "Document":
+        """With the mark that it is done taken away, as a step; the same where it is not done."""
+        return self._with("Mark as not done", Reopen()) if self.done else self
 
     def set_parameters(self, parameters: Parameters) -> "Document":
         """With other parameters for this recording; the same document where none differs."""

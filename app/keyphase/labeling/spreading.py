@@ -1,7 +1,7 @@
 """What one learns on one recording, applied to all: first as a preview, then for good."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from keyphase.labeling.document import Document
 from keyphase.labeling.label import Describe, label
@@ -22,6 +22,7 @@ class Change:
     moves_s              (from, to) of boundaries that would move by more than a millisecond
     newly_inapplicable   descriptions of edits whose place would be gone
     own                  parameters in which this recording departs from the folder, for people
+    done                 a person has finished with it, so it is left alone unless that is wanted
     """
 
     comes_s: tuple[float, ...]
@@ -29,6 +30,7 @@ class Change:
     moves_s: tuple[tuple[float, float], ...]
     newly_inapplicable: tuple[str, ...]
     own: tuple[str, ...]
+    done: bool = False
 
     @property
     def is_none(self) -> bool:
@@ -42,13 +44,20 @@ def preview(
     segment: Callable[[Parameters], Segmentation],
     describe: Describe | None = None,
     tolerance_s: float = 0.15,
+    *,
+    include_done: bool = False,
 ) -> Change:
     """What it would do to a document if its folder had the parameters `shared`.
 
     `segment` segments the document's demonstration, as `Segmenter.segment` does; `describe` is
-    `Segmenter.segment_between`. Edits stay; parameters set on this recording alone go on holding.
+    `Segmenter.segment_between`. What is done is left alone unless `include_done`, which opens it
+    again. Edits stay; parameters set on this recording alone go on holding.
     """
-    changed = document.with_shared(shared)
+    if document.done and not include_done:
+        return Change((), (), (), (), _own(document), done=True)
+    changed = replace(document.with_shared(shared), done_before=False)
+    if document.frozen is not None:
+        changed = changed.reopened()
     before = label(segment(document.parameters), document.edits, describe)
     after = label(segment(changed.parameters), changed.edits, describe)
     old, new = _times(before), _times(after)
@@ -56,7 +65,6 @@ def preview(
     pairs = [(old[match.reference], new[match.found]) for match in matches]
     kept_old, kept_new = {a for a, _ in pairs}, {b for _, b in pairs}
     known = {lost.edit for lost in before.inapplicable}
-    own = [parameter_text(name, value) for name, value in document.own_parameters.items()]
     return Change(
         comes_s=tuple(time for time in new if time not in kept_new),
         goes_s=tuple(time for time in old if time not in kept_old),
@@ -64,8 +72,13 @@ def preview(
         newly_inapplicable=tuple(
             lost.text for lost in after.inapplicable if lost.edit not in known
         ),
-        own=tuple(own),
+        own=_own(document),
+        done=document.done,
     )
+
+
+def _own(document: Document) -> tuple[str, ...]:
+    return tuple(parameter_text(name, value) for name, value in document.own_parameters.items())
 
 
 def _times(labeling: Labeling) -> list[float]:

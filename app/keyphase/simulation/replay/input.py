@@ -11,6 +11,7 @@ from keyphase.labeling.segment_file import (
     FiledSegment,
     SegmentFile,
     read_segment_file,
+    require_same_reading,
     require_same_recording,
 )
 from keyphase.readers import read
@@ -31,13 +32,16 @@ def planned_replay(
     """What a segment file plans, over the recording it was made from.
 
     The recording is the one given; else that at the path in the segment file; else one of its name
-    beside the segment file; else one in the bundled data. Its bytes must be those that were
-    segmented. Raises SegmentFileError where none is, DemonstrationError where it cannot be read.
+    beside the segment file; else one in the bundled data. Its bytes, and the recipe they are
+    read with, must be those that were segmented. Raises SegmentFileError where none is,
+    DemonstrationError where it cannot be read.
     """
     file = read_segment_file(segment_file, check_recording=False)
     recording = _recording(file, demonstration)
     by_id = {segment.id: segment for segment in file.segments}
-    return PlannedReplay(read(recording, recipe), tuple(by_id[id_] for id_ in file.plan))
+    demonstration_read = read(recording, recipe)
+    require_same_reading(file, demonstration_read)
+    return PlannedReplay(demonstration_read, tuple(by_id[id_] for id_ in file.plan))
 
 
 def with_configuration_ends(segments: Sequence[FiledSegment]) -> tuple[FiledSegment, ...]:
