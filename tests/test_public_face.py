@@ -19,6 +19,7 @@ OFFERED = [
     "Segmentation",
     "Segmenter",
     "label",
+    "propose",
     "read",
     "read_segment_file",
     "register_method",
@@ -26,6 +27,7 @@ OFFERED = [
     "score",
     "segment",
     "skills_of",
+    "taught_by",
     "write_segment_file",
 ]
 

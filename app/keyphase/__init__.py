@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from keyphase.segmentation.own_methods import FoundBoundary, register_method
     from keyphase.simulation.replay.by_file import replay
     from keyphase.skills.library import skills_of
+    from keyphase.transfer.proposing import propose
+    from keyphase.transfer.taught import taught_by
 
 __version__ = "0.2.0.dev0"
 
@@ -39,6 +41,7 @@ __all__ = [
     "Segmentation",
     "Segmenter",
     "label",
+    "propose",
     "read",
     "read_segment_file",
     "register_method",
@@ -46,6 +49,7 @@ __all__ = [
     "score",
     "segment",
     "skills_of",
+    "taught_by",
     "write_segment_file",
 ]
 
@@ -57,6 +61,7 @@ _HOMES = {
     "Segmentation": "keyphase.segmentation.segmentation",
     "Segmenter": "keyphase.segmentation.segmenter",
     "label": "keyphase.labeling.label",
+    "propose": "keyphase.transfer.proposing",
     "read": "keyphase.readers",
     "read_segment_file": "keyphase.labeling.segment_file",
     "register_method": "keyphase.segmentation.own_methods",
@@ -64,6 +69,7 @@ _HOMES = {
     "score": "keyphase.scoring",
     "segment": "keyphase.segmentation.segmenter",
     "skills_of": "keyphase.skills.library",
+    "taught_by": "keyphase.transfer.taught",
     "write_segment_file": "keyphase.labeling.segment_file",
 }
 

@@ -17,6 +17,7 @@ from keyphase.commands.fit import FitWeights
 from keyphase.commands.inspect import Inspect
 from keyphase.commands.make_demonstrations import MakeDemonstrations
 from keyphase.commands.open import Open
+from keyphase.commands.propose import Propose
 from keyphase.commands.record import Record
 from keyphase.commands.replay import ReplaySegments
 from keyphase.commands.score import ScoreSegments
@@ -27,6 +28,7 @@ COMMANDS = {
     "open": Open,
     "segment": SegmentRecordings,
     "inspect": Inspect,
+    "propose": Propose,
     "score": ScoreSegments,
     "record": Record,
     "replay": ReplaySegments,

@@ -1,0 +1,1 @@
+"""From finished recordings to the others of the same task: boundaries and names."""

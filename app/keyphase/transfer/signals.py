@@ -1,0 +1,82 @@
+"""What two recordings of one task are compared by: the same few signals, each in its own size.
+
+Speed and velocity over the fast speed, place relative to the start over the recording's extent,
+rotation relative to the start, force relative to the start over its large values, the gripper's
+opening over its range. A recording of another operator, another place or another robot keeps them.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from keyphase.demonstration import Array, Demonstration
+
+RATE_HZ = 25.0
+"""Enough for phases; an alignment costs its square."""
+
+_LEVER_M = 0.2
+_FORCE_WEIGHT = 1.5
+_SMOOTHING_S = 0.12
+_LARGE = 0.98
+
+
+@dataclass(frozen=True, eq=False)
+class Signals:
+    """Signals (M, D) at times (M,) on an even grid.
+
+    kinds says which columns there are, so that only like are compared with like
+    """
+
+    time_s: Array
+    values: Array
+    kinds: tuple[str, ...]
+
+
+def signals_of(demonstration: Demonstration) -> Signals:
+    """The signals of a demonstration at RATE_HZ."""
+    count = max(int(demonstration.duration_s * RATE_HZ) + 1, 2)
+    grid = np.linspace(demonstration.start_s, demonstration.end_s, count)
+    place = _smooth(_at(demonstration.time_s, demonstration.position_m, grid))
+    velocity = np.gradient(place, grid, axis=0)
+    speed = np.linalg.norm(velocity, axis=1, keepdims=True)
+    fast = np.quantile(speed, _LARGE) + 1e-9
+    relative = place - place[0]
+    extent = np.ptp(relative, axis=0).max() + 1e-9
+    columns = {"speed": speed / fast, "velocity": velocity / fast, "place": relative / extent}
+    if demonstration.orientation_wxyz is not None:
+        turn = _turn(demonstration.time_s, demonstration.orientation_wxyz, grid)
+        columns["turn"] = _LEVER_M * turn / max(extent, _LEVER_M * float(np.ptp(turn)), 1e-9)
+    if demonstration.force_N is not None:
+        columns |= _force(_smooth(_at(demonstration.time_s, demonstration.force_N, grid)))
+    if demonstration.gripper is not None:
+        opening = np.interp(grid, demonstration.time_s, demonstration.gripper)[:, None]
+        columns["gripper"] = (opening - opening.min()) / (np.ptp(opening) + 1e-9)
+    kinds = tuple(name for name, values in columns.items() for _ in range(values.shape[1]))
+    return Signals(grid, np.hstack(list(columns.values())), kinds)
+
+
+def _force(force: Array) -> dict[str, Array]:
+    rest = np.median(force[: max(3, int(0.3 * RATE_HZ))], axis=0)
+    change = force - rest
+    size = np.linalg.norm(change, axis=1, keepdims=True)
+    large = np.quantile(size, _LARGE) + 1e-9
+    return {"force": _FORCE_WEIGHT * change / large, "size": _FORCE_WEIGHT * size / large}
+
+
+def _turn(time_s: Array, wxyz: Array, grid: Array) -> Array:
+    """Rotation vector (M, 3) from the first orientation."""
+    nearest = np.clip(np.searchsorted(time_s, grid), 0, len(time_s) - 1)
+    rotations = Rotation.from_quat(wxyz[nearest], scalar_first=True)
+    return (rotations * rotations[0].inv()).as_rotvec()
+
+
+def _at(time_s: Array, values: Array, grid: Array) -> Array:
+    return np.column_stack([np.interp(grid, time_s, column) for column in values.T])
+
+
+def _smooth(values: Array) -> Array:
+    width = max(int(_SMOOTHING_S * RATE_HZ) | 1, 1)
+    padded = np.pad(values, ((width // 2, width // 2), (0, 0)), mode="edge")
+    kernel = np.ones(width) / width
+    return np.column_stack([np.convolve(column, kernel, mode="valid") for column in padded.T])

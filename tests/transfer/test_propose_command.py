@@ -1,0 +1,49 @@
+"""`keyphase propose`: from a finished recording to the others of a folder."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from keyphase.cli import main
+from keyphase.readers import save_npz
+from keyphase.simulation import record
+
+
+def keyphase(*arguments: object) -> int:
+    with pytest.raises(SystemExit) as ended:
+        main([str(argument) for argument in arguments])
+    return int(ended.value.code or 0)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("task")
+    for name, cell, seed in (("a", "setup1", 1), ("b", "setup1", 2), ("other", "setup2", 1)):
+        save_npz(record(cell, seed=seed), folder / f"{name}.npz")
+    return folder
+
+
+def test_the_others_of_the_task_get_names_and_outliers_get_nothing(
+    folder: Path, tmp_path: Path
+) -> None:
+    assert keyphase("segment", folder / "a.npz", "--output", tmp_path) == 0
+    file = tmp_path / "a.segments.json"
+    content = json.loads(file.read_text())
+    for number, segment in enumerate(content["segments"]):
+        segment["label"] = f"phase {'abcdefgh'[number]}"
+    file.write_text(json.dumps(content))
+    out, report = tmp_path / "out", tmp_path / "report.json"
+    assert keyphase("propose", folder, "--from", file, "--output", out, "--report", report) == 1
+    assert [path.name for path in out.iterdir()] == ["b.segments.json"]
+    labels = [s["label"] for s in json.loads((out / "b.segments.json").read_text())["segments"]]
+    assert labels == [s["label"] for s in content["segments"]]
+    told = {Path(one["recording"]).name: one["outlier"] for one in json.loads(report.read_text())}
+    assert told == {"b.npz": False, "other.npz": True}
+
+
+def test_a_folder_without_a_finished_recording_says_what_to_do(
+    folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert keyphase("propose", folder, "--output", tmp_path / "out") == 1
+    assert "mark one as done in the page, or name its segment file" in capsys.readouterr().err

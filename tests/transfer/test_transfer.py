@@ -1,0 +1,108 @@
+"""What was taught on one recording arrives on others of its task, and only there."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from keyphase.demonstration import Demonstration
+from keyphase.errors import LabelingError
+from keyphase.labeling.label import label
+from keyphase.segmentation import segment
+from keyphase.simulation import record
+from keyphase.transfer.alignment import align
+from keyphase.transfer.as_edit import as_edit
+from keyphase.transfer.ordering import Option, in_order
+from keyphase.transfer.proposing import propose, usual_cost_of
+from keyphase.transfer.signals import signals_of
+from keyphase.transfer.taught import Taught, taught_by
+
+NAMES = ("reach", "wait", "lower", "settle", "slide")
+
+
+def named(demonstration: Demonstration) -> Taught:
+    """Taught with a name for each of its phases."""
+    found = taught_by(label(segment(demonstration)))
+    phases = tuple(
+        replace(phase, name=name) for phase, name in zip(found.phases, NAMES, strict=True)
+    )
+    return replace(found, phases=phases)
+
+
+@pytest.fixture(scope="module")
+def first() -> Taught:
+    return named(record("setup1", seed=1))
+
+
+@pytest.fixture(scope="module")
+def second() -> Demonstration:
+    return record("setup1", seed=4)
+
+
+def test_a_recording_aligns_with_itself_without_cost(first: Taught) -> None:
+    itself = align(first.signals, first.signals)
+    assert itself.cost == pytest.approx(0.0, abs=1e-6)
+    assert itself.at(3.0) == pytest.approx(3.0, abs=0.05)
+
+
+def test_a_stretched_recording_aligns_moment_by_moment(first: Taught) -> None:
+    demonstration = first.demonstration
+    slower = replace(demonstration, time_s=2.0 * demonstration.time_s)
+    assert align(first.signals, signals_of(slower)).at(3.0) == pytest.approx(6.0, abs=0.2)
+
+
+def test_boundaries_and_names_arrive_on_another_recording(
+    first: Taught, second: Demonstration
+) -> None:
+    own = segment(second)
+    found = propose([first], second, own)
+    assert [phase.name for phase in found.phases] == list(NAMES)
+    expected = [boundary.time_s for boundary in own.boundaries]
+    np.testing.assert_allclose([b.time_s for b in found.boundaries], expected, atol=0.2)
+    assert found.teachers == (first.name,)
+
+
+def test_another_task_is_an_outlier_and_nothing_is_forced_on_it(first: Taught) -> None:
+    found = propose([first], record("setup2", seed=1))
+    assert found.outlier
+    assert (found.boundaries, found.phases) == ((), ())
+
+
+def test_confidence_falls_where_nothing_of_its_own_is_near(
+    first: Taught, second: Demonstration
+) -> None:
+    with_evidence = propose([first], second, segment(second))
+    without = propose([first], second)
+    assert min(b.confidence for b in without.boundaries) < min(
+        b.confidence for b in with_evidence.boundaries
+    )
+
+
+def test_a_proposal_is_one_edit_that_makes_it(first: Taught, second: Demonstration) -> None:
+    own = segment(second)
+    found = propose([first], second, own)
+    made = label(own, {0: as_edit(found, own)})
+    assert [piece.label for piece in made.segments] == list(NAMES)
+    assert [b.time_s for b in made.boundaries] == [b.time_s for b in found.boundaries]
+    assert made.inapplicable == ()
+
+
+def test_nothing_taught_is_refused(second: Demonstration) -> None:
+    with pytest.raises(LabelingError, match="finished recordings to learn from"):
+        propose([], second)
+
+
+def test_one_taught_recording_has_no_usual_cost(first: Taught) -> None:
+    assert usual_cost_of([first]) is None
+    assert usual_cost_of([first, first]) == pytest.approx(0.0, abs=1e-6)
+
+
+def test_boundaries_keep_their_order_though_the_best_places_do_not() -> None:
+    options = [[Option(2.0, 0.9, 0.1), Option(1.0, 0.1, 1.0)], [Option(1.5, 0.9, 0.1)]]
+    chosen = in_order(options, 0.0, 3.0)
+    assert [one.time_s if one else None for one in chosen] == [1.0, 1.5]
+
+
+def test_a_boundary_without_a_place_is_left_out() -> None:
+    chosen = in_order([[Option(2.9, 1.0, 0.1)], [Option(2.9, 1.0, 0.1)]], 0.0, 3.0)
+    assert [one is None for one in chosen].count(True) == 1
