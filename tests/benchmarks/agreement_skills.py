@@ -2,6 +2,8 @@
 
     PYTHONPATH=tests python tests/benchmarks/agreement_skills.py [RECORDINGS…] [--recorded 100]
 
+Segmented by evidence, or with `--variant paper` by the paper's method.
+
 RECORDINGS are files or folders; without, the bundled recordings and the real ones beside the
 checkout. `--recorded N` records N demonstrations of the set-ups instead. A skill agrees if its
 monitor, fed the recorded poses and forces, says "contact" within 0.25 s of the segment's end.
@@ -32,11 +34,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("recordings", nargs="*", type=Path)
     parser.add_argument("--recorded", type=int, default=0)
+    parser.add_argument("--variant", choices=("evidence", "paper"), default="evidence")
     given = parser.parse_args()
     sums: dict[str, Counter[str]] = {}
     for group, demonstration in demonstrations(given.recordings, given.recorded):
         if demonstration.force_N is not None:
-            sums.setdefault(group, Counter()).update(counted(demonstration))
+            parameters = Parameters(variant=given.variant)
+            sums.setdefault(group, Counter()).update(counted(demonstration, parameters))
     print("| set | contact skills | agree | say that they do not | wrongly say that they do |")
     print("|---|---|---|---|---|")
     for group, count in {**sums, "all": sum(sums.values(), Counter())}.items():
@@ -44,10 +48,10 @@ def main() -> None:
         print(f"| {group} | {' | '.join(map(str, cells))} |")
 
 
-def counted(demonstration: Demonstration) -> Counter[str]:
+def counted(demonstration: Demonstration, parameters: Parameters) -> Counter[str]:
     """Contact skills of one demonstration: how many, and how many agree, say so, are wrong."""
     count: Counter[str] = Counter()
-    for part in segment(demonstration, Parameters()).segments:
+    for part in segment(demonstration, parameters).segments:
         if part.idle or not isinstance(part.end_condition, ContactEnd):
             continue
         try:

@@ -26,7 +26,7 @@ def test_the_skills_of_a_bundled_recording_agree(name):
     demonstration = read(shipped("data") / f"{name}.npz")
     segments = segment_demonstration(demonstration).segments
     contacts = [s for s in segments if isinstance(s.end_condition, ContactEnd)]
-    assert len(contacts) == 2
+    assert len(contacts) >= 2
     assert all(skill_of(demonstration, part).agrees for part in contacts)
 
 

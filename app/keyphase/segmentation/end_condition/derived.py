@@ -48,6 +48,9 @@ ALONG_THE_WAY = 0.3
 RELEASED = 0.5
 """A force of which less than this part is left has ended."""
 
+DRAGGED_S = 0.2
+"""A boundary that lies no further from its contact than this has not left it."""
+
 _SEARCH_S = 0.05
 _FACTORS = (1.0, 0.7, 1.4)
 _GOOD_ENOUGH_S = 0.06
@@ -81,11 +84,15 @@ def end_condition_at(
     found = at(event_s) or at(end_s)
     if found is None:
         return ConfigurationEnd()
-    if own.misses_by(found, event_s) < WITHIN_S:
+    if own.misses_by(found) < WITHIN_S:
         return replace(found, agrees=True)
     moments = _moments(end_s, start_s)
     best = _best(own, (at(moment, square) for moment in moments for square in (True, False)))
-    return replace(found, agrees=False) if best is None else replace(best, agrees=True)
+    if best is not None:
+        return replace(best, agrees=True)
+    # A boundary that a person dragged a little still has its contact.
+    dragged = abs(event_s - end_s) <= DRAGGED_S
+    return replace(found, agrees=dragged and own.misses_by(found, event_s) < WITHIN_S)
 
 
 def ends_in_contact(demonstration: Demonstration, start_s: float) -> bool:
