@@ -23,6 +23,7 @@ _STYLE = """
 max-height:55vh;overflow:auto;background:#fffffff2;color:#1c2430;border-radius:8px;
 padding:12px 16px;font:13px/1.45 system-ui,sans-serif;box-shadow:0 2px 12px #0003}
 .keyphase summary{font-weight:600;cursor:pointer}
+.keyphase table{font:inherit}
 .keyphase table{border-collapse:collapse;width:100%;margin:8px 0;font-variant-numeric:tabular-nums}
 .keyphase td,.keyphase th{text-align:left;padding:2px 10px 2px 0;vertical-align:top;font-weight:400}
 .keyphase th{color:#5b6472}.keyphase svg{width:100%;height:auto}.keyphase p{margin:6px 0}
