@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 PICTURES := tests/pictures
 SOURCES := app tests examples
 
-.PHONY: demo quick test check bench wheel clean browser page-scripts
+.PHONY: demo quick test check bench compare wheel clean browser page-scripts
 
 # The environment and the browser are installed at the same time.
 MAKEFLAGS += --jobs=2
@@ -48,6 +48,13 @@ check: $(VENV)/ready-to-test page-scripts
 
 bench: $(VENV)/ready-to-test
 	OMP_NUM_THREADS=1 $(BIN)/pytest tests/benchmarks -q -o python_files='bench_*.py' -o addopts= --benchmark-only
+
+# keyphase beside other methods; claspy needs older packages, so it gets an environment of its own.
+compare: $(VENV)/ready-to-test
+	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable '.[compare]'
+	test -x .venv-claspy/bin/python || $(PYTHON) -m venv .venv-claspy
+	.venv-claspy/bin/python -m pip install --quiet claspy==0.2.8
+	OMP_NUM_THREADS=1 $(BIN)/python tests/benchmarks/compare --claspy .venv-claspy/bin/python $(COMPARE)
 
 wheel: $(VENV)/ready-to-test
 	$(BIN)/python -m build --wheel
