@@ -9,7 +9,7 @@ from gizmo import Gizmo
 
 from keyphase.readers import read
 from keyphase.segmentation import segment
-from keyphase.web.scene.workcell_scene import GIZMO_M
+from keyphase.web.scene.replaying.workcell_scene import GIZMO_M
 from keyphase.web.server import PageServer
 
 FORWARD, FORWARD_M = np.array([1.0, 0.0, 0.0]), 0.12

@@ -11,7 +11,7 @@ from driver import KeyphasePage, Serve, Visit
 from gizmo import Gizmo
 from playwright.sync_api import Browser, expect
 
-from keyphase.web.scene.replay_push import GIZMO_M
+from keyphase.web.scene.replaying.replay_push import GIZMO_M
 from keyphase.web.server import PageServer
 
 SIDEWAYS, PULLED_M = np.array([0.0, 1.0, 0.0]), 0.15

@@ -4,7 +4,6 @@ import asyncio
 import json
 import secrets
 import struct
-import time
 from collections.abc import Callable, Mapping
 from http.client import HTTPConnection, HTTPResponse
 from typing import Any, get_args
@@ -14,7 +13,6 @@ from websockets.asyncio.client import connect as async_connect
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
-from keyphase.web.one_scene import OneScene
 from keyphase.web.protocol.requests import OnDocument, Request
 from keyphase.web.server import PageServer
 from keyphase.web.transport.access import cookie_name
@@ -70,16 +68,6 @@ def get(
 def cookie(server: PageServer, token: str | None = None) -> dict[str, str]:
     """The header a browser sends that has followed the link."""
     return {"Cookie": f"{cookie_name(server.port)}={token or server.access.token}"}
-
-
-def scene_of(server: PageServer) -> OneScene:
-    """The scene of a server with a page, once it has been told all that the page was told."""
-    end = time.monotonic() + WAIT_S
-    while server.scene is None and time.monotonic() < end:
-        time.sleep(0.01)
-    assert server.scene is not None
-    with server.scene.view._lock:  # pyright: ignore
-        return server.scene
 
 
 def visers_socket(server: PageServer, page: str = PAGE) -> async_connect:

@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 
 from keyphase.robot.arms import yumi_arms
 from keyphase.robot.pose import Placement
-from keyphase.web.scene.ground import Ground, covered
-from keyphase.web.scene.ground_shadow import SUN_M, GroundShadow, shadow_of, thrown
 from keyphase.web.scene.palette import DARK, LIGHT, Theme
+from keyphase.web.scene.recording.ground import Ground, covered
+from keyphase.web.scene.recording.ground_shadow import SUN_M, GroundShadow, shadow_of, thrown
 
 both_themes = pytest.mark.parametrize("theme", [LIGHT, DARK])
 

@@ -97,7 +97,7 @@ def test_the_frame_may_connect_again_without_the_focus(server: PageServer) -> No
     _, body = get(server, f"/viser/{PAGE}/", cookie(server))
 
     assert body.count(b"<script") == 2
-    assert body.find(b"<script>document.hasFocus = () => true;") == body.find(b"<script")
+    assert 0 < body.find(b"document.hasFocus = () => true;") < 2000
 
 
 def test_visers_client_is_packed_once_and_not_sent_to_a_browser_that_has_it(
@@ -169,7 +169,8 @@ def test_a_message_that_is_too_long_ends_the_conversation(
             additional_headers=cookie(server),
             max_size=None,
         ) as socket:
-            await socket.send(b"x" * (most + 1))
+            # The head of a message that would be so long; none of it follows.
+            socket.transport.write(b"\x82\xff" + (most + 1).to_bytes(8) + bytes(4))
             with contextlib.suppress(ConnectionClosed):
                 while True:
                     await asyncio.wait_for(socket.recv(), WAIT_S)

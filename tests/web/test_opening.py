@@ -1,6 +1,12 @@
 """The browser is opened without anything on its command line that opens the page for others."""
 
+import contextlib
+import os
 import re
+import signal
+import subprocess
+import sys
+import time
 import webbrowser
 from pathlib import Path
 
@@ -64,3 +70,56 @@ def test_where_no_private_file_can_be_made_no_browser_is_opened(
 
     assert not start_server().open_browser()
     assert opened == []
+
+
+@pytest.mark.skipif(not Path("/proc/self/cmdline").exists(), reason="there is no /proc here")
+def test_no_command_line_of_this_machine_shows_the_token(own_copy: Path, tmp_path: Path) -> None:
+    """What every other user can read of what runs here, the browser among it."""
+    browser = tmp_path / "browser"
+    browser.write_text("#!/bin/sh\nsleep 60\n")
+    browser.chmod(0o700)
+    command = [sys.executable, "-c", "from keyphase.cli import main; main()", "open"]
+    with subprocess.Popen(
+        [*command, str(own_copy)],
+        env={**os.environ, "BROWSER": f"{browser} %s &"},
+        stdout=subprocess.PIPE,
+        text=True,
+    ) as process:
+        try:
+            assert process.stdout is not None
+            token = process.stdout.readline().partition("token=")[2].strip()
+            lines = _wait_for_command_line("keyphase-open.html")
+            assert len(token) == 43
+            assert not [line for line in lines if token in line or "?once=" in line]
+        finally:
+            for pid in _children(process.pid):
+                os.kill(pid, signal.SIGKILL)
+            process.kill()
+
+
+def _command_lines() -> list[str]:
+    lines = []
+    for file in Path("/proc").glob("[0-9]*/cmdline"):
+        with contextlib.suppress(OSError):
+            lines.append(file.read_bytes().replace(b"\0", b" ").decode(errors="replace"))
+    return lines
+
+
+def _wait_for_command_line(part: str) -> list[str]:
+    for _ in range(400):
+        lines = _command_lines()
+        if any(part in line for line in lines):
+            return lines
+        time.sleep(0.05)
+    raise AssertionError("no browser was started")
+
+
+def _children(pid: int) -> list[int]:
+    """The processes that were started by `pid`, which is this test's own."""
+    found = []
+    for file in Path("/proc").glob("[0-9]*/stat"):
+        with contextlib.suppress(OSError):
+            fields = file.read_text().rpartition(")")[2].split()
+            if int(fields[1]) == pid:
+                found.append(int(file.parent.name))
+    return found

@@ -9,18 +9,21 @@ from scipy.spatial.transform import Rotation
 
 from keyphase.demonstration import Demonstration
 from keyphase.segmentation.segmentation import Gaussian
-from keyphase.web.scene.path_geometry import (
+from keyphase.web.scene.recording.path_geometry import (
+    CHEVRONS,
     MOST_ELLIPSOIDS,
     MOST_PIECES,
     arrow,
     bent,
+    chevron,
     ellipsoids,
     heaviest,
     path_of,
+    spaced,
     tube,
     turns_of_z,
 )
-from keyphase.web.scene.viewpoint import FIELD_OF_VIEW_RAD, viewpoint_of
+from keyphase.web.scene.recording.viewpoint import FIELD_OF_VIEW_RAD, viewpoint_of
 
 POINTS = arrays(np.float64, (12, 3), elements=st.floats(-2, 2))
 
@@ -130,13 +133,33 @@ def test_an_ellipsoid_is_one_standard_deviation_of_its_gaussian(points: np.ndarr
     np.testing.assert_array_equal(position, points.mean(axis=0))
 
 
-def test_a_force_of_five_newtons_is_five_centimetres_long() -> None:
+def test_a_force_is_as_long_as_the_scale_says_and_none_is_too_short_to_be_seen() -> None:
     at_m = np.array([1.0, 0.0, 0.0])
-    drawn = arrow(at_m, (0.0, 3.0, 4.0), 0.01, 1.0)
+    drawn = arrow(at_m, (0.0, 3.0, 4.0), 0.01, 0.02)
+    small = arrow(at_m, (0.0, 0.0, 0.5), 0.01, 0.02)
 
     assert drawn is not None
+    assert small is not None
     np.testing.assert_allclose(drawn[1] - drawn[0], [0.0, 0.03, 0.04])
-    assert arrow(at_m, (0.0, 0.0, 0.0), 0.01, 1.0) is None
+    np.testing.assert_allclose(small[1] - small[0], [0.0, 0.0, 0.02])
+    assert arrow(at_m, (0.0, 0.0, 0.0), 0.01, 0.02) is None
+
+
+def test_chevrons_are_evenly_spaced_and_few() -> None:
+    path = path_of(_demonstration(np.linspace([0.0, 0.0, 0.0], [1.0, 0.0, 0.0], 2000)))
+    at = path.middle_m[spaced(path, np.arange(len(path.time_s)))][:, 0]
+
+    assert 5 < len(at) <= CHEVRONS
+    assert np.ptp(np.diff(at)) < 0.02
+    assert len(spaced(path, np.arange(0))) == 0
+
+
+def test_a_chevron_points_along_z() -> None:
+    points, faces = chevron()
+
+    assert points[:, 2].max() == 0.5
+    assert (points[points[:, 2] == 0.5][:, :2] == 0.0).all()
+    assert faces.max() < len(points)
 
 
 @given(POINTS)

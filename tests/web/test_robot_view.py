@@ -2,13 +2,15 @@
 
 import shutil
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from talking import PageClient, StartServer, scene_of
+from framing import Frame, frame
+from talking import PageClient, StartServer
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import RobotError
@@ -18,12 +20,12 @@ from keyphase.robot.arms import robot_arms
 from keyphase.robot.link_frames import link_frames
 from keyphase.robot.pose import Placement, matrix
 from keyphase.robot.yumi import yumi
-from keyphase.web.server import PageServer
 from keyphase.workbench.placing.placements import save_placement, saved_placement
+from keyphase.workbench.view import View
 
 WAIT_S = 60.0
 
-Opened = Callable[[Path], tuple[PageServer, PageClient]]
+Opened = Callable[[Path], tuple[Frame, PageClient]]
 
 
 @pytest.fixture
@@ -32,29 +34,28 @@ def recorded(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def opened(start_server: StartServer) -> Opened:
-    """Opens a recording; the robot is worked out on return."""
+def opened(start_server: StartServer) -> Iterator[Opened]:
+    """Opens a recording in a page with a frame; the robot is worked out on return."""
+    with ExitStack() as stack:
 
-    def open_one(path: Path) -> tuple[PageServer, PageClient]:
-        server = start_server(path)
-        client = PageClient(server)
-        client.wait_for("document")
-        settle(server)
-        return server, client
+        def open_one(path: Path) -> tuple[Frame, PageClient]:
+            server = start_server(path)
+            client = PageClient(server)
+            client.wait_for("document")
+            framed = stack.enter_context(frame(server, client.page))
+            framed.settle()
+            return framed, client
 
-    return open_one
-
-
-def settle(server: PageServer) -> None:
-    scene = scene_of(server)
-    assert scene.wait_until_shown(WAIT_S)
-    assert scene.robot.wait_until_idle(WAIT_S)
-    assert scene.wait_until_shown(WAIT_S)
+        yield open_one
 
 
-def notices(server: PageServer, client: PageClient) -> list[str]:
+def view_of(framed: Frame) -> View:
+    return framed.server.workbench.find_view(framed.page)
+
+
+def notices(framed: Frame, client: PageClient) -> list[str]:
     """What was said up to now."""
-    scene_of(server).view.telling.notice("info", "that was all")
+    view_of(framed).telling.notice("info", "that was all")
     client.wait_for("notice", lambda notice: notice["text"] == "that was all")
     return [message["text"] for message in client.heard if message["type"] == "notice"][:-1]
 
@@ -69,9 +70,9 @@ def moved(path: Path, to: Path, offset_m: tuple[float, float, float]) -> Demonst
     return elsewhere
 
 
-def link(server: PageServer, name: str) -> np.ndarray:
+def link(framed: Frame, name: str) -> np.ndarray:
     """Where a link is drawn, in the robot's base frame."""
-    links = scene_of(server).robot.figure._links
+    links = framed.scene.robot.figure._links
     chain = links[name].name.split("/")[2:]
     pose = np.eye(4)
     for each in chain:
@@ -80,44 +81,58 @@ def link(server: PageServer, name: str) -> np.ndarray:
 
 
 def test_the_hand_is_where_the_recorded_joints_put_it(recorded: Path, opened: Opened) -> None:
-    server, _ = opened(recorded)
+    framed, _ = opened(recorded)
     demonstration = read(recorded)
     for share in (0.0, 0.4, 0.9):
         row = round(share * (len(demonstration) - 1))
         time_s = float(demonstration.time_s[row])
-        scene_of(server).view.move_playhead(lambda head, time_s=time_s: head.at(time_s))
-        settle(server)
+        view_of(framed).move_playhead(lambda head, time_s=time_s: head.at(time_s))
+        framed.settle()
         assert demonstration.joints_rad is not None
         expected = link_frames(yumi("r"), demonstration.joints_rad[row])["gripper_r_base"][:3, 3]
-        assert link(server, "gripper_r_base") == pytest.approx(expected, abs=1e-5)
-    assert scene_of(server).robot.figure.visible
+        assert link(framed, "gripper_r_base") == pytest.approx(expected, abs=1e-5)
+    assert framed.scene.robot.figure.visible
 
 
 def test_a_recording_without_joints_is_followed_too(tmp_path: Path, opened: Opened) -> None:
-    server, client = opened(Path(shutil.copy(shipped("data") / "synthetic_setup1.npz", tmp_path)))
-    assert scene_of(server).robot.figure.visible
-    assert scene_of(server).robot.base == Placement()
-    assert not [text for text in notices(server, client) if "robot" in text]
+    framed, client = opened(Path(shutil.copy(shipped("data") / "synthetic_setup1.npz", tmp_path)))
+    assert framed.scene.robot.figure.visible
+    assert not [text for text in notices(framed, client) if "robot" in text]
+
+
+def test_beside_a_recording_that_is_not_its_own_the_robot_is_a_ghost(
+    recorded: Path, tmp_path: Path, opened: Opened
+) -> None:
+    demonstration = replace(read(recorded), joints_rad=None, source=None, metadata={})
+    save_npz(demonstration, tmp_path / "hand.npz")
+    framed, _ = opened(tmp_path / "hand.npz")
+
+    mesh, _ = framed.scene.robot.figure._meshes[0]
+    assert framed.scene.robot.figure.visible
+    assert mesh.opacity is not None
+    assert mesh.opacity < 0.2
+    assert framed.scene.robot.base is None
+    assert "/stand" not in framed.nodes
 
 
 def test_the_robot_can_be_hidden(recorded: Path, opened: Opened) -> None:
-    server, _ = opened(recorded)
-    scene_of(server).view.scene.show("robot", False)
-    settle(server)
-    assert not scene_of(server).robot.figure.visible
-    assert scene_of(server).robot.base is None
+    framed, _ = opened(recorded)
+    view_of(framed).scene.show("robot", False)
+    framed.settle()
+    assert not framed.scene.robot.figure.visible
+    assert framed.scene.robot.base is None
 
 
 def test_the_robot_goes_to_recordings_out_of_its_reach(
     recorded: Path, tmp_path: Path, opened: Opened
 ) -> None:
     moved(recorded, tmp_path / "far.npz", (10.0, 0.0, 0.0))
-    server, client = opened(tmp_path / "far.npz")
-    assert scene_of(server).robot.figure.visible
-    base = scene_of(server).robot.base
+    framed, client = opened(tmp_path / "far.npz")
+    assert framed.scene.robot.figure.visible
+    base = framed.scene.robot.base
     assert base is not None
     assert 9.0 < base.position_m[0] < 11.0
-    assert any("out of the robot's reach" in text for text in notices(server, client))
+    assert any("out of the robot's reach" in text for text in notices(framed, client))
 
 
 def test_where_a_person_puts_the_robot_is_kept(
@@ -125,17 +140,17 @@ def test_where_a_person_puts_the_robot_is_kept(
 ) -> None:
     elsewhere = tmp_path / "far.npz"
     moved(recorded, elsewhere, (10.0, 0.0, 0.0))
-    server, _ = opened(elsewhere)
+    framed, _ = opened(elsewhere)
     chosen = Placement((10.02, 0.01, 0.0))
-    scene_of(server).robot.place(chosen)
-    settle(server)
-    server.stop()
+    framed.scene.put_robot(chosen)
+    framed.settle()
+    framed.server.stop()
     again, _ = opened(elsewhere)
-    base = scene_of(again).robot.base
+    base = again.scene.robot.base
     assert base is not None
     assert base.position_m == pytest.approx(chosen.position_m)
-    scene_of(again).robot.place_automatically()
-    settle(again)
+    again.scene.place_robot()
+    again.settle()
     assert saved_placement(elsewhere, "yumi") is None
 
 
@@ -143,25 +158,25 @@ def test_what_is_out_of_reach_is_said_with_time_and_distance(
     recorded: Path, opened: Opened
 ) -> None:
     save_placement(recorded, yumi("r").name, Placement((0.35, 0.0, 0.0)))
-    server, client = opened(recorded)
-    (said,) = [text for text in notices(server, client) if "cannot follow" in text]
+    framed, client = opened(recorded)
+    (said,) = [text for text in notices(framed, client) if "cannot follow" in text]
     assert " s (" in said
     assert "mm away" in said
-    path = scene_of(server).robot._path
+    path = framed.scene.robot._path
     assert path is not None
     missed = float(path.time_s[np.argmin(path.reached)])
-    scene_of(server).view.move_playhead(lambda head: head.at(missed))
-    settle(server)
-    mesh, _ = scene_of(server).robot.figure._meshes[0]
+    view_of(framed).move_playhead(lambda head: head.at(missed))
+    framed.settle()
+    mesh, _ = framed.scene.robot.figure._meshes[0]
     assert mesh.opacity is not None
 
 
 def test_the_other_arm_can_follow(recorded: Path, opened: Opened) -> None:
-    server, _ = opened(recorded)
-    right = link(server, "gripper_r_base")
-    scene_of(server).robot.use_arm(1)
-    settle(server)
-    assert np.linalg.norm(link(server, "gripper_r_base") - right) > 0.1
+    framed, _ = opened(recorded)
+    right = link(framed, "gripper_r_base")
+    view_of(framed).scene.choose_robot(arm="tcp_l")
+    framed.settle()
+    assert np.linalg.norm(link(framed, "gripper_r_base") - right) > 0.1
 
 
 def test_working_out_the_joints_gives_way_to_what_is_asked_for(
@@ -175,19 +190,14 @@ def test_working_out_the_joints_gives_way_to_what_is_asked_for(
         asked.set()
         return busy.is_set()
 
-    with PageClient(server) as page:
-        page.send("seek", time_s=0.0)
-        page.wait_for("playhead")
-        scene_of(server).robot.paths.gives_way = gives_way
-        scene_of(server).view.add(
-            Path(shutil.copy(shipped("data") / "synthetic_setup1.npz", tmp_path))
-        )
+    server.shared.paths.gives_way = gives_way
+    with PageClient(server) as client, frame(server, client.page) as framed:
+        view_of(framed).add(Path(shutil.copy(shipped("data") / "synthetic_setup1.npz", tmp_path)))
         assert asked.wait(WAIT_S)
-        assert not scene_of(server).robot.wait_until_idle(0.0)
-        assert scene_of(server).robot._path is None
+        assert not server.shared.wait_until_idle(0.0)
         busy.clear()
-        settle(server)
-        assert scene_of(server).robot._path is not None
+        framed.settle()
+        assert framed.scene.robot._path is not None
 
 
 def test_what_is_being_worked_out_is_given_up_as_the_server_stops(
@@ -200,15 +210,11 @@ def test_what_is_being_worked_out_is_given_up_as_the_server_stops(
         begun.set()
         return True
 
-    with PageClient(server) as page:
-        page.send("seek", time_s=0.0)
-        page.wait_for("playhead")
-        scene_of(server).robot.paths.gives_way = gives_way
-        recording = shutil.copy(shipped("data") / "synthetic_setup1.npz", tmp_path)
-        scene_of(server).view.add(Path(recording))
+    server.shared.paths.gives_way = gives_way
+    with frame(server):
         assert begun.wait(WAIT_S)
         server.stop()
-    assert scene_of(server).robot._path is None
+    assert server.shared.wait_until_idle(0.0)
 
 
 def test_a_robot_needs_both_its_file_and_its_tool() -> None:

@@ -1,34 +1,31 @@
 """The scene as viser is told it: colours of segments, what is shown, what a click selects."""
 
 import asyncio
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterator
 
-import msgspec
 import numpy as np
-from talking import CAMERA, Message, PageClient, scene_of, visers_socket
+import pytest
+from framing import Frame, frame
+from talking import CAMERA, Message, PageClient, wait_until
 
 from keyphase.web.scene.palette import SEGMENT_COLORS, painted
-from keyphase.web.server import PageServer
-from keyphase.workbench.playback import Playhead
+from keyphase.web.scene.recording.path import FAINT
 
 
 def _document(page: PageClient) -> Message:
     return next(m for m in page.heard if m["type"] == "document")
 
 
-def _drawn(server: PageServer) -> None:
-    """Wait until the scene shows what the pages were told."""
-    assert scene_of(server).wait_until_shown(20)
+@pytest.fixture
+def framed(page: PageClient) -> Iterator[Frame]:
+    """The frame of that page."""
+    with frame(page.server, page.page) as framed:
+        yield framed
 
 
-def _node(server: PageServer, name: str) -> object:
-    return server.viser.scene._handle_from_node_name[name]  # pyright: ignore
-
-
-def _colors(server: PageServer) -> set[tuple[int, ...]]:
-    _drawn(server)
-    pieces = _node(server, "/path/pieces")
-    return {tuple(color) for color in np.asarray(pieces.batched_colors).tolist()}  # type: ignore
+def _colors(framed: Frame) -> set[tuple[int, ...]]:
+    pieces = framed.node("/path/pieces")
+    return {tuple(color) for color in np.asarray(pieces.batched_colors).tolist()}
 
 
 def _paint(color: int) -> tuple[int, int, int]:
@@ -36,110 +33,185 @@ def _paint(color: int) -> tuple[int, int, int]:
     return painted((red, green, blue))
 
 
-def test_the_path_has_the_colours_of_the_kept_segments(page: PageClient) -> None:
+def test_the_path_has_the_colours_of_the_kept_segments(page: PageClient, framed: Frame) -> None:
     kept = {_paint(s["color"]) for s in _document(page)["segments"] if s["kept"]}
 
-    assert kept <= _colors(page.server)
-    assert len(_colors(page.server)) <= len(kept) + 1
+    assert kept <= _colors(framed)
+    assert len(_colors(framed)) <= len(kept) + 1
 
 
-def test_merging_everything_leaves_one_colour(page: PageClient) -> None:
+def test_merging_everything_leaves_one_colour(page: PageClient, framed: Frame) -> None:
     document = _document(page)
-    before = _colors(page.server)
+    before = _colors(framed)
     page.send("edit", edit={"kind": "merge", "from_s": 0.01, "to_s": document["end_s"] - 0.01})
     page.wait_for("document", lambda m: len(m["segments"]) == 1)
 
     assert len(before) > 1
-    assert len(_colors(page.server)) == 1
+    assert len(_colors(framed)) == 1
 
 
-def test_contact_changes_have_arrows_that_go_with_the_threshold(page: PageClient) -> None:
+def test_contact_changes_have_arrows(page: PageClient, framed: Frame) -> None:
     contacts = [b for b in _document(page)["boundaries"] if b["contact_change"]]
-    _drawn(page.server)
-    arrows = _node(page.server, "/forces/arrows")
-    page.send("set", parameter="force_threshold", value=1e8)
-    page.wait_for("document", lambda m: m["threshold"] == 1e8)
-    _drawn(page.server)
 
-    assert len(arrows.points) == len(contacts)  # type: ignore
-    assert "/forces/arrows" not in page.server.viser.scene._handle_from_node_name  # pyright: ignore
+    assert len(framed.node("/forces/arrows").points) == len(contacts) > 0
 
 
-def test_there_is_an_ellipsoid_for_each_gaussian(page: PageClient) -> None:
-    _drawn(page.server)
-    drawn = _node(page.server, "/gaussians/ellipsoids")
+def test_of_a_selected_segment_only_its_own_contact_changes_have_arrows(
+    page: PageClient, framed: Frame
+) -> None:
+    before = len(framed.node("/forces/arrows").points)
+    page.send("select", segment=0)
+    page.wait_for("selection", lambda m: m["segment"] == 0)
 
-    assert len(drawn.batched_positions) == len(_document(page)["gaussians"])  # type: ignore
+    drawn = framed.nodes.get("/forces/arrows")
+    assert (0 if drawn is None else len(drawn.points)) < before
 
 
-def test_the_frame_stands_where_the_tool_was(page: PageClient) -> None:
+def test_there_is_an_ellipsoid_for_each_gaussian(page: PageClient, framed: Frame) -> None:
+    drawn = framed.node("/gaussians/ellipsoids")
+
+    assert len(drawn.batched_positions) == len(_document(page)["gaussians"])
+
+
+def test_the_frame_stands_where_the_tool_was(page: PageClient, framed: Frame) -> None:
     page.send("seek", time_s=1.0)
     page.wait_for("playhead", lambda m: m["time_s"] == 1.0)
-    _drawn(page.server)
-    opened = page.server.workbench.views[0].current()
+    opened = page.server.workbench.find_view(page.page).current()
 
-    frame = _node(page.server, "/frame/tool")
+    tool = framed.node("/frame/tool")
 
     expected = opened.demonstration.position_m[opened.demonstration.index_at(1.0)]
-    np.testing.assert_allclose(frame.position, expected)  # type: ignore
+    np.testing.assert_allclose(tool.position, expected)
 
 
-def test_clicking_the_path_selects_the_segment_there(page: PageClient) -> None:
-    server = page.server
-    _drawn(server)
-    click = {
+def test_clicking_the_path_selects_the_segment_there(page: PageClient, framed: Frame) -> None:
+    framed.say(_click(framed.scene.client.scene._owner_id))  # pyright: ignore
+
+    assert page.wait_for("selection", lambda m: m["segment"] is not None)["segment"] == 0
+
+
+def test_nobody_clicks_in_another_pages_scene(page: PageClient, framed: Frame) -> None:
+    with frame(page.server, "e" * 32) as other:
+        owner = other.scene.client.scene._owner_id  # pyright: ignore
+        framed.say(_click(owner))
+        framed.say(_click(""))
+        page.send("seek", time_s=1.0)
+        page.wait_for("playhead", lambda m: m["time_s"] == 1.0)
+
+    assert not [m for m in page.heard if m["type"] == "selection" and m["segment"] is not None]
+
+
+def _click(owner: str) -> dict[str, object]:
+    return {
         "type": "SceneNodeClickMessage",
         "name": "/path/pieces",
         "instance_index": 0,
-        "owner": server.viser.scene._owner_id,  # pyright: ignore
+        "owner": owner,
         "ray_origin": (0.0, 0.0, 1.0),
         "ray_direction": (0.0, 0.0, -1.0),
         "screen_pos": (0.5, 0.5),
         "modifier": None,
     }
 
-    async def click_it() -> None:
-        async with visers_socket(server) as socket:
-            await asyncio.wait_for(socket.recv(), 10)
-            await socket.send(msgspec.msgpack.encode(CAMERA))
-            await socket.send(msgspec.msgpack.encode(click))
-            await (await socket.ping())
-            await asyncio.to_thread(page.wait_for, "selection")
 
-    asyncio.run(click_it())
-
-    assert page.heard[-1]["segment"] == 0
-
-
-def test_a_hidden_part_is_hidden_in_the_scene(page: PageClient) -> None:
+def test_a_hidden_part_is_hidden_in_the_scene(page: PageClient, framed: Frame) -> None:
     page.send("show", what="gaussians", visible=False)
     page.wait_for("shown", lambda m: not m["parts"]["gaussians"])
-    _drawn(page.server)
 
-    assert not _node(page.server, "/gaussians").visible  # type: ignore
-    assert _node(page.server, "/path").visible  # type: ignore
+    assert not framed.node("/gaussians").visible
+    assert framed.node("/path").visible
 
 
-def test_the_scene_is_built_anew_while_other_threads_draw_in_it(page: PageClient) -> None:
-    """The robot comes and goes: the ground and the tube are put up again each time."""
+def test_nothing_of_a_page_is_sent_to_all_pages(page: PageClient) -> None:
+    """Theme, light and background have no owner in the browser: the last message would win."""
+    buffer = page.server.viser._websock_server._broadcast_buffer  # pyright: ignore
+    before = set(buffer.message_from_id)
+    with frame(page.server, page.page) as framed:
+        page.send("theme", dark=True)
+        framed.settle()
+
+    assert set(buffer.message_from_id) == before
+
+
+def test_a_frame_that_connects_again_is_drawn_again_and_seen_from_where_it_was(
+    page: PageClient,
+) -> None:
+    with frame(page.server, page.page) as first:
+        camera = first.scene.client.camera
+        first.say({**CAMERA, "position": (3.0, 2.0, 1.0), "look_at": (0.5, 0.0, 0.0)})
+        asyncio.run(wait_until(lambda: camera.position.tolist() == [3.0, 2.0, 1.0]))
+    with frame(page.server, page.page) as again:
+        camera = again.scene.client.camera
+        assert again.node("/path/pieces")
+        assert camera.position.tolist() == [3.0, 2.0, 1.0]
+        assert camera.look_at.tolist() == [0.5, 0.0, 0.0]
+
+
+def test_nothing_is_drawn_for_a_page_that_has_left(page: PageClient) -> None:
     server = page.server
-    _drawn(server)
-    assert server.scene is not None
-    scene, robot = server.scene.scene, server.scene.robot
+    view = server.workbench.find_view(page.page)
+    watchers = view._watchers  # pyright: ignore
+    with frame(server, page.page) as framed:
+        painter = framed.scene._painter  # pyright: ignore
+        assert len(view._watchers) == len(watchers) + 1  # pyright: ignore
+    asyncio.run(wait_until(lambda: view._watchers == watchers))  # pyright: ignore
+    drawn: list[int] = []
+    painter.submit(lambda: drawn.append(1)).wait()
 
-    def come_and_go(times: int) -> None:
-        for _ in range(times):
-            robot.show_parts(frozenset({"robot"}))
-            robot.show_parts(frozenset())
+    assert server.scenes.all == ()
+    assert drawn == []
 
-    def move(times: int) -> None:
-        for time_s in np.linspace(0.0, 1.0, times).tolist():
-            scene.show_playhead(Playhead(time_s=time_s))
-            scene.show_selection(int(10 * time_s) % 2)
 
-    with ThreadPoolExecutor() as threads:
-        works = [threads.submit(come_and_go, 4) for _ in range(2)]
-        works += [threads.submit(move, 100) for _ in range(2)]
-    for work in works:
-        work.result()
-    assert _node(server, "/path/pieces")
+def test_with_a_segment_selected_the_rest_is_faint(page: PageClient, framed: Frame) -> None:
+    assert framed.node("/path/pieces").batched_opacities is None
+    page.send("select", segment=0)
+    page.wait_for("selection", lambda m: m["segment"] == 0)
+
+    opacities = np.asarray(framed.node("/path/pieces").batched_opacities)
+    assert sorted(set(opacities.tolist())) == pytest.approx([FAINT, 1.0])
+    assert "/path/selected/pieces" in framed.nodes
+    page.send("select", segment=None)
+    page.wait_for("selection", lambda m: m["segment"] is None)
+    assert framed.node("/path/pieces").batched_opacities is None
+
+
+def test_only_what_is_in_view_is_drawn(page: PageClient, framed: Frame) -> None:
+    whole = len(framed.node("/path/pieces").batched_positions)
+    framed.scene.show_range(1.0, 2.0)
+    part = len(framed.node("/path/pieces").batched_positions)
+    framed.scene.show_range(-1.0, 1e9)
+
+    assert 0 < part < whole
+    assert len(framed.node("/path/pieces").batched_positions) == whole
+
+
+def test_nothing_of_a_recording_is_left_when_another_is_on_its_way(
+    page: PageClient, framed: Frame
+) -> None:
+    framed.settle()
+    framed.scene.show_nothing()
+
+    assert not [
+        name
+        for name in framed.nodes
+        if name.startswith(("/path/", "/forces/", "/gaussians/", "/frame/", "/grid/", "/stand"))
+    ]
+    assert not framed.scene.robot.figure.visible
+
+
+def test_the_longest_arrow_is_a_third_of_the_path(page: PageClient, framed: Frame) -> None:
+    points = np.asarray(framed.node("/forces/arrows").points)
+    demonstration = page.server.workbench.find_view(page.page).current().demonstration
+    size = np.linalg.norm(np.ptp(demonstration.position_m, axis=0))
+
+    longest = np.linalg.norm(points[:, 1] - points[:, 0], axis=1).max()
+    assert longest == pytest.approx(size / 3.0, rel=1e-3)
+
+
+def test_the_more_pages_the_more_rarely_a_running_playhead_is_drawn(page: PageClient) -> None:
+    with frame(page.server, page.page) as one:
+        alone = one.scene._shared.pace_s  # pyright: ignore
+        with frame(page.server, "f" * 32):
+            together = one.scene._shared.pace_s  # pyright: ignore
+
+    assert together == 2 * alone > 0

@@ -12,8 +12,9 @@ from keyphase.readers import find_recordings
 from keyphase.robot.arms import robot_arms, yumi_arms
 from keyphase.robot.description import RobotDescription
 from keyphase.simulation.demonstrating.recorder import recover
-from keyphase.web.one_scene import OneScene
 from keyphase.web.protocol.conversation import Conversation
+from keyphase.web.scene.scenes import Scenes
+from keyphase.web.scene.shared import Shared
 from keyphase.web.transport.access import Access, Grant
 from keyphase.web.transport.lasting_keys import LastingKeys
 from keyphase.web.transport.one_port import serve, silent, usable_port
@@ -22,7 +23,6 @@ from keyphase.web.transport.page_sockets import Page, PageSockets
 from keyphase.web.transport.proving import prove
 from keyphase.web.transport.site import OurSite
 from keyphase.workbench.uploads import DEFAULT_LIMIT_BYTES
-from keyphase.workbench.view import View
 from keyphase.workbench.workbench import Settings, Workbench
 
 
@@ -53,10 +53,7 @@ class PageServer:
         self.workbench = Workbench(paths, settings)
         self.latencies_ms: deque[float] = deque(maxlen=1000)
         self.sockets = PageSockets(self._begin, self._hear, self._end)
-        self.scene: OneScene | None = None
-        self._arms = arms
-        self._lock = threading.Lock()
-        self._conversations: dict[str, Conversation] = {}
+        self._conversations: dict[Page, Conversation] = {}
         self._browser_file: BrowserFile | None = None
         self._grant = Grant.LOOKING if read_only else Grant.EVERYTHING
         try:
@@ -64,6 +61,15 @@ class PageServer:
         except KeyphaseError:
             self.workbench.close()
             raise
+        self.shared = Shared(arms)
+        self.scenes = Scenes(self.viser, self.workbench, self.shared)
+        self._put_in_order_of_need()
+
+    def _put_in_order_of_need(self) -> None:
+        """What is asked for comes first, then what is seen beside it, then other recordings."""
+        library, shared = self.workbench.library, self.shared
+        shared.paths.gives_way = lambda: not (library.is_free and shared.part_paths.is_free())
+        self.workbench.looking.may_look = shared.joints.is_free
 
     def _listen(self, host: str, port: int) -> None:
         """Listen on the port that this folder's server had before, where none is asked for."""
@@ -99,25 +105,13 @@ class PageServer:
             looking=page.is_looking,
             latency=self.latencies_ms.append,
         )
-        self._conversations[page.id] = conversation
-        with self._lock:
-            self._show(conversation.view)
-
-    def _show(self, view: View) -> None:
-        if self.scene is None:
-            self.scene = OneScene(self.viser, view, self._arms)
-            robot, parts = self.scene.robot, self.scene.parts
-            free = self.workbench.library
-            robot.paths.gives_way = lambda: not (free.is_free and parts.is_free)
-            self.workbench.looking.may_look = lambda: robot.is_free
-        else:
-            self.scene.turn_to(view)
+        self._conversations[page] = conversation
 
     def _hear(self, page: Page, message: str | bytes) -> None:
-        self._conversations[page.id].hear(message)
+        self._conversations[page].hear(message)
 
     def _end(self, page: Page) -> None:
-        conversation = self._conversations.pop(page.id, None)
+        conversation = self._conversations.pop(page, None)
         if conversation is not None:
             conversation.end()
 
@@ -126,8 +120,7 @@ class PageServer:
         if self._browser_file is not None:
             self._browser_file.close()
         self.sockets.close()
-        if self.scene is not None:
-            self.scene.close()
+        self.scenes.close()
         self.workbench.close()
         with silent():
             self.viser.stop()

@@ -11,8 +11,8 @@ from keyphase.simulation.replay.replay import Replay
 from keyphase.simulation.replay.result import ReplayState, SkillResult, went_on
 from keyphase.skills.skill import until
 from keyphase.web.protocol.document_messages import Point
-from keyphase.web.scene.force_arrow import BESIDE_M, LEAST_FORCE_N
-from keyphase.web.scene.path_geometry import METRES_PER_NEWTON
+from keyphase.web.scene.figures.force_arrow import BESIDE_M, LEAST_FORCE_N
+from keyphase.web.scene.recording.path_geometry import METRES_PER_NEWTON
 from keyphase.workbench.replaying.plan import PlannedSkill
 from keyphase.workbench.replaying.plan_paths import (
     demonstrated,

@@ -24,8 +24,9 @@ _MOST_ITEMS = 64
 def admits(raw: bytes, grant: Grant) -> bool:
     """Whether a message from viser's client may pass.
 
-    It must be of a kind the scene needs and hold only finite numbers and short texts. viser's
-    controls are not used, so none can be set. Who may only look moves the camera, no more.
+    It must be of a kind the scene needs, and hold only finite numbers and short texts: no tunnel to
+    the outside can be asked for, no file sent, and no control set. Who may only look moves the
+    camera, no more.
     """
     try:
         message = msgspec.msgpack.decode(raw)
@@ -36,9 +37,7 @@ def admits(raw: bytes, grant: Grant) -> bool:
         _EVERYTHING if grant is Grant.EVERYTHING else _LOOKING
     ):
         return False
-    if kind == "GetRenderResponseMessage":
-        return True
-    return _is_plain(message)
+    return kind == "GetRenderResponseMessage" or _is_plain(message)
 
 
 def _is_plain(value: object, depth: int = 0) -> bool:

@@ -18,12 +18,22 @@ from keyphase.web.transport.responses import answer
 INDEX = Path("client", "build", "index.html")
 """Where viser keeps its client, below its package."""
 
-HEAD = """<script>document.hasFocus = () => true;</script>
-<style>[data-floating-window], [data-dock-region], .mantine-Paper-root,
+HEAD = """<style>[data-floating-window], [data-dock-region], .mantine-Paper-root,
 .mantine-Notifications-root, .mantine-Affix-root { display: none !important; }</style>
+<script>
+document.hasFocus = () => true;
+for (const kind of ["keydown", "keyup"]) window.addEventListener(kind, (event) => {
+  event.stopImmediatePropagation();
+  const { key, code, ctrlKey, shiftKey, altKey, metaKey, repeat } = event;
+  const said = { key, code, ctrlKey, shiftKey, altKey, metaKey, repeat };
+  const passed = new parent.KeyboardEvent(kind, { ...said, bubbles: true, cancelable: true });
+  if (!frameElement?.dispatchEvent(passed)) event.preventDefault();
+}, true);
+</script>
 """
-"""viser's client tries to connect again only while its frame has the focus, which the page has.
-Of its own controls nothing is shown: the page has its own, and viser has no switch for them."""
+"""viser's own panel, hints and sheet are hidden: all that is offered is our page's. viser's client
+tries to connect again only while its frame has the focus, which the page has. And keys that are
+pressed in the frame are the page's, before viser takes them to move the camera."""
 
 _AFTER = "<head>"
 _HTML = "text/html; charset=utf-8"

@@ -48,31 +48,30 @@ class JointPaths:
     once hinder each other: numpy lets go of the interpreter at every array and has to wait for it.
     """
 
-    def __init__(self, telling: Telling) -> None:
+    def __init__(self) -> None:
         self.gives_way: Callable[[], bool] = lambda: False
-        self._telling = telling
         self._known: OrderedDict[tuple[object, ...], JointPath] = OrderedDict()
 
     def known(self, task: Task) -> JointPath | None:
         """The path of a task, if it has been worked out."""
         return self._known.get(_key(task))
 
-    def path(self, task: Task, is_wanted: Callable[[], bool]) -> JointPath:
-        """The path of a task with a placement; what it cannot reach is told when it is found.
+    def path(self, task: Task, is_wanted: Callable[[], bool], telling: Telling) -> JointPath:
+        """The path of a task with a placement; the page that asked is told what it cannot reach.
 
         Raises OvertakenError as soon as it is no longer wanted.
         """
         path = self.known(task)
         if path is None:
-            path = self._worked_out(task, is_wanted)
+            path = self._worked_out(task, is_wanted, telling)
             if path.unreached:
-                self._telling.notice("warning", _unreached_sentence(task.arm, path.unreached))
+                telling.notice("warning", _unreached_sentence(task.arm, path.unreached))
         self._known[_key(task)] = path
         while len(self._known) > KEPT:
             self._known.popitem(last=False)
         return path
 
-    def _worked_out(self, task: Task, is_wanted: Callable[[], bool]) -> JointPath:
+    def _worked_out(self, task: Task, is_wanted: Callable[[], bool], telling: Telling) -> JointPath:
         if task.placement == Placement():
             recorded = recorded_path(task.arm, task.demonstration)
             if recorded is not None:
@@ -89,9 +88,7 @@ class JointPaths:
                 told = share
                 at_work.at(share)
 
-        with self._telling.tasks.begin(
-            f"{task.opened.recording.name}: the robot's joints"
-        ) as at_work:
+        with telling.tasks.begin(f"{task.opened.recording.name}: the robot's joints") as at_work:
             return follow(task.arm, task.demonstration, task.placement, progress=progress)
 
 

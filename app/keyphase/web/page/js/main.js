@@ -179,7 +179,7 @@ socket = openSocket(pageId, {
   },
 });
 const upload = createUpload(store, socket, actions);
-const sceneFrame = createScene(store, pageId, { onKey });
+const sceneFrame = createScene(store, pageId);
 createNames(store, actions, () => sceneFrame.contentWindow);
 askForShadows(store, send, () => sceneFrame.contentWindow);
 store.set({ dark: firstDark(), snap: true });

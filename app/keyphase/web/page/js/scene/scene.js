@@ -8,10 +8,9 @@ import { moment } from "../lib/format.js";
 /**
  * @param {import("../lib/store.js").Store} store
  * @param {string} page what this page calls itself
- * @param {{onKey: (event: KeyboardEvent) => void}} handlers
  * @returns {HTMLIFrameElement} viser's frame
  */
-export function createScene(store, page, { onKey }) {
+export function createScene(store, page) {
   const calm = createCalmScene(sceneFrames);
   let segments = "";
   store.on(["clock", "selected", "dark", "recording"], calm.changed);
@@ -25,8 +24,6 @@ export function createScene(store, page, { onKey }) {
   const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
   frame.addEventListener("load", () => {
     const inside = frame.contentWindow;
-    // Keys pressed while the scene has the focus never reach our page by themselves.
-    inside.addEventListener("keydown", onKey);
     calm.watch(inside);
   });
   frame.src = `/viser/${page}/`;

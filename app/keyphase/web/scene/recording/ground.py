@@ -9,8 +9,8 @@ from scipy.ndimage import map_coordinates
 
 from keyphase.demonstration import Array
 from keyphase.robot.pose import Placement
-from keyphase.web.scene.ground_shadow import PIXEL_M, GroundShadow
 from keyphase.web.scene.palette import Theme
+from keyphase.web.scene.recording.ground_shadow import PIXEL_M, GroundShadow
 
 PIXELS = 420
 """Along either side of the picture."""

@@ -5,7 +5,7 @@ import viser
 
 from keyphase.demonstration import Array
 from keyphase.web.scene.palette import LIGHT, Rgb, painted
-from keyphase.web.scene.path_geometry import METRES_PER_NEWTON
+from keyphase.web.scene.recording.path_geometry import METRES_PER_NEWTON
 
 LEAST_FORCE_N = 0.6
 """What the sensor reads in free space is not drawn."""
@@ -19,9 +19,9 @@ _COLOR: Rgb = painted(LIGHT.origins["force"])
 class ForceArrow:
     """An arrow below `root`, without its size unless `label` asks for it."""
 
-    def __init__(self, server: viser.ViserServer, root: str) -> None:
+    def __init__(self, client: viser.ClientHandle, root: str) -> None:
         self._is_labeled = False
-        self._arrow = server.scene.add_arrows(
+        self._arrow = client.scene.add_arrows(
             f"{root}/force",
             np.array([[[0.0, 0.0, 0.0], [0.0, 0.0, 0.01]]], np.float32),
             np.array(_COLOR, np.uint8),
@@ -30,7 +30,7 @@ class ForceArrow:
             head_length=0.02,
             visible=False,
         )
-        self._size = server.scene.add_label(
+        self._size = client.scene.add_label(
             f"{root}/force_size", "", visible=False, anchor="center-left"
         )
 

@@ -22,8 +22,8 @@ GREYER = 0.25
 class PartFigures:
     """One frame for each part, its shapes below it; not for several threads at once."""
 
-    def __init__(self, server: viser.ViserServer, root: str, shapes: Sequence[Shape]) -> None:
-        self._server, self._scene = server, server.scene
+    def __init__(self, client: viser.ClientHandle, root: str, shapes: Sequence[Shape]) -> None:
+        self._client, self._scene = client, client.scene
         self._root = root
         self.base = self._scene.add_frame(root, show_axes=False)
         drawn = [shape for shape in shapes if shape.name != TABLE_TOP]
@@ -41,7 +41,7 @@ class PartFigures:
         moved = ~(np.abs(wanted - self._shown) <= UNSEEN)
         if not moved.any():
             return
-        with self._server.atomic():
+        with self._client.atomic():
             for row, handle in enumerate(self._parts.values()):
                 if moved[row].any():
                     handle.position, handle.wxyz = wanted[row, :3], wanted[row, 3:]

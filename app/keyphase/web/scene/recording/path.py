@@ -1,4 +1,8 @@
-"""The path in the scene: a tube in the colours of the segments that can be clicked."""
+"""The path in the scene: a tube in the colours of the segments that can be clicked.
+
+With a segment selected that one is solid and the rest faint; only what lies in the time that the
+timeline shows is drawn. Chevrons say which way it goes.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,24 +14,41 @@ from numpy.typing import NDArray
 
 from keyphase.labeling.labeling import Labeling
 from keyphase.web.scene.palette import painted, segment_color
-from keyphase.web.scene.path_geometry import MOST_PIECES, Path, bent, tube
+from keyphase.web.scene.recording.path_geometry import (
+    MOST_PIECES,
+    Path,
+    bent,
+    chevron,
+    spaced,
+    tube,
+)
+
+FAINT = 0.15
+"""Opacity of what is not selected, while something is."""
 
 _SELECTED = 1.7
+_CHEVRON_LENGTH, _CHEVRON_RADIUS = 4.5, 1.8
+"""Of a chevron, in radii of the path."""
+
+_DARKER = 0.55
+_CHEVRONS = "/path/chevrons"
 
 
 class ScenePath:
     """The whole path, and over it the selected segment thicker. `on_click` is told a time."""
 
     def __init__(
-        self, server: viser.ViserServer, path: Path, on_click: Callable[[float], None]
+        self, client: viser.ClientHandle, path: Path, on_click: Callable[[float], None]
     ) -> None:
-        self._server = server
+        self._client = client
         self._path = path
         self._on_click = on_click
         self._color_of_piece = np.zeros((len(path.time_s), 3), np.uint8)
         self._segment_of_piece = np.zeros(len(path.time_s), np.intp)
         self._selected: int | None = None
+        self._in_view = np.ones(len(path.time_s), np.bool_)
         self._shown: tuple[object, ...] = ()
+        self._chevrons: tuple[object, ...] = ()
         self._tube = self._add("/path", path.drawn, path.radius_m)
 
     def color(self, labeling: Labeling) -> None:
@@ -38,30 +59,81 @@ class ScenePath:
             [painted(segment_color(s.color, s.kept)) for s in labeling.segments], np.uint8
         )
         self._color_of_piece = colors[self._segment_of_piece]
-        self._tube.paint(self._color_of_piece)
-        self._draw_selected()
+        if self._tube is not None:
+            self._tube.paint(self._color_of_piece)
+        self._emphasize()
 
     def select(self, segment: int | None) -> None:
-        """Draw a segment thicker."""
+        """Draw a segment thicker, and the others faintly."""
         if segment != self._selected:
             self._selected = segment
-            self._draw_selected()
+            self._emphasize()
+
+    def limit(self, from_s: float, to_s: float) -> None:
+        """Draw what was passed in this time only."""
+        in_view = (self._path.time_s >= from_s) & (self._path.time_s <= to_s)
+        if np.array_equal(in_view, self._in_view):
+            return
+        self._in_view = in_view
+        self._client.scene.remove_by_name("/path/pieces")
+        self._client.scene.remove_by_name("/path/joints")
+        drawn = self._path.drawn[in_view[self._path.drawn]]
+        self._tube = self._add("/path", drawn, self._path.radius_m)
+        if self._tube is not None:
+            self._tube.paint(self._color_of_piece)
+        self._emphasize()
+
+    def _emphasize(self) -> None:
+        """What is selected as it is, the rest faint."""
+        if self._tube is not None:
+            faint = self._selected is not None
+            opaque = (self._segment_of_piece == self._selected) | np.array(not faint)
+            self._tube.fade(np.where(opaque, 1.0, FAINT).astype(np.float32))
+        self._draw_selected()
+        self._draw_chevrons()
 
     def _draw_selected(self) -> None:
         """All of the selected segment, whatever of it was left out of the whole path."""
-        chosen = np.flatnonzero(self._segment_of_piece == self._selected)
+        chosen = np.flatnonzero((self._segment_of_piece == self._selected) & self._in_view)
         chosen = chosen[:: -(-len(chosen) // MOST_PIECES)] if len(chosen) else chosen
         shown = (chosen.tobytes(), self._color_of_piece[chosen[:1]].tobytes())
         if shown == self._shown:
             return
         self._shown = shown
-        self._server.scene.remove_by_name("/path/selected")
-        if len(chosen):
-            thick = self._add("/path/selected", chosen, _SELECTED * self._path.radius_m)
+        self._client.scene.remove_by_name("/path/selected")
+        thick = self._add("/path/selected", chosen, _SELECTED * self._path.radius_m)
+        if thick is not None:
             thick.paint(self._color_of_piece)
 
-    def _add(self, name: str, chosen: NDArray[np.intp], radius_m: float) -> "_Tube":
-        tube = _tube_of(self._server, name, self._path, chosen, radius_m)
+    def _draw_chevrons(self) -> None:
+        """Along what is selected, or along all."""
+        of_them = self._selected is None or self._segment_of_piece == self._selected
+        chosen = spaced(self._path, np.flatnonzero(self._in_view & of_them))
+        colors = (_DARKER * self._color_of_piece[chosen]).astype(np.uint8)
+        thick = 1.0 if self._selected is None else 0.8 * _SELECTED
+        shown = (chosen.tobytes(), colors.tobytes(), thick)
+        if shown == self._chevrons:
+            return
+        self._chevrons = shown
+        self._client.scene.remove_by_name(_CHEVRONS)
+        if len(chosen) == 0:
+            return
+        scales = np.full((len(chosen), 3), thick * self._path.radius_m, np.float32)
+        scales *= np.array([_CHEVRON_RADIUS, _CHEVRON_RADIUS, _CHEVRON_LENGTH], np.float32)
+        batch = _batch(
+            self._client,
+            _CHEVRONS,
+            chevron(),
+            self._path.wxyz[chosen],
+            self._path.middle_m[chosen],
+            scales,
+        )
+        batch.batched_colors = colors
+
+    def _add(self, name: str, chosen: NDArray[np.intp], radius_m: float) -> "_Tube | None":
+        if len(chosen) == 0:
+            return None
+        tube = _tube_of(self._client, name, self._path, chosen, radius_m)
         time_s = self._path.time_s[chosen]
 
         @tube.pieces.on_click
@@ -91,20 +163,26 @@ class _Tube:
         self.pieces.batched_colors = color_of_piece[self.chosen]
         self.joints.batched_colors = color_of_piece[self.joined]
 
+    def fade(self, opacity_of_piece: NDArray[np.float32]) -> None:
+        """Take the opacities (M,) of the path's pieces."""
+        solid = bool((opacity_of_piece == 1.0).all())
+        for batch, which in ((self.pieces, self.chosen), (self.joints, self.joined)):
+            batch.batched_opacities = None if solid else opacity_of_piece[which]
+
 
 def _tube_of(
-    server: viser.ViserServer, name: str, path: Path, chosen: NDArray[np.intp], radius_m: float
+    client: viser.ClientHandle, name: str, path: Path, chosen: NDArray[np.intp], radius_m: float
 ) -> _Tube:
     scales = np.full((len(chosen), 3), radius_m, np.float32)
     scales[:, 2] = path.length_m[chosen]
     pieces = _batch(
-        server, f"{name}/pieces", tube(), path.wxyz[chosen], path.middle_m[chosen], scales
+        client, f"{name}/pieces", tube(), path.wxyz[chosen], path.middle_m[chosen], scales
     )
     ends, joined = _joints(path, chosen)
     upright = np.tile([1.0, 0.0, 0.0, 0.0], (len(ends), 1))
     radii = np.full(len(ends), radius_m, np.float32)
     ball = _ball(len(ends))
-    joints = _batch(server, f"{name}/joints", ball, upright, path.position_m[ends], radii)
+    joints = _batch(client, f"{name}/joints", ball, upright, path.position_m[ends], radii)
     return _Tube(pieces, joints, chosen, joined)
 
 
@@ -119,7 +197,7 @@ def _joints(path: Path, chosen: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDA
 
 
 def _batch(
-    server: viser.ViserServer,
+    client: viser.ClientHandle,
     name: str,
     shape: tuple[NDArray[np.float64], NDArray[np.uint32]],
     wxyz: NDArray[np.float64],
@@ -127,7 +205,7 @@ def _batch(
     scales: NDArray[np.float32],
 ) -> viser.BatchedMeshHandle:
     vertices, faces = shape
-    return server.scene.add_batched_meshes_simple(
+    return client.scene.add_batched_meshes_simple(
         name,
         vertices,
         faces,

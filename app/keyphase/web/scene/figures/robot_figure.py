@@ -3,6 +3,8 @@
 The links' frames are set directly; viser's own URDF viewer is slower than the page draws.
 """
 
+from typing import Literal
+
 import numpy as np
 import trimesh
 import viser
@@ -14,9 +16,12 @@ from keyphase.robot.pose import Placement
 from keyphase.robot.shapes import LinkShape
 from keyphase.web.scene.palette import Rgb
 
-FADED: Rgb = (150, 150, 150)
-FADED_OPACITY = 0.35
-"""A robot that is not where it should be."""
+Look = Literal["solid", "faded", "ghost"]
+"""As it is; grey where it is not where it should be; hardly seen beside what is not its own."""
+
+GREY: Rgb = (150, 150, 150)
+
+_OPACITY: dict[Look, float | None] = {"solid": None, "faded": 0.35, "ghost": 0.12}
 
 UNSEEN = 2e-6
 """Metres, or parts of a quaternion, that nobody sees a link move by."""
@@ -28,13 +33,13 @@ PLAIN: Rgb = (190, 192, 192)
 class RobotFigure:
     """Links and meshes under one base frame; not for several threads at once."""
 
-    def __init__(self, server: viser.ViserServer, robot: RobotDescription, root: str) -> None:
-        self._scene = server.scene
-        self._base = server.scene.add_frame(root, show_axes=False)
+    def __init__(self, client: viser.ClientHandle, robot: RobotDescription, root: str) -> None:
+        self._scene = client.scene
+        self._base = client.scene.add_frame(root, show_axes=False)
         self._links: dict[str, viser.FrameHandle] = {}
         self._meshes: list[tuple[viser.MeshHandle, Rgb]] = []
         self._shown: Array | None = None
-        self._faded = False
+        self._look: Look = "solid"
         self._carriers: dict[str, str] = {}
         self._known: dict[RobotDescription, CarriedLinks] = {}
         names: dict[str, str] = {}
@@ -80,14 +85,15 @@ class RobotFigure:
         sent = np.repeat(np.stack([shifted, turned], axis=1), [3, 4], axis=1)
         self._shown = np.where(sent, poses, before)
 
-    def fade(self, faded: bool) -> None:
-        """Draw it grey and translucent, or as it is."""
-        if faded == self._faded:
+    def be(self, look: Look) -> None:
+        """Look like that."""
+        if look == self._look:
             return
-        self._faded = faded
+        self._look = look
         for mesh, color in self._meshes:
-            mesh.color = FADED if faded else color
-            mesh.opacity = FADED_OPACITY if faded else None
+            mesh.color = color if look == "solid" else GREY
+            mesh.opacity = _OPACITY[look]
+            mesh.cast_shadow = look == "solid"
 
     def _add_meshes(self, name: str, shapes: list[LinkShape]) -> None:
         """One mesh for each colour, in the link's frame."""

@@ -5,15 +5,15 @@ import viser
 from keyphase.demonstration import Array
 from keyphase.robot.pose import Placement
 from keyphase.robot.yumi import yumi
-from keyphase.web.scene.robot_figure import RobotFigure
-from keyphase.web.scene.robot_view import RobotView
+from keyphase.web.scene.figures.robot_figure import RobotFigure
+from keyphase.web.scene.page_robot import PageRobot
 
 
 class LentYumi:
     """Stands at the origin, where workcells have it, between `take` and `give_back`."""
 
-    def __init__(self, server: viser.ViserServer, shown: RobotView) -> None:
-        self._server, self._shown = server, shown
+    def __init__(self, client: viser.ClientHandle, shown: PageRobot) -> None:
+        self._client, self._shown = client, shown
         self._robot = yumi()
         self._own: RobotFigure | None = None
         self._figure: RobotFigure | None = None
@@ -23,7 +23,7 @@ class LentYumi:
         figure = self._shown.lend()
         if not set(figure.links) <= set(self._robot.links):
             figure.visible = False
-            self._own = self._own or RobotFigure(self._server, self._robot, "/yumi")
+            self._own = self._own or RobotFigure(self._client, self._robot, "/yumi")
             figure = self._own
         figure.stand(Placement())
         figure.visible = True

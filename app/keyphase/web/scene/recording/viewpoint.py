@@ -6,7 +6,7 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.robot.pose import Placement
-from keyphase.web.scene.path_geometry import Path
+from keyphase.web.scene.recording.path_geometry import Path
 
 FIELD_OF_VIEW_RAD = 0.7
 """Vertical; a longer lens than viser's own keeps straight things straight."""

@@ -21,8 +21,8 @@ _MOST_POINTS = 60
 class ReplayPaths:
     """Paths of one replay, below `root`; not for several threads at once."""
 
-    def __init__(self, server: viser.ViserServer, root: str, plan: ReplayPlan) -> None:
-        self._scene, self._root, self._plan = server.scene, root, plan
+    def __init__(self, client: viser.ClientHandle, root: str, plan: ReplayPlan) -> None:
+        self._scene, self._root, self._plan = client.scene, root, plan
         self._run_m: list[Array] = []
         self._run: viser.LineSegmentsHandle | None = None
         self._skill: int | None = None

@@ -17,11 +17,11 @@ class PushGizmo:
     """Follows the tool until it is dragged; `push` is told the force (3,) [N] from then on."""
 
     def __init__(
-        self, server: viser.ViserServer, name: str, tool_m: Array, push: Callable[[Array], None]
+        self, client: viser.ClientHandle, name: str, tool_m: Array, push: Callable[[Array], None]
     ) -> None:
         self._push, self._tool_m = push, tool_m
         self._pulled_to_m: Array | None = None
-        self._gizmo = server.scene.add_transform_controls(
+        self._gizmo = client.scene.add_transform_controls(
             name, scale=GIZMO_M, disable_rotations=True, depth_test=False, position=tool_m
         )
         self._gizmo.on_update(self._dragged)

@@ -24,7 +24,13 @@ MOST_ARROWS = 100
 """So many force arrows are drawn, the longest ones."""
 
 METRES_PER_NEWTON = 0.01
-"""Length of a force arrow."""
+"""Length of the force arrow of a workcell."""
+
+LONGEST_ARROW = 1.0 / 3.0
+"""The longest force arrow of a recording, as a share of its path's size."""
+
+CHEVRONS = 24
+"""So many chevrons along a path, and one at least."""
 
 LEAST_M = 0.02
 """A path that hardly moves is seen as if it were so large."""
@@ -200,12 +206,37 @@ def ellipsoids(gaussians: Sequence[Gaussian], least_m: float) -> tuple[Array, Ar
 
 
 def arrow(
-    position_m: Array, force_N: Sequence[float], shortest_m: float, longest_m: float
+    position_m: Array, force_N: Sequence[float], metres_per_newton: float, shortest_m: float
 ) -> tuple[Array, Array] | None:
-    """Start and end of an arrow for a force at the contact, 1 cm per N within bounds."""
+    """Start and end of an arrow for a force at the contact; none where there is no force."""
     force = np.asarray(force_N, dtype=np.float64)
     size = float(np.linalg.norm(force))
     if size <= 0.0:
         return None
-    length = float(np.clip(METRES_PER_NEWTON * size, shortest_m, longest_m))
+    length = max(metres_per_newton * size, shortest_m)
     return position_m, position_m + force / size * length
+
+
+def chevron() -> tuple[Array, NDArray[np.uint32]]:
+    """Vertices and faces of a cone of radius and length one along z, its middle at zero."""
+    angle = np.linspace(0.0, 2 * np.pi, _SIDES, endpoint=False)
+    ring = np.column_stack([np.cos(angle), np.sin(angle), np.full(_SIDES, -0.5)])
+    i = np.arange(_SIDES)
+    j = (i + 1) % _SIDES
+    tip, base = np.full(_SIDES, _SIDES), np.full(_SIDES, _SIDES + 1)
+    faces = np.concatenate([np.stack([i, j, tip], axis=1), np.stack([j, i, base], axis=1)])
+    points = np.concatenate([ring, [[0.0, 0.0, 0.5], [0.0, 0.0, -0.5]]])
+    return points, faces.astype(np.uint32)
+
+
+def spaced(path: Path, pieces: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Of these pieces those at even distances along the path, CHEVRONS of them at most.
+
+    Where the path hardly moves it has no direction and gets none.
+    """
+    if len(pieces) == 0:
+        return pieces
+    along = np.cumsum(path.length_m[pieces])
+    count = min(CHEVRONS, int(along[-1] / (8.0 * path.radius_m)))
+    at = (np.arange(count) + 0.5) / max(count, 1) * along[-1]
+    return np.unique(pieces[np.searchsorted(along, at).clip(0, len(pieces) - 1)])

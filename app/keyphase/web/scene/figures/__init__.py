@@ -1,0 +1,1 @@
+"""Things that move in the scene: robots, parts, forces."""

@@ -1,0 +1,1 @@
+"""The recording in the scene: its path and marks, the ground below, where it is seen from."""

@@ -1,0 +1,119 @@
+"""What explains the path in the scene: Gaussians, forces at contact changes."""
+
+from math import hypot
+
+import numpy as np
+import trimesh
+import viser
+
+from keyphase.demonstration import Array
+from keyphase.labeling.labeling import LabeledBoundary, Labeling
+from keyphase.web.scene.palette import Theme, painted, segment_color
+from keyphase.web.scene.recording.path_geometry import (
+    LONGEST_ARROW,
+    MOST_ARROWS,
+    Path,
+    arrow,
+    ellipsoids,
+    heaviest,
+)
+
+_NEAR_S = 0.1
+"""A boundary's change of force is that of evidence no further from its interval than this."""
+
+
+def draw_gaussians(client: viser.ClientHandle, labeling: Labeling, path: Path) -> None:
+    """Ellipsoids of one standard deviation in position, in the colour of their segment."""
+    gaussians = heaviest(labeling.segmentation.gaussians)
+    if not gaussians:
+        client.scene.remove_by_name("/gaussians/ellipsoids")
+        return
+    positions, turns, half_axes = ellipsoids(gaussians, 2.4 * path.radius_m)
+    segments = [labeling.segments[labeling.segment_at(g.mean_time_s)] for g in gaussians]
+    ball = trimesh.creation.icosphere(subdivisions=_roundness(len(gaussians)), radius=1.0)
+    client.scene.add_batched_meshes_simple(
+        "/gaussians/ellipsoids",
+        np.asarray(ball.vertices),
+        np.asarray(ball.faces),
+        turns,
+        positions,
+        batched_scales=half_axes,
+        batched_colors=np.array(
+            [painted(segment_color(s.color, s.kept)) for s in segments], np.uint8
+        ),
+        opacity=0.34,
+        lod="off",
+        cast_shadow=False,
+        receive_shadow=False,
+    )
+
+
+def _roundness(count: int) -> int:
+    """Many ellipsoids have fewer faces each, or no frame would end."""
+    return 3 if count <= 20 else 2
+
+
+def draw_forces(
+    client: viser.ClientHandle,
+    labeling: Labeling,
+    path: Path,
+    theme: Theme,
+    selected: int | None = None,
+) -> None:
+    """An arrow at each contact change: the change of force, the greatest a third of the path.
+
+    With a segment selected only those at its ends; of very many the greatest only.
+    """
+    found = [(one, _force_step(one, labeling)) for one in labeling.boundaries]
+    steps = [(hypot(*step), one, step) for one, step in found if step is not None]
+    steps = sorted(steps, key=lambda one: -one[0])[:MOST_ARROWS]
+    scale = LONGEST_ARROW * path.size_m / max(steps[0][0] if steps else 0.0, 1e-9)
+    pointed = [
+        arrow(_position_m(labeling, one.time_s), step, scale, 6 * path.radius_m)
+        for _, one, step in steps
+        if selected is None or _ends(one, labeling, selected)
+    ]
+    arrows = np.array([points for points in pointed if points is not None])
+    if len(arrows) == 0:
+        client.scene.remove_by_name("/forces/arrows")
+        return
+    radius = path.radius_m
+    client.scene.add_arrows(
+        "/forces/arrows",
+        arrows,
+        np.array(painted(theme.origins["force"]), np.uint8),
+        shaft_radius=0.7 * radius,
+        head_radius=1.7 * radius,
+        head_length=4.5 * radius,
+    )
+
+
+def _ends(boundary: LabeledBoundary, labeling: Labeling, segment: int) -> bool:
+    """Whether a boundary is at either end of a segment."""
+    if segment >= len(labeling.segments):
+        return False
+    one = labeling.segments[segment]
+    return boundary.time_s in (one.start_s, one.end_s)
+
+
+def _force_step(boundary: LabeledBoundary, labeling: Labeling) -> tuple[float, float, float] | None:
+    """The change of force (3,) [N] at a contact change; None where there is none to show."""
+    if not boundary.contact_change or boundary.automatic is None:
+        return None
+    if boundary.automatic.peak is not None:
+        return boundary.automatic.peak.force_step_N
+    given = [
+        one
+        for one in labeling.segmentation.candidates
+        if one.given and one.force_step_N is not None
+    ]
+    nearest = min(given, key=lambda one: abs(one.time_s - boundary.automatic.time_s), default=None)
+    low, high = boundary.automatic.interval_s
+    if nearest is None or not low - _NEAR_S <= nearest.time_s <= high + _NEAR_S:
+        return None
+    return nearest.force_step_N
+
+
+def _position_m(labeling: Labeling, time_s: float) -> Array:
+    demonstration = labeling.segmentation.demonstration
+    return demonstration.position_m[demonstration.index_at(time_s)]

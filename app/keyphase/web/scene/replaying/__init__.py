@@ -1,0 +1,1 @@
+"""What takes the scene over: a replay, or a workcell that is led by hand."""

@@ -1,0 +1,61 @@
+"""A server that was killed and comes back is found again by the page that was left open."""
+
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+from contextlib import closing
+from pathlib import Path
+
+from driver import KeyphasePage
+from playwright.sync_api import Browser
+
+from keyphase.files.shipped import shipped
+
+
+def _open(recording: Path, port: int) -> tuple[subprocess.Popen[str], str]:
+    command = [sys.executable, "-c", "from keyphase.cli import main; main()", "open"]
+    process = subprocess.Popen(
+        [*command, str(recording), "--no-browser", "--port", str(port)],
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stdout is not None
+    return process, process.stdout.readline().strip()
+
+
+def _free_port() -> int:
+    with closing(socket.create_server(("127.0.0.1", 0))) as listener:
+        return listener.getsockname()[1]
+
+
+def test_a_killed_server_that_returns_is_used_again_without_a_reload(
+    chromium: Browser, tmp_path: Path
+) -> None:
+    recording = Path(shutil.copy(shipped("data") / "synthetic_setup1.npz", tmp_path))
+    port = _free_port()
+    server, link = _open(recording, port)
+    page = KeyphasePage(chromium.new_page())
+    try:
+        page.page.goto(link)
+        page.wait_for_document()
+        page.page.evaluate("window.neverReloaded = true")
+        page.scene.wait_for_function("() => window.__viserMutable?.nodeRefFromName['/path/pieces']")
+        os.kill(server.pid, signal.SIGKILL)
+        server.wait()
+        page.until("!keyphase.state.connected")
+
+        server, again = _open(recording, port)
+        assert again == link
+        page.until("keyphase.state.connected")
+        page.until("keyphase.state.document")
+        page.change(lambda: page.press("i"))
+        assert page.page.evaluate("window.neverReloaded")
+        assert page.document["can_undo"]
+        page.scene.wait_for_function("() => window.__viserMutable?.nodeRefFromName['/path/pieces']")
+    finally:
+        page.page.close()
+        server.kill()
+        server.wait()
