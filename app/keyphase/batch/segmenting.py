@@ -7,7 +7,14 @@ from typing import Any
 
 from keyphase.batch.backends import Backend, running_on
 from keyphase.batch.manifest import Manifest, settings_hash
-from keyphase.batch.tasks import BatchReport, Refusal, Written, shard_of, tasks_of
+from keyphase.batch.tasks import (
+    BatchReport,
+    Refusal,
+    Written,
+    report_of,
+    shard_of,
+    tasks_of,
+)
 from keyphase.errors import KeyphaseError, ParameterError
 from keyphase.readers import find_recordings
 from keyphase.segmentation.parameters import Parameters
@@ -41,34 +48,31 @@ def segment_all(
     """
     if jobs == 0:
         raise ParameterError("jobs must be a number of processes or -1 for all cores, but is 0.")
+    tasks = shard_of(_found(paths, output, recipe), shard)
+    chosen = parameters or Parameters()
+    manifest = Manifest(output, settings_hash(chosen, recipe, csv))
+    became: dict[Written, Written | Refusal] = {}
+    if not again:
+        became |= {task: _before(task) for task in tasks if manifest.holds(task)}
+    todo = [task for task in tasks if task not in became]
+    tell = progress or (lambda _done, _total: None)
+    tell(len(became), len(tasks))
+    with running_on(backend, address):
+        for task, result in zip(todo, _results(todo, recipe, chosen, csv, jobs), strict=True):
+            became[task] = result
+            manifest.keep(result) if isinstance(result, Written) else manifest.keep_refusal(result)
+            tell(len(became), len(tasks))
+    return report_of([became[task] for task in tasks])
+
+
+def _found(paths: Sequence[Path], output: Path, recipe: Path | None) -> list[Written]:
     tasks = tasks_of(find_recordings(paths, recipe), output)
     if not tasks:
         raise KeyphaseError(
             f"Expected recordings in {', '.join(map(str, paths))}, but found none; name files, or "
             "give a recipe for tables that are not in keyphase's own form."
         )
-    tasks = shard_of(tasks, shard)
-    chosen = parameters or Parameters()
-    manifest = Manifest(output, settings_hash(chosen, recipe, csv))
-    done = {} if again else {task: _before(task) for task in tasks if manifest.holds(task)}
-    todo = [task for task in tasks if task not in done]
-    if progress:
-        progress(len(done), len(tasks))
-    became: dict[Written, Written | Refusal] = dict(done)
-    with running_on(backend, address):
-        for task, result in zip(todo, _results(todo, recipe, chosen, csv, jobs), strict=True):
-            became[task] = result
-            if isinstance(result, Written):
-                manifest.keep(result)
-            else:
-                manifest.keep_refusal(result)
-            if progress:
-                progress(len(became), len(tasks))
-    results = [became[task] for task in tasks]
-    return BatchReport(
-        tuple(result for result in results if isinstance(result, Written)),
-        tuple(result for result in results if isinstance(result, Refusal)),
-    )
+    return tasks
 
 
 def _results(

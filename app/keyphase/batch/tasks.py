@@ -46,6 +46,15 @@ class BatchReport:
     refused: tuple[Refusal, ...]
 
 
+def report_of(results: Iterable[Written | Refusal]) -> BatchReport:
+    """The results of a batch, told apart."""
+    every = tuple(results)
+    return BatchReport(
+        tuple(result for result in every if isinstance(result, Written)),
+        tuple(result for result in every if isinstance(result, Refusal)),
+    )
+
+
 def tasks_of(found: Iterable[Found], output: Path) -> list[Written]:
     """What is to be written where; two recordings for one file are refused."""
     tasks: dict[str, Written] = {}
