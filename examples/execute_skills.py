@@ -49,25 +49,36 @@ class Plan:
             self.file = json.load(text)
         self.e, self.skills = self.file["execution"], self.file["skills"]
         self.h, self.shift, self.outcomes, self.sensed = self.e["step_s"], np.zeros(3), [], sensed
-        self.reference = (*sensed[:2], np.zeros(6))
+        self.reference, self.rotated = (*sensed[:2], np.zeros(6)), np.array([1.0, 0, 0, 0])
         self.begin(np.zeros(6))
         self.reference = self.follow()
 
     def step(self, sensed):
         self.sensed, self.in_stage = sensed, self.in_stage + self.h
         time, e = self.in_stage + 1e-9, self.e
+        self.touch()
         if self.stage == "moving":
             outcome = self.outcome(self.skill)
             if outcome == "contact" and self.skill["press"]:
                 press = self.skill["press"]
-                self.pressed = [*self.kept(1.0), (np.array(press["direction"]), press["force_N"])]
+                firmly = self.skill["search"]["press_N"] if self.skill["search"] else 0.0
+                firmly = max(press["force_N"], firmly)
+                self.pressed = [*self.kept(1.0), (np.array(press["direction"]), firmly)]
                 self.enter("pressing")
             elif outcome:
                 self.end(outcome, self.reference[2])
         elif self.stage == "pressing":
             still = np.linalg.norm(sensed[2][:3]) < e["still_m_s"]
             if time >= e["pressed_most_s"] or (time >= e["pressed_least_s"] and still):
-                self.end("contact", np.zeros(6))
+                if self.is_in():
+                    self.end("contact", np.zeros(6))
+                else:
+                    self.enter("searching")
+        elif self.stage == "searching" and self.is_in(e["seat_found"]):
+            self.reference, self.searched = (*self.sensed[:2], np.zeros(6)), True
+            self.enter("pressing")
+        elif self.stage == "searching" and time >= self.skill["search"]["duration_s"]:
+            self.end("timeout", np.zeros(6))
         elif self.stage == "loading" and (time >= e["pressed_most_s"] or self.loaded()):
             self.move(np.zeros(6))
         elif self.stage == "resting" and time >= e["rest_s"]:
@@ -82,9 +93,47 @@ class Plan:
     def enter(self, stage):
         self.stage, self.in_stage, self.still = stage, 0.0, (*self.reference[:2], np.zeros(6))
 
+    def touch(self):
+        """Where the tool first touched what it is to go into."""
+        if self.skill["search"]:
+            d, (at, _, _, force) = np.array(self.skill["press"]["direction"]), self.sensed
+            self.felt += self.e["touch_smoothed"] * (-force @ d - self.felt)
+            if self.felt - self.free < self.e["touch_N"]:
+                self.touched = None
+            elif self.touched is None:
+                self.touched = at @ d
+
+    def is_in(self, share=1.0):
+        if not self.skill["search"]:
+            return True
+        deep = self.sensed[0] @ np.array(self.skill["press"]["direction"])
+        deep = 0.0 if self.touched is None else deep - self.touched
+        return deep >= share * self.skill["search"]["depth_m"]
+
+    def seek(self, position, orientation, velocity):
+        """A reference that the seat can turn, and that circles outwards during a search."""
+        q, search = self.sensed[1], self.skill["search"]
+        orientation = turned(q, self.e["seat_giving"] * turn(orientation, q, True))
+        d = np.array(self.skill["press"]["direction"])
+        if self.stage == "pressing":
+            off = position - self.sensed[0]
+            along = off @ d * d
+            position = self.sensed[0] + along + self.e["seat_giving"] * (off - along)
+        else:
+            share = min(self.in_stage / search["duration_s"], 1.0) ** 0.5
+            first = np.cross(d, np.eye(3)[np.abs(d).argmin()])
+            first, angle = first / np.linalg.norm(first), 2 * np.pi * search["turns"] * share
+            aside = np.cos(angle) * first + np.sin(angle) * np.cross(d, first)
+            position = position + search["radius_m"] * share * aside
+        return position, orientation, velocity
+
     def begin(self, velocity):
-        self.skill = self.skills[len(self.outcomes)]
-        self.shift = self.shift * (not self.skill["connecting"])
+        self.skill, self.searched = self.skills[len(self.outcomes)], False
+        if self.skill["connecting"]:
+            self.shift, self.rotated = 0 * self.shift, np.array([1.0, 0, 0, 0])
+        if self.skill["search"]:
+            self.felt = self.free = -self.sensed[3] @ np.array(self.skill["press"]["direction"])
+            self.touched = None
         self.pressed = list(kept_at(self.skill, 0.0))
         self.enter("loading") if not self.loaded() else self.move(velocity)
 
@@ -99,7 +148,11 @@ class Plan:
         start_q, self.tau0 = np.array(p["start_orientation_wxyz"]), p["duration_s"] / 3
         q = q if q @ start_q >= 0 else -q
         self.goal = np.array(p["goal_position_m"]) + self.shift
-        self.goal_q = np.array(p["goal_orientation_wxyz"]) if p["oriented"] else q
+        self.goal_q = q
+        if p["oriented"]:
+            near = np.array(p["goal_orientation_wxyz"])
+            self.goal_q = times(self.rotated, near)
+            self.goal_q = self.goal_q if self.goal_q @ near >= 0 else -self.goal_q
         left = np.r_[self.goal - y, turn(self.goal_q, q)]
         shown = np.subtract(p["goal_position_m"], p["start_position_m"])
         shown = np.r_[shown, turn(np.array(p["goal_orientation_wxyz"]), start_q)]
@@ -135,6 +188,12 @@ class Plan:
             d = np.array(press["direction"])
             missing = (ended - self.shift - press["position_m"]) @ d
             self.shift = self.shift + d * missing * (abs(missing) > skill["shift_beyond_m"])
+        if outcome == "contact" and skill["search"]:
+            self.rotated = times(
+                self.sensed[1], np.array(skill["end_orientation_wxyz"]) * [1, -1, -1, -1]
+            )
+            if self.searched:
+                self.shift = ended - skill["press"]["position_m"]
         self.outcomes.append(outcome)
         if outcome not in ("reached", "contact"):
             self.reference, self.pressed = (*self.sensed[:2], np.zeros(6)), []
@@ -148,7 +207,9 @@ class Plan:
     def follow(self):
         """The reference for the next tick."""
         if self.stage != "moving":
-            return self.press(*self.still)
+            at = self.press(*self.still)
+            seeks = self.skill["search"] and self.stage in ("pressing", "searching")
+            return self.seek(*at) if seeks else at
         c, h, (at, wxyz, speed, _) = self.skill["primitive"]["constants"], self.h, self.sensed
         self.slow(self.skill["guard"], c)
         for d, _ in self.pressed:

@@ -94,3 +94,16 @@ def test_what_happened_in_another_order_does_not_count() -> None:
     assert result.checks["wall reached"]
     assert not result.checks["slid together"]
     assert not result.checks["snapped on"]
+
+
+@pytest.mark.parametrize("aside_m", [(0.005, -0.005), (-0.004, 0.003)])
+def test_a_cap_that_meets_the_rim_is_sought_in(aside_m) -> None:
+    result, simulation = replayed("setup1", plan("setup1"), Disturbance(part_offset_m=aside_m))
+    assert result.succeeded, result.outcome()
+    assert truly_done("setup1", simulation)
+    assert any(state.stage == "searching" for state in result.states)
+
+
+def test_a_turned_housing_turns_the_cap() -> None:
+    result, _ = replayed("setup1", plan("setup1"), Disturbance(part_turn_rad=np.radians(5.0)))
+    assert result.succeeded, result.outcome()

@@ -17,6 +17,7 @@ from keyphase.segmentation.free_force import free_force
 from keyphase.skills.followed import followed_force
 from keyphase.skills.precondition import precondition_of
 from keyphase.skills.pressed import KeptForce, Press
+from keyphase.skills.search import Search, search_for
 from keyphase.skills.skill import Skill
 
 LEAST_FORCE_N = 0.5
@@ -68,11 +69,23 @@ def with_contacts(demonstration: Demonstration, skills: Sequence[Skill]) -> tupl
         if press is not None:
             directions.append(press.direction)
         beyond = shift_beyond(demonstration, skill, free)
-        needs = precondition_of(skill.primitive, keeps)
         done.append(
-            replace(skill, kept=keeps, press=press, shift_beyond_m=beyond, precondition=needs)
+            replace(
+                skill,
+                kept=keeps,
+                press=press,
+                shift_beyond_m=beyond,
+                precondition=precondition_of(skill.primitive, keeps),
+                search=_search(demonstration, skill, press),
+            )
         )
     return tuple(done)
+
+
+def _search(demonstration: Demonstration, skill: Skill, press: Press | None) -> Search | None:
+    if skill.demonstrated_s is None:
+        return None
+    return search_for(demonstration, skill.demonstrated_s[1], press)
 
 
 def pressing_direction(skill: Skill) -> Array:

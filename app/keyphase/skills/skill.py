@@ -11,6 +11,7 @@ from keyphase.skills.precondition import Precondition
 from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.primitive import Primitive
 from keyphase.skills.rollout import Rollout, rollout
+from keyphase.skills.search import Search
 
 DISAGREES = "its own demonstration does not end so"
 """What a skill says whose condition was fed its demonstration and did not end it."""
@@ -37,6 +38,7 @@ class Skill:
     kept                  forces it keeps up while it moves
     shift_beyond_m        how much must be missing for its contact to shift what follows, None: none
     precondition          what must hold before it runs
+    search                how a contact that gave way is told from a rim, and sought, if at all
     agrees                whether its own demonstration ends it as planned, within 0.25 s of where
                           it did; None where there was nothing to ask
     """
@@ -58,6 +60,7 @@ class Skill:
     kept: tuple[KeptForce, ...] = ()
     shift_beyond_m: float | None = 0.0
     precondition: Precondition | None = None
+    search: Search | None = None
     agrees: bool | None = None
 
     @property

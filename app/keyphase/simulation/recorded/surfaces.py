@@ -27,6 +27,12 @@ BEFORE_M = 0.002
 NEAR_M, NEAR_S, WITHIN_S = 0.003, 0.15, 0.6
 """What counts as near in space and in time, and what is too far in time to count at all."""
 
+SLIPS, STICKS = 0.02, 0.3
+"""Friction besides what is in the normal: where the tool slid, and where it stood."""
+
+STANDS_M_S = 0.008
+"""A tool slower than this stood."""
+
 BREAKS_OFF_S = 0.1
 
 
@@ -37,7 +43,7 @@ class Surface:
     made_s, lost_s  when it was made and lost; infinite where the recording breaks off in it
     alive_s         from when on the surface stands in the way
     time_s (N,), position_m (N, 3) of the tool, point_m (N, 3) of the unloaded surface,
-    normal (N, 3), force_N (N,)
+    normal (N, 3), force_N (N,), friction (N,)
     """
 
     made_s: float
@@ -48,13 +54,14 @@ class Surface:
     point_m: Array
     normal: Array
     force_N: Array
+    friction: Array
 
     def stands(self, moment_s: float) -> bool:
         """Whether it is there at a moment of the demonstration."""
         return self.alive_s <= moment_s <= self.lost_s + 1e-6
 
-    def plane(self, position_m: Array, moment_s: float) -> tuple[Array, Array]:
-        """Point and normal (3,) of the tangent plane near a place and a moment.
+    def plane(self, position_m: Array, moment_s: float) -> tuple[Array, Array, float]:
+        """Point and normal (3,) of the tangent plane near a place and a moment, and its friction.
 
         Nearest in space alone is ill-posed where the force changes without motion, the moment
         alone would be a mere playback which a surface that lies higher cannot meet early.
@@ -67,7 +74,8 @@ class Surface:
         weight = np.exp(-2.0 * (cost - cost.min()))
         weight /= weight.sum()
         normal = weight.dot(self.normal[rows])
-        return weight.dot(self.point_m[rows]), normal / np.sqrt(normal.dot(normal))
+        normal /= np.sqrt(normal.dot(normal))
+        return weight.dot(self.point_m[rows]), normal, float(weight.dot(self.friction[rows]))
 
 
 def surfaces_of(even: Even) -> tuple[Surface, ...]:
@@ -106,6 +114,7 @@ def _surface(even: Even, rows: slice, before: int) -> Surface:
     time, position = even.time_s[rows], even.position_m[rows]
     force = running_mean(even.force_N[rows], 0.04)
     size = np.linalg.norm(force, axis=1)
+    speed = np.linalg.norm(even.velocity(0.1)[rows], axis=1)
     normal = running_mean(force, 0.06)
     normal = normal / (np.linalg.norm(normal, axis=1)[:, None] + 1e-12)
     first = normal[: max(2, min(10, len(normal)))].mean(axis=0)
@@ -123,4 +132,5 @@ def _surface(even: Even, rows: slice, before: int) -> Surface:
         point_m=position + normal * (size / STIFFNESS_N_M)[:, None],
         normal=normal,
         force_N=size,
+        friction=np.where(speed < STANDS_M_S, STICKS, SLIPS),
     )

@@ -19,9 +19,6 @@ if TYPE_CHECKING:
     from keyphase.simulation.recorded.cell import RecordedCell
 
 DAMPING_NS_M = 40.0
-ROUGHNESS = 0.02
-"""Friction of a surface besides what is in its normal."""
-
 ASIDE_M, BEHIND_M = 0.04, 0.02
 """A surface ends this far aside of where it was touched, and this far behind itself."""
 
@@ -51,7 +48,7 @@ class RecordedWorld:
         self.bodies = cell.parts
         self._random = np.random.default_rng(seed)
         self._place = cell.placed(disturbance)
-        self._friction = ROUGHNESS + max(disturbance.friction - NOMINAL.friction, 0.0)
+        self._rougher = max(disturbance.friction - NOMINAL.friction, 0.0)
         drawn = self._random.standard_normal(3)
         self._bias = disturbance.sensor_bias_N * drawn / np.linalg.norm(drawn)
         self._gain = 1.0 - exp(-2.0 * pi * CUTOFF_HZ / RATE_HZ)
@@ -128,7 +125,7 @@ class RecordedWorld:
     def part_poses(self) -> Mapping[str, tuple[Array, Array]]:
         """The tool, and the surfaces where they are met."""
         poses = {"held": self.tool_pose()}
-        standing = {index: (point, normal) for index, point, normal in self._planes}
+        standing = {index: (point, normal) for index, point, normal, _ in self._planes}
         for index, name in enumerate(self.workcell.parts[1:]):
             surface = self.workcell.surfaces[index]
             at = standing.get(index, self._moved(surface.point_m[0], surface.normal[0]))
@@ -144,26 +141,27 @@ class RecordedWorld:
         """The tool's point as a ball-like cylinder, each surface as a disc."""
         return tuple(_disc(name, name != "held") for name in self.workcell.parts)
 
-    def _standing(self) -> list[tuple[int, Array, Array]]:
-        """Index, point and normal of the surfaces that the tool could meet now."""
+    def _standing(self) -> list[tuple[int, Array, Array, float]]:
+        """Index, point, normal and friction of the surfaces that the tool could meet now."""
         if self._moment is None:
             return []
         found = []
         for index, surface in enumerate(self.workcell.surfaces):
             if surface.stands(self._moment):
-                point, normal = self._plane(surface)
+                point, normal, friction = self._plane(surface)
                 away = self.body.position_m - point
                 depth = -float(away.dot(normal))
                 aside = away + depth * normal
                 if depth < BEHIND_M and aside.dot(aside) < ASIDE_M**2:
-                    found.append((index, point, normal))
+                    found.append((index, point, normal, friction))
         return found
 
-    def _plane(self, surface: Surface) -> tuple[Array, Array]:
+    def _plane(self, surface: Surface) -> tuple[Array, Array, float]:
         assert self._moment is not None
         shift, turn = self._place
-        point, normal = surface.plane(turn.T @ (self.body.position_m - shift), self._moment)
-        return self._moved(point, normal)
+        here = turn.T @ (self.body.position_m - shift)
+        point, normal, friction = surface.plane(here, self._moment)
+        return *self._moved(point, normal), friction + self._rougher
 
     def _moved(self, point: Array, normal: Array) -> tuple[Array, Array]:
         shift, turn = self._place
@@ -173,7 +171,7 @@ class RecordedWorld:
         """Force (3,) of all surfaces on the tool, and of each along its normal."""
         total, each = np.zeros(3), {}
         velocity = self.body.velocity_m_s
-        for index, point, normal in self._planes:
+        for index, point, normal, friction in self._planes:
             depth = float((point - self.body.position_m).dot(normal))
             if depth <= 0.0:
                 continue
@@ -181,7 +179,7 @@ class RecordedWorld:
             pressed = max(STIFFNESS_N_M * depth - DAMPING_NS_M * closing, 0.0)
             slip = velocity - closing * normal
             speed = max(float(np.sqrt(slip.dot(slip))), _CREEP_M_S)
-            total += pressed * (normal - (self._friction / speed) * slip)
+            total += pressed * (normal - (friction / speed) * slip)
             each[index] = pressed
         return total, each
 

@@ -16,7 +16,8 @@ from keyphase.skills.coupling import Reference
 from keyphase.skills.end_monitor import Outcome
 from keyphase.skills.execution.pressing import Pressed, pressed_now, pressing, still
 from keyphase.skills.execution.result import SkillResult, Stage, went_on
-from keyphase.skills.execution.run import SkillRun, Start
+from keyphase.skills.execution.run import UNTURNED, SkillRun, Start
+from keyphase.skills.execution.seeking import Seeking, seeking_of
 from keyphase.skills.execution.sensed import Sensed
 from keyphase.skills.execution.shift import shift_after
 from keyphase.skills.skill import Skill
@@ -84,6 +85,8 @@ class Executor:
         self.in_stage_s = self._skill_start_s = self._peak_N = 0.0
         self._outcome: Outcome | None = None
         self._pressed: Sequence[Pressed] = ()
+        self._seeking: Seeking | None = None
+        self._turn = UNTURNED
         self.reference = still(sensed.position_m, sensed.orientation_wxyz)
         self._begin(_AT_REST)
         self.reference = self._next_reference()
@@ -109,6 +112,8 @@ class Executor:
         self.elapsed_s += self._step_s
         self.in_stage_s += self._step_s
         self._peak_N = max(self._peak_N, _length(sensed.force_N))
+        if self._seeking is not None:
+            self._seeking.watch(sensed)
         self._go_on(waits)
         if not self.over:
             self.reference = self._next_reference()
@@ -124,7 +129,12 @@ class Executor:
     def _next_reference(self) -> Reference:
         if self.stage == "moving" and self.run is not None:
             return self.run.reference(self._sensed, self._step_s)
-        return pressing(self._still, self._sensed.position_m, self._pressed, self._stiffness_N_m)
+        at = pressing(self._still, self._sensed.position_m, self._pressed, self._stiffness_N_m)
+        if self._seeking is None or self.stage not in ("pressing", "searching"):
+            return at
+        if self.stage == "searching":
+            return self._seeking.circling(at, self._sensed, self.in_stage_s)
+        return self._seeking.giving(at, self._sensed)
 
     def _go_on(self, waits: bool) -> None:
         """Enter the next stage where this one is over."""
@@ -138,7 +148,9 @@ class Executor:
                 self._end_skill(self.reference.velocity)
         elif self.stage == "pressing":
             if self._has_settled(time_s):
-                self._end_skill(_AT_REST)
+                self._settled()
+        elif self.stage == "searching":
+            self._search_on(time_s)
         elif self.stage == "loading":
             if time_s >= PRESSED_S[1] or self._is_loaded():
                 self._move(_AT_REST)
@@ -152,8 +164,27 @@ class Executor:
             self._end_skill(self.reference.velocity)
             return
         kept = pressed_now(skill.kept, 1.0, self._sensed.force_N)
-        self._pressed = [*kept, (skill.press.direction, skill.press.force_N)]
+        firmly = 0.0 if self._seeking is None else self._seeking.search.press_N
+        self._pressed = [*kept, (skill.press.direction, max(skill.press.force_N, firmly))]
         self._enter("pressing")
+
+    def _settled(self) -> None:
+        """A contact is made: that is all, or the part has to have gone in, too."""
+        if self._seeking is None or self._seeking.is_in(self._sensed):
+            self._end_skill(_AT_REST)
+        else:
+            self._enter("searching")
+
+    def _search_on(self, time_s: float) -> None:
+        assert self._seeking is not None
+        if self._seeking.has_found(self._sensed):
+            # Nothing pulls it back from where it was found.
+            self.reference = still(self._sensed.position_m, self._sensed.orientation_wxyz)
+            self._seeking.searched = True
+            self._enter("pressing")
+        elif time_s >= self._seeking.search.duration_s:
+            self._outcome = "timeout"
+            self._end_skill(_AT_REST)
 
     def _has_settled(self, time_s: float) -> bool:
         least_s, most_s = PRESSED_S
@@ -173,6 +204,10 @@ class Executor:
         skill = self.skills[len(self.results)]
         if self._outcome == "contact":
             self._shift = shift_after(skill, self._sensed.position_m, self._shift)
+            if self._seeking is not None:
+                self._turn = self._seeking.turned_by(self._sensed)
+                if self._seeking.searched:
+                    self._shift = self._sensed.position_m - self._seeking.press.position_m
         self._note_result(self._outcome)
         if not went_on(self.results[-1]):
             # What was not expected is not pressed on against.
@@ -188,7 +223,8 @@ class Executor:
         """Begin the next skill, taking over a velocity (6,); its contacts are loaded first."""
         skill = self.skills[len(self.results)]
         if skill.connecting:
-            self._shift = np.zeros(3)
+            self._shift, self._turn = np.zeros(3), UNTURNED
+        self._seeking = seeking_of(skill, self._sensed)
         self._skill_start_s, self._peak_N = self.elapsed_s, 0.0
         self._pressed = [one for each in skill.kept if (one := each.at(0.0)) is not None]
         self._move(velocity)
@@ -207,7 +243,7 @@ class Executor:
 
     def _move(self, velocity: Array) -> None:
         skill = self.skills[len(self.results)]
-        begin = Start(self._sensed, self.reference, velocity, self._shift)
+        begin = Start(self._sensed, self.reference, velocity, self._shift, self._turn)
         self.run = SkillRun(skill, begin, self._coupled, self._stiffness_N_m)
         self._enter("moving")
 

@@ -6,7 +6,7 @@ from typing import Literal
 from keyphase.demonstration import Array
 from keyphase.skills.end_monitor import Outcome
 
-Stage = Literal["loading", "moving", "pressing", "resting", "over"]
+Stage = Literal["loading", "moving", "pressing", "searching", "resting", "over"]
 """A skill that starts in a contact loads it; a skill moves; a contact that was met is pressed; the
 plan is done and the tool rests; over."""
 

@@ -2,8 +2,10 @@
 
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from keyphase.demonstration import Array
-from keyphase.skills import coupling
+from keyphase.skills import coupling, quaternions
 from keyphase.skills.coupling import Reference
 from keyphase.skills.end_monitor import Outcome, start_monitor
 from keyphase.skills.execution.guard import guard_of
@@ -12,18 +14,23 @@ from keyphase.skills.execution.sensed import Sensed
 from keyphase.skills.primitive import Primitive, progress
 from keyphase.skills.skill import Skill
 
+UNTURNED = np.array([1.0, 0.0, 0.0, 0.0])
+"""Nothing is turned."""
+
 
 @dataclass(frozen=True, eq=False)
 class Start:
     """How a skill begins: what is sensed, velocity (6,) to take over, and shift (3,).
 
     reference  what was followed last, so that nothing jumps
+    turn       (4,) how what follows is turned against its demonstration
     """
 
     sensed: Sensed
     reference: Reference
     velocity: Array
     shift_m: Array
+    turn: Array
 
 
 class SkillRun:
@@ -38,6 +45,7 @@ class SkillRun:
             begin.sensed.position_m,
             begin.sensed.orientation_wxyz,
             goal_position_m=self._primitive.goal_position_m + begin.shift_m,
+            goal_orientation_wxyz=_turned_goal(self._primitive, begin.turn),
             velocity=begin.velocity,
         )
         self._state = replace(
@@ -97,6 +105,13 @@ class SkillRun:
         if waits:
             self._monitor = replace(self._monitor, stalled_s=stalled_s)
         return None if outcome == "reached" and self.fraction < 1.0 else outcome
+
+
+def _turned_goal(primitive: Primitive, turn: Array) -> Array | None:
+    """The goal's orientation, turned as what is held was; None where there is none, or no turn."""
+    if turn is UNTURNED or not primitive.oriented:
+        return None
+    return quaternions.product(turn, primitive.goal_orientation_wxyz)
 
 
 def _uncoupled(skill: Skill) -> Primitive:

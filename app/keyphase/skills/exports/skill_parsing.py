@@ -14,6 +14,7 @@ from keyphase.skills.gains import SkillGains
 from keyphase.skills.precondition import HeldContact, Precondition
 from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.primitive import Constants, Primitive
+from keyphase.skills.search import Search
 from keyphase.skills.skill import Skill
 
 Values = Mapping[str, Any]
@@ -34,6 +35,7 @@ def library_of_values(content: Values) -> SkillLibrary:
 def _skill(values: Values) -> Skill:
     stretch, direction = values["demonstrated_s"], values["travel_direction"]
     press, arming, beyond = values["press"], values["arming"], values["shift_beyond_m"]
+    seek = values["search"]
     return Skill(
         label=values["label"],
         connecting=values["connecting"],
@@ -52,6 +54,7 @@ def _skill(values: Values) -> Skill:
         kept=tuple(map(_kept, values["kept"])),
         shift_beyond_m=None if beyond is None else float(beyond),
         precondition=_precondition(values["precondition"]),
+        search=None if seek is None else Search(**{k: float(v) for k, v in seek.items()}),
         agrees=values["agrees"],
     )
 

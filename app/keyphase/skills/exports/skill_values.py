@@ -5,9 +5,10 @@ from typing import Any
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
+from keyphase.skills import search
 from keyphase.skills.coupling import LARGEST_STEP, REFERENCE_REACH
 from keyphase.skills.end_monitor import PROGRESS_FRACTION, PROGRESS_M, REACHED_AFTER
-from keyphase.skills.execution import executor, guard, pressing
+from keyphase.skills.execution import executor, guard, pressing, seeking
 from keyphase.skills.exports.skill_library import SkillLibrary
 from keyphase.skills.precondition import Precondition
 from keyphase.skills.pressed import KeptForce
@@ -44,6 +45,10 @@ def execution_values() -> dict[str, float]:
         "rest_s": executor.REST_S,
         "followed_beyond_m": pressing.FURTHEST_M,
         "touching_N": pressing.TOUCHING_N,
+        "touch_N": search.TOUCH_N,
+        "touch_smoothed": search.SMOOTHED,
+        "seat_giving": seeking.GIVING,
+        "seat_found": search.FOUND,
         "brake_m_s2": guard.BRAKE_M_S2,
     }
 
@@ -76,6 +81,7 @@ def _skill(skill: Skill) -> dict[str, Any]:
         },
         "kept": [_kept(force) for force in skill.kept],
         "shift_beyond_m": skill.shift_beyond_m,
+        "search": None if skill.search is None else asdict(skill.search),
         "primitive": _primitive(skill.primitive),
     }
 

@@ -1,0 +1,122 @@
+"""What tells a seat from a rim: how far a part goes in after its first touch, and a search for it.
+
+A force alone cannot tell them apart. Where the demonstration met a resistance that gave way, as a
+detent does, and went on into it, a skill looks for the same depth; where it is missing it presses
+and circles outwards, until the part goes in.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.segmentation.end_condition import AFTER_S
+from keyphase.skills.pressed import Press
+
+TOUCH_N = 0.8
+"""A force above this, counted from the level before, is a touch."""
+
+SMOOTHED = 0.35
+"""Part of a new force that is taken in at a tick of 4 ms: single readings are noise."""
+
+BEFORE_S = 0.5
+DEPTHS_M = (0.0015, 0.006)
+GAVE_WAY_N = 1.0
+"""A demonstration shows a detent if it went in so far, and the force fell by this meanwhile."""
+
+DEPTH_SHARE = 1.0
+"""So much of the demonstrated depth has to be gained: a chamfer lets a part in almost as far."""
+
+
+FOUND = 1.4
+"""So many times the depth must be gained by a search: it began on a rim, above the first touch."""
+
+
+@dataclass(frozen=True)
+class Search:
+    """How a seat is told, and sought where it is missing.
+
+    depth_m     how far a part goes in after its first touch, at the least
+    press_N     what is pressed with, at the least, until it is in
+    radius_m    of the spiral at its end; it grows with the square root of time
+    turns       of the spiral
+    duration_s  after which it is given up
+    """
+
+    depth_m: float
+    press_N: float = 6.0
+    radius_m: float = 0.007
+    turns: float = 4.0
+    duration_s: float = 4.0
+
+    def aside(self, direction: Array, time_s: float) -> Array:
+        """How far aside (3,) of the press along `direction` (3,) the reference is by now [m]."""
+        share = min(time_s / self.duration_s, 1.0) ** 0.5
+        first = np.cross(direction, np.eye(3)[int(np.abs(direction).argmin())])
+        first /= np.linalg.norm(first)
+        angle = 2.0 * np.pi * self.turns * share
+        second = np.cross(direction, first)
+        return self.radius_m * share * (np.cos(angle) * first + np.sin(angle) * second)
+
+
+@dataclass(frozen=True, eq=False)
+class Touch:
+    """Where a tool first touched something; a value, `step` returns the next one.
+
+    level_N    force against the press before anything is touched
+    force_N    the same now, smoothed
+    touched_m  place along the press; None while nothing is touched
+    """
+
+    direction: Array
+    level_N: float
+    force_N: float
+    touched_m: float | None = None
+
+    def step(self, position_m: Array, force_N: Array) -> "Touch":
+        """Take in a position (3,) and a force (3,), 4 ms after the ones before."""
+        pressed = -float(force_N.dot(self.direction))
+        force = self.force_N + SMOOTHED * (pressed - self.force_N)
+        if force - self.level_N < TOUCH_N:
+            return Touch(self.direction, self.level_N, force)
+        here = float(position_m.dot(self.direction))
+        touched = here if self.touched_m is None else self.touched_m
+        return Touch(self.direction, self.level_N, force, touched)
+
+    def depth_m(self, position_m: Array) -> float:
+        """How far in a tool at `position_m` (3,) is since it touched."""
+        if self.touched_m is None:
+            return 0.0
+        return float(position_m.dot(self.direction)) - self.touched_m
+
+
+def before_touch(direction: Array, force_N: Array) -> Touch:
+    """A tool that touches nothing, under a force (3,)."""
+    level = -float(force_N.dot(direction))
+    return Touch(direction, level, level)
+
+
+def search_for(demonstration: Demonstration, end_s: float, press: Press | None) -> Search | None:
+    """The search of a skill whose demonstrated contact at `end_s` gave way; None for all others."""
+    if press is None or demonstration.force_N is None:
+        return None
+    time = np.arange(end_s - BEFORE_S, min(end_s + AFTER_S[1], demonstration.end_s), 0.004)
+    position = _at(time, demonstration.time_s, demonstration.position_m)
+    force = _at(time, demonstration.time_s, demonstration.force_N)
+    quiet = force[: max(1, round(0.4 * BEFORE_S / 0.004))].mean(axis=0)
+    touch, pressed, depth = before_touch(press.direction, quiet), [], 0.0
+    for here, now in zip(position, force, strict=True):
+        touch = touch.step(here, now)
+        if touch.touched_m is None:
+            pressed = []
+        else:
+            pressed.append(touch.force_N)
+            depth = touch.depth_m(here)
+    if not pressed or not DEPTHS_M[0] <= depth <= DEPTHS_M[1]:
+        return None
+    fell = float((np.maximum.accumulate(pressed) - np.array(pressed)).max())
+    return Search(DEPTH_SHARE * depth) if fell >= GAVE_WAY_N else None
+
+
+def _at(time: Array, time_s: Array, values: Array) -> Array:
+    return np.stack([np.interp(time, time_s, column) for column in values.T], axis=1)
