@@ -74,7 +74,7 @@ class Plan:
                     self.end("contact", np.zeros(6))
                 else:
                     self.enter("searching")
-        elif self.stage == "searching" and self.is_in(e["seat_found"]):
+        elif self.stage == "searching" and self.found():
             self.reference, self.searched = (*self.sensed[:2], np.zeros(6)), True
             self.enter("pressing")
         elif self.stage == "searching" and time >= self.skill["search"]["duration_s"]:
@@ -110,6 +110,10 @@ class Plan:
         deep = 0.0 if self.touched is None else deep - self.touched
         return deep >= share * self.skill["search"]["depth_m"]
 
+    def found(self):
+        self.held = self.held + self.h if self.is_in() else 0.0
+        return self.is_in(self.e["seat_found"]) or self.held >= self.e["seat_held_s"]
+
     def seek(self, position, orientation, velocity):
         """A reference that the seat can turn, and that circles outwards during a search."""
         q, search = self.sensed[1], self.skill["search"]
@@ -132,6 +136,7 @@ class Plan:
         if self.skill["connecting"]:
             self.shift, self.rotated = 0 * self.shift, np.array([1.0, 0, 0, 0])
         if self.skill["search"]:
+            self.held = 0.0
             self.felt = self.free = -self.sensed[3] @ np.array(self.skill["press"]["direction"])
             self.touched = None
         self.pressed = list(kept_at(self.skill, 0.0))

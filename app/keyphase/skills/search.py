@@ -32,6 +32,10 @@ FOUND = 1.4
 """So many times the depth must be gained by a search: it began on a rim, above the first touch."""
 
 
+HELD_S = 0.5
+"""Or the depth must last so long while it circles: it began on what gives way itself."""
+
+
 @dataclass(frozen=True)
 class Search:
     """How a seat is told, and sought where it is missing.

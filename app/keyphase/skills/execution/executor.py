@@ -177,7 +177,7 @@ class Executor:
 
     def _search_on(self, time_s: float) -> None:
         assert self._seeking is not None
-        if self._seeking.has_found(self._sensed):
+        if self._seeking.has_found(self._sensed, self._step_s):
             # Nothing pulls it back from where it was found.
             self.reference = still(self._sensed.position_m, self._sensed.orientation_wxyz)
             self._seeking.searched = True

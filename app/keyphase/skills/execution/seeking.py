@@ -7,7 +7,7 @@ from keyphase.skills import quaternions
 from keyphase.skills.changed import changed
 from keyphase.skills.coupling import Reference
 from keyphase.skills.execution.sensed import Sensed
-from keyphase.skills.search import FOUND, before_touch
+from keyphase.skills.search import FOUND, HELD_S, before_touch
 from keyphase.skills.skill import Skill
 
 GIVING = 0.15
@@ -24,7 +24,7 @@ class Seeking:
         assert skill.search is not None
         assert skill.press is not None
         self.search, self.press = skill.search, skill.press
-        self.searched = False
+        self.searched, self._in_s = False, 0.0
         self._end_wxyz = skill.end_orientation_wxyz
         self._touch = before_touch(self.press.direction, sensed.force_N)
 
@@ -36,9 +36,11 @@ class Seeking:
         """Whether the part has gone in as deep as the demonstration did after its first touch."""
         return self._touch.depth_m(sensed.position_m) >= self.search.depth_m
 
-    def has_found(self, sensed: Sensed) -> bool:
-        """Whether a search has led the part in, from the rim on which it began."""
-        return self._touch.depth_m(sensed.position_m) >= FOUND * self.search.depth_m
+    def has_found(self, sensed: Sensed, h: float) -> bool:
+        """Whether a search has led the part in: from the rim on which it began, or for a while."""
+        self._in_s = self._in_s + h if self.is_in(sensed) else 0.0
+        deep = self._touch.depth_m(sensed.position_m) >= FOUND * self.search.depth_m
+        return deep or self._in_s >= HELD_S
 
     def giving(self, reference: Reference, sensed: Sensed) -> Reference:
         """The reference sideways and in orientation near where the seat has moved the tool."""

@@ -49,6 +49,7 @@ def execution_values() -> dict[str, float]:
         "touch_smoothed": search.SMOOTHED,
         "seat_giving": seeking.GIVING,
         "seat_found": search.FOUND,
+        "seat_held_s": search.HELD_S,
         "brake_m_s2": guard.BRAKE_M_S2,
     }
 
