@@ -4,7 +4,8 @@ import numpy as np
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import SimulationError
-from keyphase.simulation.recorded.cell import NAME, RecordedCell
+from keyphase.simulation.recorded.cell import NAME as RECORDING
+from keyphase.simulation.recorded.cell import RecordedCell
 from keyphase.simulation.simulated import Cell
 from keyphase.simulation.workcells.registry import workcell, workcell_names
 
@@ -19,14 +20,19 @@ def cell_for(demonstration: Demonstration, name: str | None = None) -> Cell:
     world made from it. Raises SimulationError for a name nobody knows, a workcell that does not
     fit, and where a world would have to be made from a recording without force.
     """
-    chosen = name or recorded_in(demonstration) or NAME
-    if chosen == NAME:
+    chosen = name or recorded_in(demonstration) or RECORDING
+    if chosen == RECORDING:
         return RecordedCell(demonstration)
     cell = workcell(chosen)
     why = unfit(demonstration, cell)
     if why is not None:
         raise SimulationError(why)
     return cell
+
+
+def world_names() -> tuple[str, ...]:
+    """Names of all that a recording can be replayed in: workcells, and the world made from it."""
+    return (*workcell_names(), RECORDING)
 
 
 def met_by(demonstration: Demonstration, cell: Cell) -> Demonstration:
@@ -55,5 +61,5 @@ def unfit(demonstration: Demonstration, cell: Cell) -> str | None:
     return (
         f"{demonstration.name} does not fit {cell.name}: it begins {1e3 * away:.0f} mm and "
         f"{np.degrees(turned):.0f}° away from where the arm stands there. Replay it in the world "
-        f"made from it (workcell '{NAME}'), or in a workcell of your own."
+        f"made from it (workcell '{RECORDING}'), or in a workcell of your own."
     )

@@ -5,6 +5,7 @@ from typing import get_args
 import numpy as np
 from msgspec import Struct
 
+from keyphase.simulation.recorded.cell import RecordedCell
 from keyphase.simulation.workcells.registry import workcell, workcell_names
 from keyphase.workbench.leading.status import LeadThroughStatus
 from keyphase.workbench.replaying.settings import RANGES, EndBy, ReplaySettings
@@ -111,7 +112,7 @@ def replay_settings_message(settings: ReplaySettings) -> ReplaySettingsMessage:
         end_by=settings.end_by,
         speed=settings.speed,
         seed=settings.seed,
-        choices=workcell_choices(),
+        choices=world_choices(),
         ends=get_args(EndBy),
         ranges=dict(RANGES),
     )
@@ -120,3 +121,8 @@ def replay_settings_message(settings: ReplaySettings) -> ReplaySettingsMessage:
 def workcell_choices() -> tuple[WorkcellChoice, ...]:
     """The workcells there are."""
     return tuple(WorkcellChoice(name, workcell(name).title) for name in workcell_names())
+
+
+def world_choices() -> tuple[WorkcellChoice, ...]:
+    """The workcells, and the world made from the recording."""
+    return (*workcell_choices(), WorkcellChoice(RecordedCell.name, RecordedCell.title))

@@ -5,6 +5,8 @@ from dataclasses import dataclass, replace
 from keyphase.demonstration import Demonstration
 from keyphase.labeling.labeling import Labeling
 from keyphase.segmentation.end_condition import ConfigurationEnd
+from keyphase.simulation.choosing import met_by
+from keyphase.simulation.simulated import Cell
 from keyphase.skills.library import skills_of
 from keyphase.skills.skill import Skill
 from keyphase.workbench.replaying.settings import EndBy
@@ -50,12 +52,14 @@ class ReplayPlan:
         return replace(self, planned=(*map(PlannedSkill, before), *self.planned))
 
 
-def plan_of(labeling: Labeling, end_by: EndBy = "contact") -> ReplayPlan:
-    """The kept plan entries in their order, made executable.
+def plan_of(labeling: Labeling, end_by: EndBy = "contact", cell: Cell | None = None) -> ReplayPlan:
+    """The kept plan entries in their order, made executable, for a workcell where one is given.
 
     Raises SkillError for a segment that cannot be made executable.
     """
     demonstration = labeling.segmentation.demonstration
+    if cell is not None:
+        demonstration = met_by(demonstration, cell)
     segments = [labeling.segments[entry.segment] for entry in labeling.plan]
     if end_by == "configuration":
         segments = [replace(one, end_condition=ConfigurationEnd()) for one in segments]

@@ -8,9 +8,9 @@ from pathlib import Path
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import RequestError, SimulationError
 from keyphase.readers import save_npz
+from keyphase.simulation.choosing import RECORDING, cell_for, recorded_in
 from keyphase.simulation.replay.replay import Replay
 from keyphase.simulation.replay.result import ReplayResult
-from keyphase.simulation.workcells.registry import workcell, workcell_names
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.replaying.exports import export_plan
 from keyphase.workbench.replaying.plan import ReplayPlan, plan_of
@@ -80,16 +80,16 @@ class ReplaySession:
     def turn_to(self, state: DeskState) -> None:
         """Another recording is looked at: a replay of one before is shown no more.
 
-        The workcell it was recorded in is chosen, if it is one of ours.
+        The workcell it was recorded in is chosen; for every other, the world made from it.
         """
-        recorded_in = state.demonstration.metadata.get("workcell")
+        chosen = recorded_in(state.demonstration) or RECORDING
         with self._lock:
             before, self._proposed = self._proposed, state.demonstration
             running = self.running
         if running and running.opened.demonstration is not state.demonstration:
             self._worker.submit(self.leave)
-        if before is not state.demonstration and recorded_in in workcell_names():
-            self.configure(lambda settings: replace(settings, workcell=str(recorded_in)))
+        if before is not state.demonstration:
+            self.configure(lambda settings: replace(settings, workcell=chosen))
 
     def begin(self, *, one_skill: bool = False) -> None:
         """Replay the plan of the open recording, from its start, in place of any other."""
@@ -216,8 +216,8 @@ class ReplaySession:
             with self._telling.tasks.begin("Building the workcell"):
                 self.leave()
                 settings = self.settings
-                plan = plan_of(opened.labeling, settings.end_by)
-                cell = workcell(settings.workcell)
+                cell = cell_for(opened.demonstration, settings.workcell)
+                plan = plan_of(opened.labeling, settings.end_by, cell)
                 simulation = cell.build(settings.disturbance, settings.seed)
                 replay_ = Replay(simulation, plan.skills, plan.demonstration)
                 self._begin(opened, settings, plan.begun_with(replay_.skills), replay_, one_skill)

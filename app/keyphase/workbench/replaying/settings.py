@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from keyphase.errors import ParameterError
+from keyphase.simulation.choosing import world_names
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
-from keyphase.simulation.workcells.registry import workcell_names
 from keyphase.simulation.wrist_sensor import SensorModel
 
 EndBy = Literal["contact", "configuration"]
@@ -54,7 +54,7 @@ class ReplaySettings:
     seed: int = 0
 
     def __post_init__(self) -> None:
-        _among("workcell", self.workcell, workcell_names())
+        _among("workcell", self.workcell, world_names())
         _among("end_by", self.end_by, get_args(EndBy))
         for name, (low, high) in RANGES.items():
             value = getattr(self, name)

@@ -4,6 +4,7 @@ import threading
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from keyphase.simulation.choosing import cell_for
 from keyphase.simulation.replay.report import trials_outcome
 from keyphase.simulation.replay.spread import Spread
 from keyphase.simulation.replay.trials import Worlds, drawn_worlds, run_trials
@@ -82,7 +83,8 @@ class ReplayTrials:
     def _run_and_tell(
         self, opened: DeskState, settings: ReplaySettings, count: int, task: Task
     ) -> None:
-        plan = plan_of(opened.labeling, settings.end_by)
+        cell = cell_for(opened.demonstration, settings.workcell)
+        plan = plan_of(opened.labeling, settings.end_by, cell)
         worlds = drawn_worlds(WORLDS, count, settings.seed)
 
         def progress(done: int, total: int) -> None:
@@ -92,9 +94,7 @@ class ReplayTrials:
             self._show(TrialsRun(total, done))
 
         progress(0, count)
-        trials = run_trials(
-            settings.workcell, plan.demonstration, plan.skills, worlds, progress=progress
-        )
+        trials = run_trials(cell, plan.demonstration, plan.skills, worlds, progress=progress)
         title = f"{opened.recording.name} in {settings.workcell}, {settings.end_by} end conditions"
         outcome, picture = trials_outcome(trials), trials_svg(trials, title)
         succeeded = sum(trial.succeeded for trial in trials.trials)
