@@ -28,7 +28,7 @@ class Parameters:
     hundred demonstrations."""
     force_ratio: float = 20.0
     """How many times its running 2 s median a peak must exceed."""
-    min_distance_s: float = 0.3
+    min_distance_s: float = 0.25
     """Least time between two peaks [s]."""
     persistence: float = 4.0
     """How far the force must stay changed after a peak, in noise levels."""
@@ -66,7 +66,7 @@ class Parameters:
 
 
 RANGES: dict[str, tuple[float, float]] = {
-    "force_threshold": (1e-3, 1e9),
+    "force_threshold": (1e-4, 1e9),
     "force_ratio": (0.0, 1e6),
     "min_distance_s": (0.0, 60.0),
     "persistence": (0.0, 1e6),

@@ -17,8 +17,8 @@ from keyphase.demonstration import Array
 CROWDING = 4.0
 CROWDED_S = 0.5
 
-LEAST_ODDS = -4.0
-"""Candidates less likely than this (2 %) are never boundaries."""
+LEAST_ODDS = -9.0
+"""Candidates less likely than this (one in ten thousand) are never boundaries."""
 
 
 def spaced_scores(time_s: Array, odds: Array, min_distance_s: float) -> Array:

@@ -35,6 +35,7 @@ CONTACT_TERMS: Mapping[str, str] = {
     "standing": "the tool stands on both sides",
     "over_core": "change over what the force does when nothing is touched",
     "over_wander": "change over what the force does all the time",
+    "inside_free": "smaller than contact, and free on both sides",
     "crossing": "contact as a state changes here",
     "state": "free before, in contact after, or the other way",
     "lasts": "both states last",
@@ -224,12 +225,28 @@ def _states(look: _Look) -> dict[str, Array]:
     odds = Sides(Windows(view.odds), at, grid.cells(0.1), grid.cells(0.8))
     contact_N = np.clip(view.contact_distance * grid.size_N, 0.05, 20.0)
     return {
+        "inside_free": _inside_free(look, crossing),
         "crossing": crossing,
         "state": np.abs(odds.jump[:, 0]) / 4.0,
         "lasts": lasts,
         "separation": np.full(len(at), np.log(view.separation).clip(-1.0, 4.0)),
         "contact_newton": np.full(len(at), np.log(contact_N)),
     }
+
+
+def _inside_free(look: _Look, crossing: Array) -> Array:
+    """How much smaller the step is than the force in contact (ln), where both sides are free.
+
+    Stiction and wander of an estimated wrench make steps, too, but not to the level of contact.
+    """
+    view, grid = look.view, look.grid
+    if not len(view.crossings):
+        return np.zeros(len(look.at))
+    states = Sides(Windows(view.contact.astype(float)), look.at, grid.cells(0.1), grid.cells(0.8))
+    touching = np.maximum(states.mean_before[:, 0], states.mean_after[:, 0])
+    jump = look.sides(0.15, 0.6).jump_size + 1e-3
+    smaller = np.log((view.contact_distance + 1e-3) / jump).clip(0.0, 4.0)
+    return smaller * (1.0 - crossing) * (touching < 0.1)
 
 
 def _nearest_index(places: Indices, at: Indices) -> Indices:

@@ -1,6 +1,6 @@
 """The paper's normalized error, drawn beside the evidence, and the candidates on its peaks."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -32,6 +32,7 @@ class DrawnCurve:
     curve: ErrorCurve
     evidence: Evidence
     bin: Indices
+    _peaks: dict[tuple[int, int, float], Peak] = field(default_factory=dict)
 
     @classmethod
     def of(
@@ -46,18 +47,18 @@ class DrawnCurve:
     def peaks(self, scores: Scores, selection: Selection) -> tuple[Peak, ...]:
         """The given and the likelier other candidates, in time order."""
         drawn = (selection.contact == GIVEN) | (scores.contact >= log_odds(LEAST_DRAWN))
-        return tuple(
-            self._peak(index, int(selection.contact[index]), float(sigmoid(score)))
-            for index, score in zip(
-                np.flatnonzero(drawn).tolist(), scores.contact[drawn].tolist(), strict=True
-            )
-        )
+        codes = selection.contact[drawn].tolist()
+        chances = sigmoid(scores.contact[drawn]).tolist()
+        keys = zip(np.flatnonzero(drawn).tolist(), codes, chances, strict=True)
+        known = self._peaks
+        return tuple([known.get(key) or self._peak(*key) for key in keys])
 
     def _peak(self, index: int, code: int, probability: float) -> Peak:
         place = self.bin[index]
         height = float(self.curve.error[place])
         x, y, z = self.evidence.force_step_N[index].tolist()
-        return Peak(
+        key = index, code, probability
+        self._peaks[key] = Peak(
             time_s=float(self.evidence.contact_s[index]),
             bin_time_s=float(self.curve.time_s[place]),
             height=height,
@@ -68,6 +69,7 @@ class DrawnCurve:
             rejection=_REJECTIONS[code],
             probability=probability,
         )
+        return self._peaks[key]
 
 
 def _highest(curve: ErrorCurve, at: Array) -> Indices:

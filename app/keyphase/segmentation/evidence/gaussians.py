@@ -18,11 +18,16 @@ class SegmentGaussians:
         self._motion = motion
 
     @cached_property
+    def _middle_m(self) -> Array:
+        return self._motion.position_m.mean(axis=0)
+
+    @cached_property
     def _sums(self) -> tuple[Array, Array]:
         """Running sums (n + 1, 5) and (n + 1, 10) of time and position, and of their products."""
         motion = self._motion
-        middle = motion.position_m.mean(axis=0)
-        samples = np.column_stack([motion.time_s - motion.time_s[0], motion.position_m - middle])
+        samples = np.column_stack(
+            [motion.time_s - motion.time_s[0], motion.position_m - self._middle_m]
+        )
         rows, columns = np.triu_indices(4)
         products = samples[:, rows] * samples[:, columns]
         zeros = np.zeros((1, 4)), np.zeros((1, len(rows)))
@@ -47,7 +52,7 @@ class SegmentGaussians:
         covariance = square - mean[:, :, None] * mean[:, None, :]
         sigma = np.sqrt(np.maximum(covariance[:, 0, 0], (0.5 * motion.step_s) ** 2))
         covariance = covariance[:, 1:, 1:] + _FLOOR_M**2 * np.eye(3)
-        position = mean[:, 1:] + motion.position_m.mean(axis=0)
+        position = mean[:, 1:] + self._middle_m
         weight = count[:, 0] / len(motion.time_s)
         return tuple(
             Gaussian(w, m, s, p, c)

@@ -20,6 +20,7 @@ MOTION_TERMS: Mapping[str, str] = {
     "stroke_speed": "speed of the slower stroke beside it",
     "absolute_speed": "speed of that stroke in m/s",
     "small_stroke": "a stroke of less than a twentieth of the path",
+    "bare_turn": "a turn where no force was recorded",
     "stands": "the tool stands still for half a second",
 }
 """Each term of a boundary of motion and what it says."""
@@ -31,10 +32,15 @@ LEAST_STROKE_M_S = 2e-3
 LONG_DWELL_S = 0.4
 """A longer valley has two edges, a shorter one a middle."""
 
+REST_S = 0.5
+"""A valley this long is a rest, a shorter one a mere turn."""
+
 ENDS_S = 0.2
 _SHALLOW = 0.8
 _EDGE = 0.07
 _SAME_S = 0.12
+_PLACE_SHARE = 0.02
+_PLACE_M = (1e-3, 5e-3)
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,12 +62,15 @@ class MotionCandidates:
 def motion_candidates(grid: Grid, speed: Speed) -> MotionCandidates:
     """Every candidate of a grid with its evidence; none where nothing moves on purpose."""
     tables = [np.zeros((0, 4 + len(MOTION_TERMS)))]
+    strokes: list[_Valleys] = []
     if speed.fast_m_s > 0.0:
         strokes = [_Valleys(grid, speed, level) for level in LEVELS]
         crowd = strokes[0].valley
         tables += [valleys.rows(crowd) for valleys in strokes]
         tables.append(_standing(grid, speed, crowd))
     rows = _distinct(tables, grid.rate_hz)
+    if speed.fast_m_s > 0.0:
+        rows = rows[~_inside_a_stop(rows[:, 0], _stops(grid, speed, strokes[-1]), grid.rate_hz)]
     margin = ENDS_S * grid.rate_hz
     rows = rows[(rows[:, 0] > margin) & (rows[:, 0] < len(grid) - 1 - margin)]
     return MotionCandidates(rows[:, 0], rows[:, 1:3], rows[:, 3] > 0.0, rows[:, 4:])
@@ -78,6 +87,7 @@ class _Valleys:
         from scipy.signal import find_peaks
 
         self.grid, self.speed = grid, speed
+        self.coarse = level > LEVELS[0]
         s = speed.speed_m_s
         least = max(level * speed.fast_m_s, LEAST_STROKE_M_S)
         padded = np.concatenate([[0.0], s, [0.0]])
@@ -98,14 +108,16 @@ class _Valleys:
             return np.zeros((0, 4 + len(MOTION_TERMS)))
         bottom, lower = s[self.valley], np.minimum(s[self.before], s[self.after])
         deep = bottom <= _SHALLOW * lower
-        early, late = self._edges(bottom)
+        early, late = self.edges(bottom)
         dwell = (late - early) / rate
         terms = self._terms(early, late, bottom / lower, dwell, lower, crowd)
         rows = _edge_rows(early, late, dwell, terms, deep, LONG_DWELL_S)
         return rows[(rows[:, 0] > 0) & (rows[:, 0] < len(s) - 1)]
 
-    def _edges(self, bottom: Array) -> tuple[Indices, Indices]:
-        """The last cell before each valley, and the first after it, that is no longer slow."""
+    def edges(self, bottom: Array) -> tuple[Indices, Indices]:
+        """First and last slow cell of each valley, but for one cell; of small strokes' valleys from
+        the bottom outwards, of large strokes' from outside: swings in between are no strokes.
+        """
         s = self.speed.speed_m_s
         early, late = self.valley.copy(), self.valley.copy()
         last = len(self.valley) - 1
@@ -115,8 +127,12 @@ class _Valleys:
             end = len(s) - 1 if index == last else int(self.after[index])
             left = s[first : valley + 1] > levels[0][index]
             right = s[valley : end + 1] > levels[1][index]
-            early[index] = valley - int(np.argmax(left[::-1])) if left.any() else first
-            late[index] = valley + int(np.argmax(right)) if right.any() else end
+            if self.coarse:
+                early[index] = first + max(int(np.argmin(left)) - 1, 0) if left.any() else first
+                late[index] = end - max(int(np.argmin(right[::-1])) - 1, 0) if right.any() else end
+            else:
+                early[index] = valley - int(np.argmax(left[::-1])) if left.any() else first
+                late[index] = valley + int(np.argmax(right)) if right.any() else end
         return early, late
 
     def _terms(
@@ -146,9 +162,38 @@ class _Valleys:
                 np.log(np.maximum(lower / fast, 0.02)),
                 np.log(lower.clip(0.01, 1.0)),
                 np.minimum(0.0, np.log(np.maximum(shorter, 0.002) / 0.05)),
+                (dwell < REST_S) * float(self.grid.wrench is None),
                 np.zeros(len(early)),
             ]
         )
+
+
+def _stops(grid: Grid, speed: Speed, coarse: _Valleys) -> Indices:
+    """First and last cell (S, 2) of rests, and of coarse valleys that stay in a small place."""
+    found = [tuple(pair) for pair in rests(grid).tolist()]
+    if len(coarse.stroke):
+        s, pose = speed.speed_m_s, speed.pose_m
+        span = float(np.linalg.norm(np.ptp(pose[:, :3], axis=0)))
+        place = min(max(_PLACE_SHARE * span, _PLACE_M[0]), _PLACE_M[1])
+        margin = round(_SAME_S * grid.rate_hz)
+        edges = zip(*coarse.edges(s[coarse.valley]), strict=True)
+        for early, late in edges:
+            if late - early <= 2 * margin:
+                continue
+            stretch = pose[early + margin : late - margin]
+            if float(np.linalg.norm(np.ptp(stretch, axis=0))) < place:
+                found.append((int(early), int(late)))
+    return np.array(found, dtype=np.intp).reshape(-1, 2)
+
+
+def _inside_a_stop(cell: Array, stops: Indices, rate_hz: float) -> np.ndarray:
+    """Which candidates lie well inside a stop: swings there are no strokes."""
+    inside = np.zeros(len(cell), dtype=bool)
+    margin = _SAME_S * rate_hz
+    for early, late in stops.tolist():
+        first, last = np.searchsorted(cell, (early + margin, late - margin))
+        inside[first : max(first, last)] = True
+    return inside
 
 
 def _edge_rows(
@@ -164,7 +209,7 @@ def _edge_rows(
         (middle, early, late, short),
     )
     rows = [
-        np.column_stack([cell[u], first[u], last[u], dwell[u] >= 0.5, terms[u]])
+        np.column_stack([cell[u], first[u], last[u], dwell[u] >= REST_S, terms[u]])
         for cell, first, last, u in parts
     ]
     return np.vstack(rows)
@@ -196,6 +241,7 @@ def _standing(grid: Grid, speed: Speed, crowd: Indices) -> Array:
             np.log(0.2) * ones,
             np.log(0.5) * ones,
             np.clip(fast, np.log(0.01), 0.0) * ones,
+            0.0 * ones,
             0.0 * ones,
             ones,
         ]

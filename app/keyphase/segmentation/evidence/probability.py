@@ -10,7 +10,7 @@ from keyphase.segmentation.evidence.weights import Calibration, Kinds, Weights
 CONTACT_COLUMNS = {name: column for column, name in enumerate(CONTACT_TERMS)}
 MOTION_COLUMNS = {name: column for column, name in enumerate(MOTION_TERMS)}
 
-LARGEST_ODDS = 6.0
+LARGEST_ODDS = 9.0
 """No probability is surer than this many nats: what was fitted on says no more."""
 
 FAR = 0.2

@@ -8,13 +8,14 @@ from numpy.typing import NDArray
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.choice import distance_to, spaced_scores
-from keyphase.segmentation.evidence.probability import calibrated, log_odds
+from keyphase.segmentation.evidence.probability import MOTION_COLUMNS, calibrated, log_odds
 from keyphase.segmentation.evidence.stage import Evidence
 from keyphase.segmentation.evidence.weights import Weights
 from keyphase.segmentation.parameters import Parameters
 
-TURN_NATS = 1.5
-"""Beside a force, a turn without a rest must be this much likelier to be clear."""
+CLEAR_DEPTH = float(np.log(10.0))
+"""Beside a force, a turn without a rest is clear if the speed falls to a tenth of the slower
+stroke's."""
 
 Reasons = NDArray[np.int8]
 GIVEN, BELOW, CLOSE, SMALL, TURN, CONTACT = range(6)
@@ -87,9 +88,9 @@ def select(
     motion = np.where(scores.motion >= log_odds(motion_line), GIVEN, BELOW).astype(np.int8)
     motion[np.isneginf(scores.motion)] = CLOSE
     if evidence.grid.wrench is not None and parameters.turns != "all":
-        clear = log_odds(motion_line) + TURN_NATS if parameters.turns == "clear" else np.inf
-        turns = (motion == GIVEN) & ~evidence.motion.rest & (scores.motion < clear)
-        motion[turns] = TURN
+        depth = evidence.motion.terms[:, MOTION_COLUMNS["depth"]]
+        clear = (depth >= CLEAR_DEPTH) & (parameters.turns == "clear")
+        motion[(motion == GIVEN) & ~evidence.motion.rest & ~clear] = TURN
     touching = evidence.contact_s[contact == GIVEN]
     near = distance_to(evidence.motion_s, touching)
     reach = max(parameters.merge_tolerance_s, min(parameters.min_distance_s, 0.1))

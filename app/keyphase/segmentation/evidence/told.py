@@ -1,6 +1,8 @@
 """Candidates told as values: boundaries with their reasons, and what would let the others in."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -53,7 +55,7 @@ class Told:
         self._change_at = change_at
         self._boundaries: dict[tuple[int, float | None], Boundary] = {}
         self._reasons: dict[tuple[CandidateKind, int], tuple[Reason, ...]] = {}
-        self._known: dict[tuple[CandidateKind, int, str], Candidate] = {}
+        self._known: dict[tuple[CandidateKind, int, int], Candidate] = {}
         self._told: list[tuple[float, CandidateKind, int]] = self._worth_telling()
 
     def contact(self, candidate: int, moved_s: float | None) -> Boundary:
@@ -90,12 +92,10 @@ class Told:
 
     def candidates(self, selection: Selection) -> tuple[Candidate, ...]:
         """The likeliest candidates of both kinds in time order, given or not."""
-        found = []
-        for time, kind, index in self._told:
-            codes = selection.contact if kind == "contact" else selection.motion
-            line = selection.contact_line if kind == "contact" else selection.motion_line
-            found.append(self._candidate(time, kind, index, int(codes[index]), line))
-        return tuple(found)
+        codes = {"contact": selection.contact.tolist(), "motion": selection.motion.tolist()}
+        keys = [(kind, index, codes[kind][index]) for _, kind, index in self._told]
+        known = self._known
+        return tuple([known.get(key) or self._candidate(*key) for key in keys])
 
     def reasons(self, kind: CandidateKind, index: int) -> tuple[Reason, ...]:
         """The terms of a candidate's probability, the strongest first; of the likelier line."""
@@ -104,17 +104,18 @@ class Told:
             self._reasons[key] = self._summed_up(kind, index)
         return self._reasons[key]
 
-    def _candidate(
-        self, time_s: float, kind: CandidateKind, index: int, code: int, line: float
-    ) -> Candidate:
+    def _candidate(self, kind: CandidateKind, index: int, code: int) -> Candidate:
         given = code in (GIVEN, CONTACT)
-        probability = self._probability(kind, index)
-        why = "" if given else _why_not(code, probability, line)
-        key = kind, index, why
+        key = kind, index, code
         if key not in self._known:
+            probability = self._probability(kind, index)
+            why = "" if given else _why_not(code, probability)
             step = tuple(self._evidence.force_step_N[index].tolist()) if kind == "contact" else None
             reasons = self.reasons(kind, index)
-            self._known[key] = Candidate(time_s, kind, probability, given, why, reasons, step)
+            times = self._evidence.contact_s if kind == "contact" else self._evidence.motion_s
+            self._known[key] = Candidate(
+                float(times[index]), kind, probability, given, why, reasons, step
+            )
         return self._known[key]
 
     def _probability(self, kind: CandidateKind, index: int) -> float:
@@ -148,18 +149,21 @@ class Told:
         return sorted((time, kind, index) for _, time, kind, index in worth[:MOST_TOLD])
 
     def _summed_up(self, kind: CandidateKind, index: int) -> tuple[Reason, ...]:
-        weights, evidence = self._weights, self._evidence
+        evidence = self._evidence
         if kind == "contact":
-            row, names, columns = evidence.contact.terms[index], CONTACT_TERMS, CONTACT_COLUMNS
-            lines = (weights.step, weights.state)
-            line = max(lines, key=lambda each: float(each.log_odds(row[None], columns)[0]))
-            slope = weights.contact_calibration.slope
+            by_state = self._state_odds[index] > self._step_odds[index]
+            added = self._added["state" if by_state else "step"]
+            row, columns = evidence.contact.terms[index], CONTACT_COLUMNS
         else:
-            row, names, columns = evidence.motion.terms[index], MOTION_TERMS, MOTION_COLUMNS
-            line, slope = weights.motion, weights.motion_calibration.slope
+            added, row, columns = (
+                self._added["motion"],
+                evidence.motion.terms[index],
+                MOTION_COLUMNS,
+            )
+        values = row.tolist()
         reasons = [
-            Reason(names[name], float(row[columns[name]]), value)
-            for name, value in _added(line, row, columns, slope)
+            Reason(words, values[columns[name]], value)
+            for (name, words), value in zip(added.terms, added.odds[index].tolist(), strict=True)
         ]
         score = (self._scores.contact if kind == "contact" else self._scores.motion)[index]
         lost = float(score) - self._alone(kind, index) if np.isfinite(score) else 0.0
@@ -169,20 +173,54 @@ class Told:
             reasons.append(Reason(UNLIKE if unlike else CROWDED, value, lost))
         return tuple(sorted(reasons, key=lambda reason: -abs(reason.contribution)))
 
+    @cached_property
+    def _step_odds(self) -> Array:
+        return self._weights.step.log_odds(self._evidence.contact.terms, CONTACT_COLUMNS)
 
-def _added(
-    line: Line, row: Array, columns: dict[str, int], slope: float
-) -> list[tuple[str, float]]:
-    """What each term adds to the calibrated log-odds; terms without weight left out."""
-    added = slope * line.contributions(row[None], columns)[0]
-    pairs = zip(line.names, added.tolist(), line.weight.tolist(), strict=True)
-    return [(name, value) for name, value, weight in pairs if weight != 0.0]
+    @cached_property
+    def _state_odds(self) -> Array:
+        return self._weights.state.log_odds(self._evidence.contact.terms, CONTACT_COLUMNS)
+
+    @cached_property
+    def _added(self) -> dict[str, "_Added"]:
+        weights, evidence = self._weights, self._evidence
+        contact, motion = weights.contact_calibration.slope, weights.motion_calibration.slope
+        touches, moves = evidence.contact.terms, evidence.motion.terms
+        return {
+            "step": _Added.of(weights.step, touches, CONTACT_COLUMNS, CONTACT_TERMS, contact),
+            "state": _Added.of(weights.state, touches, CONTACT_COLUMNS, CONTACT_TERMS, contact),
+            "motion": _Added.of(weights.motion, moves, MOTION_COLUMNS, MOTION_TERMS, motion),
+        }
 
 
-def _why_not(code: int, probability: float, line: float) -> str:
+@dataclass(frozen=True, eq=False)
+class _Added:
+    """What each term of a line with weight adds to the calibrated log-odds (C, U).
+
+    terms (U,): name of each and what it says
+    """
+
+    terms: list[tuple[str, str]]
+    odds: Array
+
+    @classmethod
+    def of(
+        cls,
+        line: Line,
+        table: Array,
+        columns: Mapping[str, int],
+        words: Mapping[str, str],
+        slope: float,
+    ) -> "_Added":
+        use = np.flatnonzero(line.weight)
+        odds = slope * line.contributions(table, columns)[:, use]
+        return cls([(line.names[i], words[line.names[i]]) for i in use], odds)
+
+
+def _why_not(code: int, probability: float) -> str:
     match code:
         case _ if code == BELOW:
-            return f"A line at {max(probability, 0.01):.2f} would let it in (now {line:.2f})."
+            return f"A line at {max(probability, 0.01):.2f} would let it in."
         case _ if code == CLOSE:
             return "A likelier boundary is too close; a smaller minimal distance would let it in."
         case _ if code == SMALL:

@@ -170,15 +170,17 @@ def paper_scales(ratio: float) -> tuple[float, float]:
 
 def error_curve(demonstration: Demonstration, parameters: Parameters) -> ErrorCurve | None:
     """The normalized error of a demonstration in bins of 20 ms; None without force."""
-    wrench = wrench_of(demonstration)
-    if wrench is None:
+    force, torque = demonstration.force_N, demonstration.torque_Nm
+    if force is None:
         return None
     starts = bin_starts(demonstration.time_s)
-    time, binned = bin_means(demonstration.time_s, starts), bin_means(wrench, starts)
+    time, binned = bin_means(demonstration.time_s, starts), bin_means(force, starts)
+    if torque is not None:
+        binned = np.hstack([binned, bin_means(torque, starts)])
     noise = binned_noise(binned, parameters)
     error = normalized_error(binned, noise, parameters.process_noise_ratio, parameters.engine)
     median = running_median(time, error)
-    return ErrorCurve(time, error, median, wrench.shape[1], chi_square_level(*binned.shape))
+    return ErrorCurve(time, error, median, binned.shape[1], chi_square_level(*binned.shape))
 
 
 def binned_noise(binned: Array, parameters: Parameters) -> Array:

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from keyphase.demonstration import Array
-from keyphase.segmentation.evidence.choice import LEAST_ODDS, spaced_scores
+from keyphase.segmentation.evidence.choice import spaced_scores
 from keyphase.segmentation.evidence.fitting.logistic import fitted_calibration, fitted_line
 from keyphase.segmentation.evidence.fitting.taught import Side, Taught, labels, right
 from keyphase.segmentation.evidence.probability import (
@@ -40,6 +40,7 @@ STEP_SIGNS: Mapping[str, int] = {
     "standing": -1,
     "over_core": 1,
     "over_wander": 1,
+    "inside_free": -1,
 }
 STATE_SIGNS: Mapping[str, int] = {
     "crossing": 1,
@@ -57,6 +58,7 @@ MOTION_SIGNS: Mapping[str, int] = {
     "stroke_length": 1,
     "stroke_speed": 1,
     "small_stroke": 1,
+    "bare_turn": 1,
     "stands": 1,
 }
 KIND_TERMS = (
@@ -77,7 +79,10 @@ FAMILY_SHARE = 60.0
 """What the candidates of one family weigh together, beside the regularisation."""
 
 ROUNDS = 3
-MIN_DISTANCE_S = 0.3
+MIN_DISTANCE_S = 0.25
+_LEAST_CALIBRATED = -4.0
+_AS_GOOD = 0.01
+"""Rather a boundary too many: it is seen and taken away, one that is missing is not."""
 _UNCALIBRATED = Calibration(1.0, 0.0, 0.5)
 _NO_KINDS = Kinds((), (), np.zeros((1, 0)), np.zeros(0), 1.0)
 
@@ -87,8 +92,8 @@ def fit(recordings: Sequence[Taught], say: Callable[[str], None] = lambda _: Non
     weights = fitted_lines(recordings)
     say("lines fitted")
     outside = scores_left_out(recordings, say)
-    contact = _calibration([(t.family, t.contact, s) for t, (s, _) in outside])
-    motion = _calibration([(t.family, t.motion, s) for t, (_, s) in outside])
+    contact = _calibration([(t.family, t.contact, s) for t, (s, _) in outside], _AS_GOOD)
+    motion = _calibration([(t.family, t.motion, s) for t, (_, s) in outside], _AS_GOOD)
     return replace(
         weights,
         contact_calibration=contact,
@@ -181,13 +186,16 @@ def scores_left_out(
     return found
 
 
-def _calibration(scored: Sequence[tuple[str, Side, Array]]) -> Calibration:
-    """Slope and offset of the scores, and the line with the best mean F1 of the families."""
+def _calibration(scored: Sequence[tuple[str, Side, Array]], as_good: float) -> Calibration:
+    """Slope and offset of the scores, and the automatic line.
+
+    The line is the lowest whose mean F1 over the families is within `as_good` of the best.
+    """
     families = np.concatenate([np.repeat(f, len(s)) for f, _, s in scored])
     scores = np.concatenate([s for _, _, s in scored])
     hits = np.concatenate([right(side, s) for _, side, s in scored])
     events = {f: sum(len(side.event_s) for g, side, _ in scored if g == f) for f in set(families)}
-    known = (hits >= 0) & (scores >= LEAST_ODDS)
+    known = (hits >= 0) & (scores >= _LEAST_CALIBRATED)
     families, scores, hits = families[known], scores[known], hits[known].astype(float)
     share = np.zeros(len(scores))
     for family in sorted(set(families)):
@@ -196,7 +204,8 @@ def _calibration(scored: Sequence[tuple[str, Side, Array]]) -> Calibration:
     probability = sigmoid(slope * scores + offset)
     lines = np.round(np.arange(0.1, 0.9, 0.05), 2)
     worth = [_mean_f1(probability >= line, families, hits, events) for line in lines]
-    return Calibration(slope, offset, float(lines[int(np.argmax(worth))]))
+    good = np.array(worth) >= max(worth) - as_good
+    return Calibration(slope, offset, float(lines[int(np.argmax(good))]))
 
 
 def _mean_f1(given: Array, families: Array, hits: Array, events: Mapping[str, int]) -> float:

@@ -8,7 +8,9 @@ from keyphase.demonstration import Array
 from keyphase.segmentation.evidence.probability import either, sigmoid
 from keyphase.segmentation.evidence.weights import Line
 
-REGULARISATION = 1.0
+REGULARISATION = 3.0
+"""Strong, so that terms that say nearly the same share the weight: made recordings are only like
+real ones, and no single term should carry the decision."""
 
 
 def fitted_line(
