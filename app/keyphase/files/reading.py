@@ -1,5 +1,6 @@
 """A file as one piece: read once, within a limit, and hashed; never a device or a pipe."""
 
+import errno
 import hashlib
 import os
 import stat
@@ -39,7 +40,7 @@ def read_regular(path: Path, limit_bytes: int) -> bytes:
             raise OSError(22, "it is no regular file", str(path))
         data = file.read(min(status.st_size, limit_bytes) + 1)
     if len(data) > limit_bytes:
-        raise OSError(27, f"it is larger than {limit_bytes} bytes", str(path))
+        raise OSError(27, f"it is larger than the limit of {limit_bytes} bytes", str(path))
     return data
 
 
@@ -55,14 +56,15 @@ def read_whole(path: Path, limit_bytes: int) -> WholeFile:
                 f"{path}: expected a recording, but this is a folder; name a file in it."
             )
         data = read_regular(path, limit_bytes)
-    except FileNotFoundError as error:
-        raise DemonstrationError(
-            f"{path}: expected a recording, but there is no such file; check the path."
-        ) from error
     except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else str(error)
+        # A name that is too long or holds a NUL names no file either.
+        if isinstance(error, ValueError) or error.errno in (errno.ENOENT, errno.ENAMETOOLONG):
+            raise DemonstrationError(
+                f"{path}: expected a recording, but there is no such file; check the path."
+            ) from error
         raise DemonstrationError(
-            f"{path}: the file cannot be read ({reason}); check its kind, size and permissions."
+            f"{path}: the file cannot be read ({error.strerror}); check its kind, size and "
+            "permissions."
         ) from error
     if not data:
         raise DemonstrationError(f"{path}: the file is empty; record or export it again.")
