@@ -3,6 +3,7 @@
 import bz2
 import io
 import lzma
+import os
 import tracemalloc
 import zipfile
 import zlib
@@ -131,3 +132,9 @@ def test_steps_no_recorder_has_are_refused(tmp_path):
 @pytest.mark.parametrize("junk", [b"", b"\x93NUMPY\x01\x00\xff\xff{", b"\x93NUMPY\x09\x00v\x00"])
 def test_a_member_that_is_no_array_is_refused(tmp_path, junk):
     refused(write(tmp_path / "junk.npz", sound() | {"position_m": junk}), "damaged|version|follow")
+
+
+def test_a_pipe_is_refused_without_waiting_for_it(tmp_path):
+    os.mkfifo(tmp_path / "pipe.csv")
+    with pytest.raises(DemonstrationError, match="no regular file"):
+        read(tmp_path / "pipe.csv")

@@ -6,6 +6,7 @@ import os
 import stat
 from dataclasses import dataclass
 from pathlib import Path
+from typing import BinaryIO
 
 from keyphase.demonstration import Source
 from keyphase.errors import DemonstrationError
@@ -33,15 +34,25 @@ def read_regular(path: Path, limit_bytes: int) -> bytes:
     Raises OSError where it cannot be read, is a folder, a device or a pipe, or is larger. It never
     waits, as opening a pipe would.
     """
-    descriptor = os.open(path, os.O_RDONLY | os.O_CLOEXEC | getattr(os, "O_NONBLOCK", 0))
-    with open(descriptor, "rb") as file:
-        status = os.fstat(file.fileno())
-        if not stat.S_ISREG(status.st_mode):
-            raise OSError(22, "it is no regular file", str(path))
-        data = file.read(min(status.st_size, limit_bytes) + 1)
+    with _opened(path) as file:
+        data = file.read(min(os.fstat(file.fileno()).st_size, limit_bytes) + 1)
     if len(data) > limit_bytes:
         raise OSError(27, f"it is larger than the limit of {limit_bytes} bytes", str(path))
     return data
+
+
+def first_bytes(path: Path, count: int) -> bytes:
+    """The first bytes of a regular file. Raises OSError as `read_regular` does."""
+    with _opened(path) as file:
+        return file.read(count)
+
+
+def _opened(path: Path) -> BinaryIO:
+    descriptor = os.open(path, os.O_RDONLY | os.O_CLOEXEC | getattr(os, "O_NONBLOCK", 0))
+    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+        os.close(descriptor)
+        raise OSError(errno.EINVAL, "it is no regular file", str(path))
+    return open(descriptor, "rb")
 
 
 def read_whole(path: Path, limit_bytes: int) -> WholeFile:

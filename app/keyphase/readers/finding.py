@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from keyphase.errors import DemonstrationError, KeyphaseError
 from keyphase.files.parts import split_part, with_part
-from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
+from keyphase.files.reading import DEFAULT_LIMIT_BYTES, first_bytes, read_whole
 from keyphase.readers.formats.known import format_of
 from keyphase.readers.native_csv import LONGEST_HEADER, has_native_header
 from keyphase.readers.recipes.file import load_recipe
@@ -107,9 +107,8 @@ def folder_recipe(path: Path) -> Path | None:
 def begins_native(path: Path) -> bool:
     """Whether a file begins with the header of a native table; reads no more of it than that."""
     try:
-        with path.open("rb") as file:
-            return has_native_header(file.read(LONGEST_HEADER))
-    except OSError:
+        return has_native_header(first_bytes(path, LONGEST_HEADER))
+    except (OSError, ValueError):
         return False
 
 

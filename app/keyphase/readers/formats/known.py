@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from keyphase.files.reading import first_bytes
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.bags import (
     MCAP_MAGIC,
@@ -85,9 +86,8 @@ def format_of(path: Path) -> Format | None:
             return _folder_format(path)
         if is_zarr(path):
             return ZARR
-        with path.open("rb") as file:
-            head = file.read(LONGEST_MAGIC)
-    except OSError:
+        head = first_bytes(path, LONGEST_MAGIC)
+    except (OSError, ValueError):
         return None
     return next((form for magic, form in _MAGIC if head.startswith(magic)), None)
 
