@@ -9,7 +9,7 @@ import { addressOf } from "../model/address.js";
 export function createPanelActions(store, send) {
   const own = {
     show: (what, visible) => send({ type: "show", what, visible }),
-    toggleRobot: () => own.show("robot", !store.state.shown.robot),
+    toggleRobot: () => !store.state.lookingOnly && own.show("robot", !store.state.shown.robot),
     /** @param {"open"|"close"|"start"|"stop"|"reset"|"undo_take"|"redo_take"} what */
     record: (what, workcell = null) => send({ type: "record", do: what, workcell }),
     replaySettings: (changed) => send({ type: "replay_settings", ...changed }),
