@@ -1,8 +1,8 @@
 """The methods that are compared, each from a demonstration to boundaries.
 
 The others know less of demonstrations than keyphase, so they are helped where that is possible:
-where only contact is labelled they see the wrench alone, the penalty was chosen on made recordings
-like those they are judged on, one is told the true number, and what they find may be of any kind.
+where only contact is labelled they see the wrench alone, one is told the true number, and what
+they find may be of any kind.
 """
 
 from collections.abc import Callable, Sequence
@@ -18,8 +18,8 @@ from keyphase.segmentation import Parameters, segment
 
 LEAST_S = 0.3
 PENALTY = 12.0
-"""Of the kernel detector; of 3, 6, 12, 25, 50, 100 the best macro F1 on the made recordings
-(`python tests/benchmarks/compare --choose-penalty`)."""
+"""Of the kernel detector: a first guess. `python tests/benchmarks/compare --choose-penalty` tries
+3 to 100 on made recordings; take the best before quoting that column."""
 SLOW = 0.05
 MOST_STATES = 8
 
@@ -106,7 +106,7 @@ METHODS = (
     Method("the paper's method", paper),
     Method("its author's constants", author),
     Method("ruptures, true number", kernel_true_number, "how many"),
-    Method("ruptures, penalty", kernel_penalty, "a penalty chosen on made recordings"),
+    Method("ruptures, penalty", kernel_penalty, "a penalty"),
     Method("HMM (hmmlearn)", hidden_markov),
     Method("speed threshold", speed_threshold),
 )
