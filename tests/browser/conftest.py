@@ -57,7 +57,9 @@ class _Editor:
 
     def open(self, recording: Path) -> KeyphasePage:
         page = self._page = self._page or self._new()
-        self.server.session.queue.add(recording)
+        page.until("keyphase.state.greeted")
+        (view,) = self.server.workbench.views
+        view.add(recording)
         page.until("keyphase.state.recordings?.items.length === 1")
         page.wait_for_document()
         self._before = page.page.evaluate(_AS_OPENED)
@@ -75,8 +77,8 @@ class _Editor:
             assert not page.errors
             self._page = page if again else None
         finally:
-            for one in self.server.session.queue.recordings:
-                self.server.session.queue.remove(one.path)
+            for one in self.server.workbench.recordings.recordings:
+                self.server.workbench.remove(one.path)
             if self._page is None:
                 page.close()
         if self._page:

@@ -20,7 +20,7 @@ _RECORD = """(read) => {
   const look = eval(read);
   const record = () => {
     const { pending, held } = keyphase.state;
-    const waiting = pending.length > 0 || "force_ratio" in held;
+    const waiting = pending.length > 0 || "min_distance_s" in held;
     seen.push({ value: look(), waiting });
     if (seen.length < 600) requestAnimationFrame(record);
   };
@@ -64,14 +64,15 @@ def test_a_dragged_boundary_never_jumps_back(slow: KeyphasePage) -> None:
 
 
 def test_a_slider_that_was_let_go_keeps_its_value(slow: KeyphasePage) -> None:
-    thumb = slow.slider("Ratio")
-    number = slow.panel.get_by_label("Ratio, value")
+    thumb = slow.slider("Min. distance, s")
+    number = slow.panel.get_by_label("Min. distance, s, value")
     slow.page.evaluate(
-        _RECORD, "() => Number(document.querySelector('[aria-label=\"Ratio, value\"]').value)"
+        _RECORD,
+        "() => Number(document.querySelector('[aria-label=\"Min. distance, s, value\"]').value)",
     )
     slow.drag(thumb, (thumb[0] + 45, thumb[1]))
     left_at = float(number.input_value())
-    assert left_at > 25
+    assert left_at > 0.4
     seen = frames_until_answered(slow)
     assert {one["value"] for one in seen} == {left_at}
 
