@@ -58,8 +58,14 @@ class Frame:
         return scene
 
     def settle(self) -> None:
-        """Until everything the session has said is drawn, and what that needed is worked out."""
+        """Until everything the session has said is drawn, and what that needed is worked out.
+
+        A page hears of a change before its scene does, both under one lock of the view's.
+        """
         wait_until_free(self.server)
+        view = self.server.workbench.find_view(self.page)
+        with view._lock, view.scene._lock:  # pyright: ignore
+            pass
         assert self.server.scenes.wait_until_drawn(DRAWN_WITHIN_S)
 
     def node(self, name: str):

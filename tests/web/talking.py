@@ -27,7 +27,7 @@ ABOUT_A_DOCUMENT = {
     if issubclass(kind, OnDocument) and isinstance(tag := kind.__struct_config__.tag, str)
 } | {"signals"}
 
-WAIT_S = 10.0
+WAIT_S = 60.0
 """A test that waits longer than this has failed."""
 
 

@@ -211,7 +211,8 @@ def test_what_is_being_worked_out_is_given_up_as_the_server_stops(
         return True
 
     server.shared.paths.gives_way = gives_way
-    with frame(server):
+    with frame(server) as framed:
+        view_of(framed).add(Path(shutil.copy(shipped("data") / "synthetic_setup1.npz", tmp_path)))
         assert begun.wait(WAIT_S)
         server.stop()
     assert server.shared.wait_until_idle(0.0)

@@ -72,13 +72,13 @@ class Conversation:
         except Exception as error:
             self.refuse(request, error)
 
-    def refuse(self, request: ask.Request, error: Exception) -> None:
+    def refuse(self, request: ask.Request | ask.OnDocument, error: Exception) -> None:
         """Tell this page alone that a request was not done, and give an edit back."""
         _, text = in_words(error)
         about = request if isinstance(request, ask.OnDocument) else None
         self.send(
             say.Refused(
-                request=request.__struct_config__.tag or "",
+                request=str(request.__struct_config__.tag),
                 recording=about.recording if about else None,
                 revision=about.revision if about else None,
                 event=about.event if about else None,

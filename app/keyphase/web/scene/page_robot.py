@@ -13,6 +13,7 @@ import viser
 
 from keyphase.demonstration import Array
 from keyphase.errors import KeyphaseError
+from keyphase.robot.arm import Arm
 from keyphase.robot.follow import JointPath, posture_at
 from keyphase.robot.placing import suggested_placement, within_reach
 from keyphase.robot.pose import Placement
@@ -236,7 +237,7 @@ class PageRobot:
         return gizmo
 
 
-def is_own(shown: DeskState, arm: object) -> bool:
+def is_own(shown: DeskState, arm: Arm) -> bool:
     """Whether a recording was made by the robot that is shown, or in a workcell of ours."""
     demonstration = shown.demonstration
     return "workcell" in demonstration.metadata or recorded_path(arm, demonstration) is not None

@@ -7,6 +7,7 @@ import numpy as np
 import viser
 from viser import infra
 from viser.infra import _infra
+from viser.infra._async_message_buffer import AsyncMessageBuffer
 
 _NOBODY = -1
 """The client's number; those of browsers count from zero."""
@@ -19,7 +20,7 @@ def film_in(server: viser.ViserServer) -> tuple[viser.ClientHandle, infra.StateS
     is made up for the film; this is private to viser, and a test fails where it stops holding.
     """
     loop: Any = server._event_loop  # type: ignore[reportPrivateUsage]
-    buffer = _infra.AsyncMessageBuffer(loop, persistent_messages=False)
+    buffer = AsyncMessageBuffer(loop, persistent_messages=False)
     state = _infra._ClientHandleState(buffer, loop)  # type: ignore[reportPrivateUsage]
     connection = infra.WebsockClientConnection(_NOBODY, state)
     client = viser.ClientHandle(connection, server)
