@@ -24,9 +24,11 @@ from keyphase.labeling.edits import (
     edit_as_json,
     edit_from_json,
 )
+from keyphase.labeling.frozen import end_condition_as_json
 from keyphase.labeling.segment_file import write_segment_file
 from keyphase.labeling.storage.journal import Journal
 from keyphase.labeling.storage.records import encode
+from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.segmentation.parameters import Parameters
 
 OTHERS = [
@@ -76,6 +78,11 @@ def test_done_survives_the_journals_json():
     person.makes(Done())
     done = list(person.document.edits.values())[-1]
     assert edit_from_json(json.loads(json.dumps(edit_as_json(done)))) == done
+
+
+def test_an_end_in_contact_that_was_frozen_is_equal_to_the_one_the_journal_gives_back():
+    frozen = end_condition_as_json(ContactEnd((0.0, 0.0, 1.0), 2.0))
+    assert json.loads(json.dumps(frozen)) == frozen
 
 
 def test_the_segment_file_of_what_is_done_stays_the_same_to_the_byte(tmp_path):

@@ -127,9 +127,9 @@ class Frozen(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 def end_condition_as_json(end: EndCondition) -> dict[str, Any]:
-    """An end condition as JSON values, with its kind."""
+    """An end condition as JSON values, with its kind: what a journal gives back is the same."""
     kind = "contact" if isinstance(end, ContactEnd) else "configuration"
-    return {"kind": kind, **msgspec.to_builtins(asdict(end))}
+    return {"kind": kind, **msgspec.json.decode(msgspec.json.encode(asdict(end)))}
 
 
 def end_condition_from_json(content: Mapping[str, Any]) -> EndCondition:
