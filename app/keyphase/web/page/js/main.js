@@ -122,7 +122,7 @@ createSpread(store, actions);
 createExplain(store, timeline, actions);
 createRename(store, timeline, actions);
 createLens(store, timeline, signals);
-store.on(["recording", "hidden"], () => signals.follow());
+store.on(["recording", "method", "hidden"], () => signals.follow());
 store.on(["view", "plotWidth"], () => signals.follow());
 
 /** Escape gives up one thing at a time, the innermost first. */

@@ -266,7 +266,7 @@ export function createActions(store, send, latency, own) {
       if (send({ type: "set", parameter: name, value, event, held }))
         own.moved(event, name, value, held);
     },
-    automaticThreshold: () => actions.setParameter("force_threshold", null, false),
+    automaticThreshold: (name = "force_threshold") => actions.setParameter(name, null, false),
 
     forgetLabel: (label) => send({ type: "forget_label", label }),
     bringBack: (index) => edit({ kind: "bring_back", edit: index }),

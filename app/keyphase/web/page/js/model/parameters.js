@@ -55,6 +55,9 @@ const TOLERANCE = number(
 /** @type {[number, number, number]} */
 const PROBABILITIES = [0.01, 0.99, 0.001];
 
+/** How a threshold over a probability runs. */
+export const PROBABILITY = number("", "", PROBABILITIES, "", "odds");
+
 /** @type {Object<string, Group[]>} */
 const GROUPS = {
   evidence: [

@@ -50,6 +50,7 @@ export function createReceiver(
       const other = before?.id !== message.id;
       store.set({
         recording: message.id,
+        method: message.parameters.variant,
         selected: message.selected,
         saving: false,
         readOnly: state.lookingOnly || Boolean(message.locked),
@@ -109,6 +110,7 @@ function fresh(doc) {
     fine: null,
     viewBefore: null,
     hovered: null,
+    candidate: null,
     current: null,
     explained: null,
     pointer: null,

@@ -18,8 +18,17 @@ const HEAD = [
   { key: "segments", large: 42, small: 34 },
 ];
 
-/** Every track: what it shows, its heights, the channel it needs. */
+/** Every track: what it shows, its heights, the channel it needs and the method that has it. */
 export const TRACKS = [
+  {
+    key: "evidence",
+    title: "Evidence",
+    unit: "",
+    channel: "position",
+    variant: "evidence",
+    large: 112,
+    small: 82,
+  },
   { key: "error", title: "Normalized error", unit: "", channel: "force", large: 112, small: 78 },
   { key: "position", title: "Position", unit: "mm", channel: "position", large: 86, small: 56 },
   { key: "speed", title: "Speed", unit: "mm/s", channel: "position", large: 64, small: 46 },
@@ -48,8 +57,15 @@ export function firstChoice(small) {
  * @param {import("../lib/store.js").State} state
  */
 export function tracksOf(state) {
-  const channels = state.document?.channels ?? [];
-  return TRACKS.filter(({ key, channel }) => channels.includes(channel) && !state.hidden.has(key));
+  return tracksFor(state.document).filter(({ key }) => !state.hidden.has(key));
+}
+
+/** The tracks a recording has, shown or hidden. @param {import("./types.js").Doc|null} doc */
+export function tracksFor(doc) {
+  return TRACKS.filter(
+    ({ channel, variant }) =>
+      doc?.channels.includes(channel) && (!variant || variant === doc.parameters.variant),
+  );
 }
 
 /**

@@ -7,7 +7,7 @@ import { firstChoice } from "./rows.js";
  * @typedef {{
  *   connected: boolean|null, greeted: boolean, lookingOnly: boolean, readOnly: boolean,
  *   recordings: {folder: string, current: string|null, items: import("./types.js").Recording[]},
- *   recording: string|null, document: import("./types.js").Doc|null,
+ *   recording: string|null, method: string|null, document: import("./types.js").Doc|null,
  *   labels: {name: string, color: string}[],
  *   ghost: {time_s: number, origin: import("./types.js").Origin, fate: "comes"|"goes"}[],
  *   whole: import("./types.js").Signals|null, fine: import("./types.js").Signals|null,
@@ -19,10 +19,10 @@ import { firstChoice } from "./rows.js";
  *   following: string|null, lostAt: Date|null, command: string|null}} Told
  *
  * What a person looks at and holds; `hovered`, `current` and `explained` are numbers of boundaries,
- * `selected` and `renaming` of segments, `pointer` and `clock` are times
+ * `selected` and `renaming` of segments, `candidate` of a candidate, `pointer` and `clock` are times
  * @typedef {{
  *   view: import("./types.js").View|null, viewBefore: import("./types.js").View|null, clock: number, selected: number|null,
- *   hovered: number|null, current: number|null, explained: number|null, pointer: number|null,
+ *   hovered: number|null, candidate: number|null, current: number|null, explained: number|null, pointer: number|null,
  *   drag: any, range: [number, number]|null, planDrag: any, renaming: number|null,
  *   held: Object<string, *>, pending: import("./pending.js").Pending[], tab: string,
  *   drawer: "panel"|"queue"|null,
@@ -43,6 +43,7 @@ export function firstState(small) {
     readOnly: false,
     recordings: { folder: "", current: null, items: [] },
     recording: null,
+    method: null,
     document: null,
     labels: [],
     ghost: [],
@@ -74,6 +75,7 @@ export function firstState(small) {
     clock: 0,
     selected: null,
     hovered: null,
+    candidate: null,
     current: null,
     explained: null,
     pointer: null,

@@ -11,6 +11,8 @@
  * @typedef {{start_s: number, end_s: number, label: string, proposed: boolean, kept: boolean,
  *   idle: boolean, color: number, end_condition: Object<string, *>, short: string[],
  *   middle_m: number[]}} Segment
+ * @typedef {{time_s: number, kind: "contact"|"motion", probability: number, given: boolean,
+ *   why_not: string}} Candidate
  * @typedef {{time_s: number, bin_time_s: number, height: number, rejection: string}} Peak
  * @typedef {{time_s: number, segment: number, repeat: number, connect_mm: number|null}} PlanEntry
  *
@@ -19,7 +21,7 @@
  *   force_channels: number, edits: number, notices: string[], parameters: Object<string, *>,
  *   threshold: number|null, automatic_threshold: number|null,
  *   motion_threshold?: number|null, automatic_motion_threshold?: number|null, boundaries: Boundary[],
- *   segments: Segment[], peaks: Peak[], gaussians: Object[], plan: PlanEntry[],
+ *   segments: Segment[], peaks: Peak[], candidates?: Candidate[], gaussians: Object[], plan: PlanEntry[],
  *   proposed_drops: number[], inapplicable: {edit: Object, text: string}[],
  *   selected: number|null, undo: string|null, redo: string|null, saved_at: string|null,
  *   labels: {name: string, color: string}[],

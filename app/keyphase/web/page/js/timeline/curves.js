@@ -216,3 +216,31 @@ export function eachSample({ times, values }, from, to, visit) {
     if (times[k] > to) return;
   }
 }
+
+/** Fills what of the curve stands above the threshold. */
+export function fillAbove({ ctx }, { width, y }, { threshold, series, view, color }) {
+  if (threshold === null || !series) return;
+  const level = y(threshold);
+  const perSecond = width / (view.to - view.from);
+  ctx.save();
+  ctx.globalAlpha = 0.26;
+  ctx.fillStyle = color;
+  if (isDense([series], view, width)) {
+    eachColumn(series, view, width, y, (column, top) => {
+      if (top < level) ctx.fillRect(column, Math.floor(top), 1, level - Math.floor(top));
+    });
+    ctx.restore();
+    return;
+  }
+  ctx.beginPath();
+  ctx.rect(0, 0, width, Math.max(0, level));
+  ctx.clip();
+  ctx.beginPath();
+  ctx.moveTo(0, level);
+  eachSample(series, view.from, view.to, (time, value) =>
+    ctx.lineTo((time - view.from) * perSecond, y(value)),
+  );
+  ctx.lineTo(width, level);
+  ctx.fill();
+  ctx.restore();
+}

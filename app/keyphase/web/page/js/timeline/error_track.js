@@ -8,8 +8,7 @@ import { el, svg } from "../lib/dom.js";
 import { height as heightText } from "../lib/format.js";
 import { valueInForce } from "../model/parameters.js";
 import { curvesOf, valueAt } from "../model/signals.js";
-import { createCurves, eachSample, extent } from "./curves.js";
-import { eachColumn, isDense } from "./dense_curve.js";
+import { createCurves, extent, fillAbove } from "./curves.js";
 import { glyph } from "./glyphs.js";
 import { textWidth } from "../lib/text_width.js";
 import { tickLabels } from "./tracks.js";
@@ -138,34 +137,6 @@ function invert(range, y, level) {
   const share = (level - y(bottom)) / (y(top) - y(bottom));
   const mapped = range.low + share * (range.high - range.low);
   return range.map === identity ? Math.max(mapped, 0) : 10 ** mapped;
-}
-
-/** Fills what of the curve stands above the threshold. */
-function fillAbove({ ctx }, { width, y }, { threshold, series, view, color }) {
-  if (threshold === null || !series) return;
-  const level = y(threshold);
-  const perSecond = width / (view.to - view.from);
-  ctx.save();
-  ctx.globalAlpha = 0.26;
-  ctx.fillStyle = color;
-  if (isDense([series], view, width)) {
-    eachColumn(series, view, width, y, (column, top) => {
-      if (top < level) ctx.fillRect(column, Math.floor(top), 1, level - Math.floor(top));
-    });
-    ctx.restore();
-    return;
-  }
-  ctx.beginPath();
-  ctx.rect(0, 0, width, Math.max(0, level));
-  ctx.clip();
-  ctx.beginPath();
-  ctx.moveTo(0, level);
-  eachSample(series, view.from, view.to, (time, value) =>
-    ctx.lineTo((time - view.from) * perSecond, y(value)),
-  );
-  ctx.lineTo(width, level);
-  ctx.fill();
-  ctx.restore();
 }
 
 function drawPeaks(state, scale, y) {

@@ -10,6 +10,7 @@
 import { segmentAt } from "../model/segments.js";
 import { reachOf } from "../model/drag.js";
 import { clampView, createScale } from "../lib/scale.js";
+import { dragLine } from "./evidence/drag_line.js";
 import { nearestEvidence, REACH_PX } from "../model/snapping.js";
 
 /** So near the automatic threshold, as a share of it, the line is caught. */
@@ -36,6 +37,8 @@ export function startGesture(store, timeline, actions, hit, start) {
       return scrub(timeline, actions, start);
     case "threshold":
       return readOnly ? null : dragThreshold(store, timeline, actions);
+    case "line":
+      return readOnly ? null : dragLine(store, timeline, actions, hit.line, start);
     case "boundary":
       return dragBoundary(store, timeline, actions, hit.boundary, start, readOnly);
     case "segment":

@@ -8,7 +8,8 @@ const HANDLE_PX = 6;
 
 /**
  * @typedef {{kind: "overview"|"overview-from"|"overview-to"|"ruler"|"boundary"|"segment"|
- *   "threshold"|"track"|"none", boundary?: number, segment?: number}} Hit
+ *   "threshold"|"line"|"track"|"none", boundary?: number, segment?: number, line?: string,
+ *   candidate?: number|null}} Hit  `line`: the parameter of a line over the evidence
  */
 
 /**
@@ -26,13 +27,19 @@ export function hitTest(state, timeline, x, y, reach = BOUNDARY_PX) {
   const inRow = (key) =>
     y >= layout.rows.get(key).y && y < layout.rows.get(key).y + layout.rows.get(key).height;
   if (inRow("overview")) return overviewHit(state, x);
+  const line = timeline.lineAt(y, x > state.plotWidth);
+  if (x > state.plotWidth && line) return { kind: "line", line };
   if (x > state.plotWidth)
     return nearThreshold(state, timeline, y, 9) ? { kind: "threshold" } : { kind: "none" };
   if (inRow("ruler")) return { kind: "ruler" };
+  const candidate = timeline.candidateAt(x, y);
+  // A boundary says itself why it is there; what became none lies over the boundaries.
+  if (candidate !== null && !doc.candidates[candidate].given) return { kind: "track", candidate };
   const boundary = boundaryAt(doc, timeline.scale(), x, reach);
   if (boundary >= 0) return { kind: "boundary", boundary };
   if (inRow("segments"))
     return { kind: "segment", segment: segmentAt(doc, timeline.scale().time(x)) };
+  if (line) return { kind: "line", line };
   if (nearThreshold(state, timeline, y, THRESHOLD_PX)) return { kind: "threshold" };
   return { kind: "track" };
 }

@@ -14,6 +14,7 @@ const CURSORS = {
   boundary: "ew-resize",
   segment: "pointer",
   threshold: "ns-resize",
+  line: "ns-resize",
   track: "crosshair",
 };
 /** A finger hits a boundary this far beside it. */
@@ -50,6 +51,7 @@ export function attachPointer(store, timeline, actions) {
     surface.style.cursor = CURSORS[hit.kind] ?? "default";
     store.set({
       hovered: hit.kind === "boundary" ? hit.boundary : null,
+      candidate: hit.candidate ?? null,
       pointer: inTracks ? timeline.scale().time(point.x) : null,
     });
   }
@@ -120,7 +122,7 @@ export function attachPointer(store, timeline, actions) {
   surface.addEventListener("pointerup", finish);
   surface.addEventListener("pointercancel", finish);
   surface.addEventListener("pointerleave", () => {
-    if (!gesture) store.set({ pointer: null, hovered: null });
+    if (!gesture) store.set({ pointer: null, hovered: null, candidate: null });
   });
 
   surface.addEventListener("dblclick", (event) => {
@@ -129,6 +131,7 @@ export function attachPointer(store, timeline, actions) {
     if (hit.kind === "segment") actions.rename(hit.segment);
     else if (hit.kind === "overview") actions.fit();
     else if (hit.kind === "threshold") actions.automaticThreshold();
+    else if (hit.kind === "line") actions.automaticThreshold(hit.line);
   });
 
   surface.addEventListener("contextmenu", (event) => {

@@ -9,6 +9,8 @@ import { drawBoundaries, drawGhosts, drawIntervals } from "./boundaries.js";
 import { drawComparison } from "./comparison.js";
 import { withDrag } from "../model/drag.js";
 import { createErrorTrack, thresholdOf } from "./error_track.js";
+import { createEvidenceTrack } from "./evidence/evidence_track.js";
+import { evidenceOnSurface } from "./evidence/on_surface.js";
 import { createGutter } from "./gutter.js";
 import { createHeadGutters } from "./head_gutters.js";
 import { drawOverviewCurve, drawOverviewStrip, drawWindow } from "./overview.js";
@@ -19,6 +21,8 @@ import { createTrack } from "./tracks.js";
 
 const MARGIN_PX = { large: 42, small: 34 };
 const GUTTER_PX = { large: 172, small: 132 };
+/** @type {Object<string, (parts: any, store: any) => any>} tracks with lines that one can drag */
+const LINED = { error: createErrorTrack, evidence: createEvidenceTrack };
 
 /**
  * @param {HTMLElement} pane
@@ -87,7 +91,7 @@ export function createTimeline(pane, store, actions) {
     const row = el("div", { class: "track", data: { key } }, gutter.node, plot, holder);
     content.append(row);
     const parts = { plot, marks, gutter: gutter.body };
-    const drawn = key === "error" ? createErrorTrack(parts, store) : createTrack(key, parts);
+    const drawn = LINED[key]?.(parts, store) ?? createTrack(key, parts);
     const track = { ...drawn, row, gutter, holder };
     tracks.set(key, track);
     return track;
@@ -132,9 +136,10 @@ export function createTimeline(pane, store, actions) {
     readValues(state);
   }
 
-  function drawError(state) {
-    if (isReady(state) && layout.rows.has("error"))
-      tracks.get("error")?.draw(state, scale(), layout.rows.get("error"));
+  function drawLined(state) {
+    if (!isReady(state)) return;
+    for (const key of Object.keys(LINED))
+      if (layout.rows.has(key)) tracks.get(key)?.draw(state, scale(), layout.rows.get(key));
   }
 
   function drawSegments(plain) {
@@ -204,7 +209,7 @@ export function createTimeline(pane, store, actions) {
   }
 
   store.on(
-    ["recording", "folded", "hidden", "small", "paneHeight", "paneWidth", "comparison"],
+    ["recording", "method", "folded", "hidden", "small", "paneHeight", "paneWidth", "comparison"],
     arrange,
   );
   store.on(["recording", "view", "layout", "plotWidth"], drawView);
@@ -228,7 +233,7 @@ export function createTimeline(pane, store, actions) {
     drawSegments,
   );
   store.on(["view", "layout", "plotWidth", "whole", "fine", "folded"], drawTracks);
-  store.on(["document", "held", "logarithmic"], drawError);
+  store.on(["document", "held", "logarithmic", "candidate"], drawLined);
   store.on(["clock", "view", "layout", "plotWidth", "recording"], drawPlayhead);
   store.on(["pointer", "clock", "fine", "whole"], readValues);
   store.on(["dark"], (state) => {
@@ -244,6 +249,12 @@ export function createTimeline(pane, store, actions) {
     scroller,
     scale,
     layout: () => layout,
+    ...evidenceOnSurface(store, {
+      track: () => tracks.get("evidence"),
+      row: () => layout.rows.get("evidence"),
+      scale,
+      scroller,
+    }),
     /** Height the timeline wants, all rows shown. */
     naturalHeight: () => layOut(store.state).height,
     /** The error at a height of the surface, and the height of the threshold's line. */

@@ -2,7 +2,7 @@
 
 import { segmentAt } from "../../model/segments.js";
 import { byId, el, icon } from "../../lib/dom.js";
-import { TRACKS, toggle } from "../../model/rows.js";
+import { toggle, tracksFor } from "../../model/rows.js";
 
 /**
  * @typedef {{text: string, key?: string, run: () => void, off?: boolean, checked?: boolean}|"rule"|{heading: string}} Item
@@ -119,13 +119,11 @@ export function createMenu(store, actions) {
       const box = event.currentTarget.getBoundingClientRect();
       const { document: doc, hidden, comparison } = store.state;
       if (!comparison) actions.compare(null);
-      const items = TRACKS.filter(({ channel }) => doc.channels.includes(channel)).map(
-        ({ key, title }) => ({
-          text: title,
-          checked: !hidden.has(key),
-          run: () => toggle(store, "hidden", key),
-        }),
-      );
+      const items = tracksFor(doc).map(({ key, title }) => ({
+        text: title,
+        checked: !hidden.has(key),
+        run: () => toggle(store, "hidden", key),
+      }));
       open([{ heading: "Tracks" }, ...items, ...comparisonItems(store, actions)], {
         x: box.right - 208,
         y: box.bottom + 4,
@@ -153,8 +151,15 @@ function timelineItems(store, actions, hit, time) {
   const segment = doc.segments[index];
   if (!segment) return general;
   const threshold =
-    hit.kind === "threshold"
-      ? [{ text: "Threshold back to automatic", off, run: actions.automaticThreshold }, "rule"]
+    hit.kind === "threshold" || hit.kind === "line"
+      ? [
+          {
+            text: "Threshold back to automatic",
+            off,
+            run: () => actions.automaticThreshold(hit.line),
+          },
+          "rule",
+        ]
       : [];
   return [
     ...threshold,

@@ -1,0 +1,70 @@
+/**
+ * The evidence for boundaries: probabilities over time and the two lines that choose among them.
+ * A height in the track is a share of the way of the panel's sliders, so both run alike.
+ *
+ * @typedef {"contact"|"motion"} Kind
+ * @typedef {{kind: Kind, parameter: "force_threshold"|"motion_threshold",
+ *   origin: import("./types.js").Origin, title: string}} Line
+ */
+
+import { automaticValue, PROBABILITY, shareOf, valueAtShare, valueInForce } from "./parameters.js";
+
+/** @type {Line[]} */
+export const LINES = [
+  { kind: "contact", parameter: "force_threshold", origin: "force", title: "Force threshold" },
+  { kind: "motion", parameter: "motion_threshold", origin: "position", title: "Motion threshold" },
+];
+
+/** So near its automatic value a line falls back to it. */
+const CATCHES_PX = 5;
+
+/** Where a probability is drawn, from 0 (unlikely) to 1. @param {number} probability */
+export const heightOf = (probability) => shareOf(PROBABILITY, probability);
+
+/** The probability drawn at a height. @param {number} height */
+export const probabilityAt = (height) =>
+  valueAtShare(PROBABILITY, Math.min(Math.max(height, 0), 1));
+
+/**
+ * The lines of a recording, each with the value in force and its automatic value; none in the
+ * published way.
+ * @param {{document: import("./types.js").Doc, held: Object<string, *>}} state
+ */
+export function linesOf({ document: doc, held }) {
+  if (doc.parameters.variant !== "evidence") return [];
+  return LINES.map((line) => ({
+    ...line,
+    value: valueInForce(doc, held, line.parameter),
+    automatic: automaticValue(doc, {}, line.parameter),
+  })).filter(({ value }) => value !== null);
+}
+
+/**
+ * What a line let go at a height becomes: null, the automatic value, where it is near that.
+ * @param {number} height
+ * @param {number|null} automatic
+ * @param {number} pixels that the whole way is high
+ * @returns {number|null}
+ */
+export function lineValue(height, automatic, pixels) {
+  const away = automatic === null ? Infinity : Math.abs(height - heightOf(automatic)) * pixels;
+  return away <= CATCHES_PX ? null : probabilityAt(height);
+}
+
+/**
+ * Heights of tags that would overlap, moved apart within a track.
+ * @param {number[]} wanted px
+ * @param {number} apart px
+ * @param {[number, number]} room lowest and highest px
+ */
+export function apart(wanted, apart, [top, bottom]) {
+  const order = wanted.map((_, k) => k).sort((a, b) => wanted[a] - wanted[b]);
+  const levels = [...wanted];
+  order.forEach((k, n) => {
+    levels[k] = Math.max(levels[k], n ? levels[order[n - 1]] + apart : top);
+  });
+  [...order].reverse().forEach((k, n, back) => {
+    levels[k] = Math.min(levels[k], n ? levels[back[n - 1]] - apart : bottom);
+  });
+  return levels;
+}

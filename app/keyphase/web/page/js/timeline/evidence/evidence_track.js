@@ -1,0 +1,121 @@
+/**
+ * The evidence: the probability of a contact change and of a boundary of the motion over time, a
+ * line over each that one can drag, and every place where a boundary could be.
+ */
+
+import { cssColor } from "../../lib/colors.js";
+import { el } from "../../lib/dom.js";
+import { heightOf, LINES, linesOf, lineValue } from "../../model/evidence.js";
+import { curvesOf, valueAt } from "../../model/signals.js";
+import { createCurves, fillAbove } from "../curves.js";
+import { createReadout } from "../gutter.js";
+import { tickLabels } from "../tracks.js";
+import { drawCandidates, nearestCandidate, showNote } from "./candidates.js";
+import { drawLines, tagLevels } from "./lines.js";
+
+/** Room above and below the way of the lines, as a share of it. */
+const AIR = 0.05;
+const TICKS = { large: [0.01, 0.1, 0.5, 0.9, 0.99], small: [0.1, 0.5, 0.9] };
+const LINE_PX = 4;
+const TAG_PX = 8;
+const NOTHING = { times: new Float64Array(), values: new Float64Array() };
+
+/** @param {{plot: HTMLElement, marks: SVGElement, gutter: HTMLElement}} parts */
+export function createEvidenceTrack({ plot, marks, gutter }) {
+  const pens = LINES.map(({ origin }) => ({ color: `--origin-${origin}`, width: 1.2 }));
+  const folded = createCurves(plot, [{ color: "--text-3", width: 1 }]);
+  const note = el("div", { class: "candidate-note", role: "tooltip", hidden: true });
+  plot.after(note);
+  const readout = createReadout(
+    gutter,
+    LINES.map(({ kind }, k) => ({ key: kind, color: pens[k].color })),
+  );
+  let shades = { lines: [], series: [], view: null, colors: colorsOf(pens) };
+  const curves = createCurves(plot, pens, (chart, box) => paintShades(chart, box, shades));
+  let paired = { source: null, series: [] };
+
+  /** Contact and motion in this order, whichever there are. */
+  function pairOf(source) {
+    if (paired.source !== source) {
+      const of = (key) => source.find((one) => one.key === key) ?? { key, ...NOTHING };
+      paired = { source, series: LINES.map(({ kind }) => of(kind)) };
+    }
+    return paired.series;
+  }
+
+  /** Height of the way from the least to the greatest probability [px]. */
+  const way = () => curves.y(0) - curves.y(1);
+
+  return {
+    draw(state, scale, row) {
+      const source = curvesOf(state, "evidence")?.series;
+      plot.classList.toggle("folded", row.folded);
+      note.hidden = true;
+      if (!source?.length) return marks.replaceChildren();
+      const range = rangeOf(state.small);
+      if (row.folded) {
+        folded.resize(scale.width, row.height, true);
+        folded.draw([source[0]], range, state.view);
+        return marks.replaceChildren();
+      }
+      const series = pairOf(source);
+      const lines = linesOf(state);
+      shades = { ...shades, lines, series, view: state.view };
+      curves.resize(scale.width, row.height, false);
+      curves.draw(series, range, state.view);
+      showNote(note, state, scale, curves.y, row.height);
+      return marks.replaceChildren(
+        ...tickLabels(range, curves.y),
+        ...drawCandidates(state, scale, curves.y),
+        ...drawLines(lines, state, scale, curves.y, row.height),
+      );
+    },
+    read(state, time) {
+      const series = curvesOf(state, "evidence")?.series;
+      readout.show(pairOf(series ?? []).map((one) => shareText(valueAt(one, time))));
+    },
+    recolor() {
+      shades = { ...shades, colors: colorsOf(pens) };
+      curves.recolor();
+      folded.recolor();
+    },
+    /** The line that is grabbed at a height of the track, by itself or in the margin by its tag. */
+    lineAt(state, y, height, byTag) {
+      const lines = linesOf(state);
+      const levels = byTag
+        ? tagLevels(lines, curves.y, height)
+        : lines.map(({ value }) => curves.y(value));
+      const near = lines
+        .map(({ parameter }, k) => ({ parameter, away: Math.abs(levels[k] - y) }))
+        .filter(({ away }) => away <= (byTag ? TAG_PX : LINE_PX))
+        .sort((a, b) => a.away - b.away);
+      return near[0]?.parameter ?? null;
+    },
+    /** Where a line is drawn [px from the track's top]. */
+    lineY: (state, parameter) =>
+      curves.y(linesOf(state).find((line) => line.parameter === parameter)?.value ?? NaN),
+    /** What a line becomes that is let go at a height of the track. */
+    lineValue: (automatic, y) => lineValue((curves.y(0) - y) / way(), automatic, way()),
+    candidateAt: (state, scale, x, y) => nearestCandidate(state, scale, curves.y, x, y),
+  };
+}
+
+const colorsOf = (pens) => pens.map(({ color }) => cssColor(color));
+const shareText = (value) => (Number.isNaN(value) ? "–" : value.toFixed(2));
+
+/** curves.y(0) and curves.y(1) are the ends of the way, since a probability is clipped to it. */
+const ranges = new Map(
+  [true, false].map((small) => [
+    small,
+    { low: -AIR, high: 1 + AIR, ticks: TICKS[small ? "small" : "large"], map: heightOf },
+  ]),
+);
+const rangeOf = (small) => ranges.get(Boolean(small));
+
+function paintShades(chart, box, { lines, series, view, colors }) {
+  LINES.forEach(({ kind }, k) => {
+    const line = lines.find((one) => one.kind === kind);
+    if (line)
+      fillAbove(chart, box, { threshold: line.value, series: series[k], view, color: colors[k] });
+  });
+}
