@@ -58,8 +58,7 @@ class _Editor:
     def open(self, recording: Path) -> KeyphasePage:
         page = self._page = self._page or self._new()
         page.until("keyphase.state.greeted")
-        (view,) = self.server.workbench.views
-        view.add(recording)
+        self.server.workbench.views[-1].add(recording)
         page.until("keyphase.state.recordings?.items.length === 1")
         page.wait_for_document()
         self._before = page.page.evaluate(_AS_OPENED)

@@ -20,7 +20,8 @@ class Gizmo:
 
     def __init__(self, server: PageServer, page: KeyphasePage, size_m: float) -> None:
         self.server, self.page, self.size_m = server, page, size_m
-        (self.camera,) = (client.camera for client in server.viser.get_clients().values())
+        (self.client,) = server.viser.get_clients().values()
+        self.camera = self.client.camera
 
     def pull(self, axis: Vector, distance_m: float) -> None:
         """Drag the arrow along a direction of the base frame with the mouse."""
@@ -58,8 +59,9 @@ class Gizmo:
 
     @property
     def handle(self):
-        (gizmo,) = self.server.viser.scene._handle_from_transform_controls_name.values()  # type: ignore
-        return gizmo
+        gizmos = self.client.scene._handle_from_transform_controls_name.values()  # type: ignore
+        (shown,) = (gizmo for gizmo in gizmos if gizmo.visible)
+        return shown
 
     def pixel(self, point_m: Vector) -> tuple[float, float]:
         """Where a point of the scene is on the page."""

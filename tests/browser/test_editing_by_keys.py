@@ -80,6 +80,7 @@ def test_unsure_boundaries_are_visited_least_certain_first(editor: KeyphasePage)
     editor.page.evaluate(
         """() => {
           const doc = keyphase.state.document;
+          for (const boundary of doc.boundaries) boundary.confidence = 0.95;
           doc.boundaries[0].confidence = 0.6;
           doc.boundaries[1].confidence = 0.3;
         }"""
@@ -168,6 +169,7 @@ def test_the_playhead_goes_to_the_ends_and_from_boundary_to_boundary(
 def test_split_while_playing_snaps_to_the_nearest_evidence_unless_switched_off(
     timeline: KeyphasePage,
 ) -> None:
+    timeline.set_parameter("variant", "paper")
     peak = next(p for p in timeline.document["peaks"] if p["rejection"])
     boundaries = [b["time_s"] for b in timeline.document["boundaries"]]
     timeline.press("Home")
@@ -277,6 +279,7 @@ def test_keys_on_a_chip_mean_this_entry_and_the_focus_stays_with_it(
 
 def test_a_lost_edit_is_brought_back_and_forgotten_by_keys(editor: KeyphasePage) -> None:
     """The slider that leaves it without its place is moved by keys in `test_threshold.py`."""
+    editor.set_parameter("variant", "paper")
     editor.press("Home")
     editor.press(".")
     editor.until("keyphase.state.current === 0")

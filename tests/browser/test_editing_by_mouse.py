@@ -39,12 +39,13 @@ def test_a_dragged_boundary_moves_and_leaves_a_mark_where_it_was(editor: Keyphas
 
 
 def test_a_dragged_boundary_snaps_to_evidence_nearby(editor: KeyphasePage) -> None:
+    editor.set_parameter("variant", "paper")
     peak = next(p for p in editor.document["peaks"] if p["rejection"] == "at an end")
     last = editor.document["boundaries"][-1]["time_s"]
     row = editor.row("boundaries")
     y = row.y + row.height / 2
     editor.change(
-        lambda: editor.drag((editor.x(last), y), (editor.x(peak["time_s"]) + 4, y), steps=20)
+        lambda: editor.drag((editor.x(last), y), (editor.x(peak["time_s"]) - 4, y), steps=20)
     )
     moved = editor.document["boundaries"][-1]["time_s"]
     assert min(abs(moved - peak[key]) for key in ("time_s", "bin_time_s")) < 1e-6
@@ -179,6 +180,7 @@ def test_a_dropped_segment_is_hatched(editor: KeyphasePage) -> None:
 
 
 def test_split_while_playing_snaps_to_the_nearest_evidence(timeline: KeyphasePage) -> None:
+    timeline.set_parameter("variant", "paper")
     peak = next(p for p in timeline.document["peaks"] if p["rejection"])
     timeline.page.evaluate("t => keyphase.actions.seek(t)", peak["time_s"] - 0.03)
     timeline.page.evaluate("() => keyphase.actions.play({ playing: true, speed: 0.01 })")

@@ -41,10 +41,11 @@ def press(page: KeyphasePage, button: str) -> None:
 
 def wait_until_at_rest(server: PageServer, page: KeyphasePage, least_s: float) -> None:
     """Until so much has been simulated from now; the simulation may be slower than the clock."""
-    state = server.lead_through.status().running
+    lead = server.workbench.views[-1].lead
+    state = lead.status().running
     assert state is not None
     end_s = state.sample.time_s + least_s
-    while (state := server.lead_through.status().running) and state.sample.time_s < end_s:
+    while (state := lead.status().running) and state.sample.time_s < end_s:
         page.settle()
 
 

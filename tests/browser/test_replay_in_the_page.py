@@ -11,9 +11,9 @@ from keyphase.workbench.replaying.settings import ReplaySettings
 
 
 @pytest.fixture
-def server(editor_server: PageServer) -> PageServer:
-    """Replays run at four times real time."""
-    editor_server.workbench.views[0].replay.configure(lambda _: ReplaySettings(speed=4.0))
+def server(editor_server: PageServer, editor: KeyphasePage) -> PageServer:
+    """Replays of the page that `editor` is run at four times real time."""
+    editor_server.workbench.views[-1].replay.configure(lambda _: ReplaySettings(speed=4.0))
     return editor_server
 
 
@@ -22,7 +22,7 @@ def page(server: PageServer, editor: KeyphasePage) -> Iterator[KeyphasePage]:
     """The timeline with the idle segments dropped."""
     editor.change(lambda: editor.press("i"))
     yield editor
-    server.workbench.views[0].replay.leave()
+    server.workbench.views[-1].replay.leave()
     editor.until("keyphase.state.replay === null")
 
 
@@ -130,7 +130,7 @@ def test_its_recording_is_opened_from_the_result(page: KeyphasePage) -> None:
 def test_parts_moved_before_the_run_are_met_by_contact_ends(
     server: PageServer, page: KeyphasePage, moved: dict[str, float], said: str
 ) -> None:
-    server.workbench.views[0].replay.configure(lambda settings: replace(settings, **moved))
+    server.workbench.views[-1].replay.configure(lambda settings: replace(settings, **moved))
     begin(page)
     assert said in page.text("#replay-what")
     phase(page, "over")
@@ -142,7 +142,7 @@ def test_parts_moved_before_the_run_are_met_by_contact_ends(
 def test_parts_moved_before_the_run_are_missed_without_contact_ends(
     server: PageServer, page: KeyphasePage, height_m: float
 ) -> None:
-    server.workbench.views[0].replay.configure(
+    server.workbench.views[-1].replay.configure(
         lambda settings: replace(settings, part_height_m=height_m, end_by="configuration")
     )
     begin(page)
@@ -152,7 +152,7 @@ def test_parts_moved_before_the_run_are_missed_without_contact_ends(
 
 
 def test_trials_end_with_their_picture(server: PageServer, page: KeyphasePage) -> None:
-    server.workbench.views[0].replay.run_trials(3)
+    server.workbench.views[-1].replay.run_trials(3)
     picture = page.page.locator("dialog.trials img")
     picture.wait_for(timeout=120_000)
     page.picture("replay_trials")

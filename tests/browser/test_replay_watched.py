@@ -99,7 +99,7 @@ def test_trials_tell_how_far_they_are_and_can_be_cancelled(page: KeyphasePage) -
 def test_skills_and_force_are_named_in_the_scene_and_outcomes_told_in_the_panel(
     server: PageServer, page: KeyphasePage
 ) -> None:
-    server.workbench.views[0].replay.configure(lambda settings: replace(settings, speed=4.0))
+    server.workbench.views[-1].replay.configure(lambda settings: replace(settings, speed=4.0))
     for ended in range(1, 4):
         button(page, "Step").click()
         page.until(f"keyphase.state.replay?.current === {ended}")
@@ -121,7 +121,7 @@ def test_skills_and_force_are_named_in_the_scene_and_outcomes_told_in_the_panel(
 def test_the_plan_and_the_replay_are_carried_elsewhere(
     folder: Path, server: PageServer, page: KeyphasePage
 ) -> None:
-    server.workbench.views[0].replay.configure(lambda settings: replace(settings, speed=4.0))
+    server.workbench.views[-1].replay.configure(lambda settings: replace(settings, speed=4.0))
     button(page, "Run").click()
     phase(page, "over")
     page.panel.get_by_role("tab", name="Export").click()
