@@ -79,8 +79,8 @@ def test_parameters_are_applied_to_all_by_keys_after_a_look_at_what_would_change
     two.page.locator("#spread button:focus", has_text="Apply to all").wait_for()
     two.picture("spread")
     assert "would change" in two.text("#spread p")
-    assert "boundar" in two.text("#spread [data-recording='2'] .goes")
-    assert "Gaussians 1" in two.text("#spread [data-recording='1']")
+    assert "boundar" in two.text("#spread .spread-row:has-text('synthetic_setup1') .goes")
+    assert "Gaussians 1" in two.text("#spread .spread-row:has-text('gives them')")
 
     two.press("Enter")
     two.page.locator(".notice", has_text="All recordings").wait_for()
@@ -129,7 +129,7 @@ def test_a_recording_is_done_and_the_next_one_opens(two: KeyphasePage) -> None:
     assert two.page.locator(".queue-row svg[aria-label=done]").count() == 2
 
     two.change(lambda: two.press("Shift+K"))
-    two.until("keyphase.state.recordings.items[1].state === 'automatic'")
+    two.until("keyphase.state.recordings.items[1].state === 'touched'")
 
 
 def test_the_least_certain_recording_opens(two: KeyphasePage) -> None:

@@ -29,6 +29,7 @@ def test_segments_have_their_colors_on_the_trajectory_too(scene_editor: Keyphase
 
 
 def test_threshold_line_lies_where_the_threshold_is(editor: KeyphasePage) -> None:
+    editor.set_parameter("variant", "paper")
     picture = editor.picture("threshold")
     row = editor.row("error")
     drawn = picture.rows_with(ACCENT["light"], row, least=int(row.width / 3), tolerance=24)

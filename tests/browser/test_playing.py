@@ -33,6 +33,7 @@ def test_the_scene_draws_nothing_while_a_hand_moves_the_view(setup1: KeyphasePag
 @pytest.mark.slow
 def test_while_it_plays_the_threshold_line_can_be_dragged(setup1: KeyphasePage) -> None:
     setup1.wait_for_scene()
+    setup1.set_parameter("variant", "paper")
     told = setup1.page.evaluate(
         "() => keyphase.timeline.thresholdY(keyphase.state.document.threshold)"
     )

@@ -11,7 +11,8 @@ _COLOR = SEGMENT_COLORS[1]
 def _on_path(page: KeyphasePage) -> tuple[float, float]:
     """A point of the page well inside the segment's path as it is drawn in the scene."""
     view = page.box("#viser")
-    places = page.picture("path").places(_COLOR, view)
+    seen = page.until_seen("path", lambda now: len(now.places(_COLOR, view)) > 100)
+    places = seen.places(_COLOR, view)
     middle = places[np.argsort(places[:, 1])[len(places) // 2]]
     near = places[np.abs(places - middle).max(axis=1) < 4]
     x, y = near.mean(axis=0)
