@@ -37,11 +37,11 @@ def test_a_recording_that_is_sent_is_saved_beside_the_others_and_opens(
     _send(page, "../../my take.npz", data)
 
     name = page.wait_for("uploaded")["name"]
-    document = page.wait_for("document", lambda m: m["id"] == "2")
+    document = page.wait_for("document", lambda m: m["name"] == "my_take")
 
     assert name == "my_take.npz"
     assert (own_copy.parent / name).read_bytes() == data
-    assert document["name"] == "my_take"
+    assert document["id"] == page.id(2)
 
 
 def test_a_name_that_is_taken_gets_a_number(page: PageClient, own_copy: Path) -> None:
