@@ -3,7 +3,7 @@
 import itertools
 import threading
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from keyphase.errors import KeyphaseError, RequestError
@@ -215,12 +215,20 @@ class Workbench:
     def share(self, desk: Desk, asked: Asked, view: View) -> threading.Event:
         """Give the folder of a recording the parameters it has; its others follow."""
         self.leave_spread(view)
-        over = desk.share_parameters(asked)
+        refused: list[Exception] = []
+
+        def refuse(error: Exception) -> None:
+            refused.append(error)
+            asked.refuse(error)
+
+        over = desk.share_parameters(replace(asked, refuse=refuse))
 
         def follow() -> None:
             over.wait()
-            for other in self.library.beside(desk):
-                other.follow_folder()
+            if refused:
+                return
+            for followed in [other.follow_folder() for other in self.library.beside(desk)]:
+                followed.wait()
             self.looking.begin()
             view.tell("info", "All recordings of this folder now have these parameters.")
 
