@@ -90,6 +90,7 @@ def test_undo_is_named_after_what_it_takes_back(edit, name):
     [
         (Parameters(force_threshold=23.94), "Threshold 23.94"),
         (Parameters(gaussians=5), "Gaussians 5"),
+        (Parameters(variant="paper"), "Method as published"),
         (Parameters(mixture="scikit-learn"), "Mixture scikit-learn"),
         (Parameters(force_ratio=1.0, persistence=1.0), "Change 2 parameters"),
     ],

@@ -11,7 +11,7 @@ _PARAMETERS: Mapping[str, str] = {
     "measurement_noise": "Measurement noise",
     "engine": "Engine",
     "gaussians": "Gaussians",
-    "variant": "Variant",
+    "variant": "Method",
     "mixture": "Mixture",
     "motion_threshold": "Motion threshold",
     "turns": "Turns",
@@ -20,6 +20,9 @@ _PARAMETERS: Mapping[str, str] = {
     "seed": "Seed",
     "merge_tolerance_s": "Merge tolerance",
 }
+
+_VALUES: Mapping[tuple[str, object], str] = {("variant", "paper"): "as published"}
+"""Values that the page calls otherwise."""
 
 
 def parameters_name(changes: Mapping[str, object]) -> str:
@@ -33,4 +36,4 @@ def parameters_name(changes: Mapping[str, object]) -> str:
 def parameter_text(name: str, value: object) -> str:
     """A parameter and its value, such as "Gaussians 5" or "Threshold automatic"."""
     shown = "automatic" if value is None else f"{value:.4g}" if isinstance(value, float) else value
-    return f"{_PARAMETERS.get(name, name)} {shown}"
+    return f"{_PARAMETERS.get(name, name)} {_VALUES.get((name, value), shown)}"
