@@ -28,7 +28,7 @@ def test_a_label_stays_text(editor: KeyphasePage, label: str) -> None:
     editor.press("Escape")
     editor.settle()
     assert editor.page.evaluate("() => window.hacked") is None
-    assert editor.page.locator("main img:not([src^='/app']), #editor script").count() == 0
+    assert editor.page.locator("main img[src]:not([src^='/app']), #editor script").count() == 0
 
 
 def test_a_hostile_name_and_metadata_run_nothing_in_page_and_scene(

@@ -109,10 +109,12 @@ def test_skills_and_force_are_named_in_the_scene_and_outcomes_told_in_the_panel(
     assert skills == [
         "1 Move forward",
         "3 Move down until contact",
-        "5 Slide left until contact",
+        "5 Slide left until contact changes",
     ]
     assert re.fullmatch(r"\d+\.\d N", force)
-    expect(page.page.locator("#names .name.selected")).to_have_text("5 Slide left until contact")
+    expect(page.page.locator("#names .name.selected")).to_have_text(
+        "5 Slide left until contact changes"
+    )
     expect(page.panel.get_by_role("row").nth(2)).to_contain_text("1 Forwardreached")
     page.picture("replay_named")
 
