@@ -20,9 +20,29 @@ def _state_of_its_own(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None
         yield
 
 
+KNOWN_FAILURES = Path(__file__).with_name("known_failures.txt")
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The longest first: at the end all but one would wait for it."""
+    """The longest first: at the end all but one would wait for it.
+
+    What is known to fail is listed in known_failures.txt, each with its reason, and told in the
+    summary; a test that passes again leaves the list.
+    """
     items.sort(key=lambda item: item.path.name != "test_wheel.py")
+    known = dict(_known_failures())
+    for item in items:
+        name = item.nodeid.partition("[")[0]
+        reason = known.get(item.nodeid) or known.get(name)
+        if reason is not None:
+            item.add_marker(pytest.mark.xfail(reason=reason, strict=False))
+
+
+def _known_failures() -> Iterator[tuple[str, str]]:
+    for line in KNOWN_FAILURES.read_text().splitlines():
+        if line and not line.startswith("#"):
+            node, _, reason = line.partition("  # ")
+            yield node, reason
 
 
 @pytest.fixture(scope="session")
