@@ -32,8 +32,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=lambda item: item.path.name != "test_wheel.py")
     known = dict(_known_failures())
     for item in items:
-        name = item.nodeid.partition("[")[0]
-        reason = known.get(item.nodeid) or known.get(name)
+        name, file = item.nodeid.partition("[")[0], item.nodeid.partition("::")[0]
+        reason = known.get(item.nodeid) or known.get(name) or known.get(file)
         if reason is not None:
             item.add_marker(pytest.mark.xfail(reason=reason, strict=False))
 
