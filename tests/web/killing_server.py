@@ -52,11 +52,12 @@ def _edit(served: Served, chance: random.Random) -> tuple[int, int]:
     """Edit, kill after some edits were confirmed; how many were sent, how many confirmed."""
     confirmed = sent = 0
     with PageClient(served) as page:
-        page.wait_for("document")
+        document = page.wait_for("document")
+        made_on = {"recording": document["id"], "revision": document["revision"]}
         for _ in range(chance.randrange(1, 25)):
             while sent < confirmed + _AHEAD:
                 edit = {"kind": "label", "time_s": 0.1, "label": f"edit {sent}"}
-                page.send_raw(json.dumps({"type": "edit", "edit": edit, "event": sent}))
+                page.send_raw(json.dumps({"type": "edit", "edit": edit, "event": sent, **made_on}))
                 sent += 1
             page.wait_for("document", lambda m: m["cause"] is not None)
             confirmed += 1

@@ -233,7 +233,7 @@ def test_the_link_for_looking_sees_everything_and_changes_nothing(server: PageSe
         assert page.wait_for("hello")["read_only"]
         page.wait_for("document")
         page.send("set", parameter="force_ratio", value=50.0)
-        refusal = page.wait_for("notice")
+        refusal = page.wait_for("refused")
         page.send("signals", request=1, tracks=["speed"], from_s=0.0, to_s=1.0, width=10)
         header, _ = page.wait_for_signals()
 
