@@ -194,7 +194,8 @@ def _around(look: _Look) -> dict[str, Array]:
 def _echo(look: _Look) -> Array:
     """The faded echo of an earlier, stronger step over the own one."""
     grid, at, row = look.grid, look.at, look.curves.step[0]
-    lags = np.arange(round(_ECHO_S[0] * grid.rate_hz) + 1, round(_ECHO_S[1] * grid.rate_hz) + 1)
+    first, last = (round(seconds * grid.rate_hz) for seconds in _ECHO_S)
+    lags = np.arange(first + 1, min(last, len(row) - 1) + 1)
     faded = np.exp(-lags / grid.rate_hz / _ECHO_FADES_S)
     strongest = np.zeros(len(at))
     for lag, part in zip(lags.tolist(), faded.tolist(), strict=True):
