@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from keyphase.errors import LabelingError
-from keyphase.labeling.comparison import Outline, compare
+from keyphase.labeling.comparing.comparison import Outline, compare
 from keyphase.labeling.edits import Label, Move, Remove
 from keyphase.labeling.label import label
 

@@ -7,7 +7,8 @@ import pytest
 from handmade import Person, demonstration, labels, segmentation
 
 from keyphase.errors import LabelingError
-from keyphase.labeling.comparison import Outline, compare
+from keyphase.labeling.comparing.comparison import Outline, compare
+from keyphase.labeling.comparing.taking_over import taking_over
 from keyphase.labeling.edits import (
     Add,
     Keep,
@@ -19,7 +20,6 @@ from keyphase.labeling.edits import (
     edit_from_json,
 )
 from keyphase.labeling.segment_file import read_segment_file, write_segment_file
-from keyphase.labeling.taking_over import taking_over
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from keyphase.errors import ScoreError, SegmentFileError
-from keyphase.labeling.matching import covering, match_times
+from keyphase.labeling.comparing.matching import covering, match_times
 from keyphase.scoring import Tally, Truth, as_json, as_table, read_truth, score, tally
 
 times = st.lists(st.floats(0, 20), max_size=12, unique=True).map(sorted)

@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+from keyphase.labeling.comparing.matching import match_times
 from keyphase.labeling.document import Document
 from keyphase.labeling.label import Describe, label
 from keyphase.labeling.labeling import Labeling
-from keyphase.labeling.matching import match_times
 from keyphase.labeling.parameter_names import parameter_text
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import Segmentation

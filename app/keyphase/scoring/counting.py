@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import median
 
-from keyphase.labeling.matching import match_times
+from keyphase.labeling.comparing.matching import match_times
 from keyphase.scoring.truth import Truth
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from statistics import mean
 
 from keyphase.errors import ScoreError
-from keyphase.labeling.matching import covering
+from keyphase.labeling.comparing.matching import covering
 from keyphase.labeling.segment_file import SUFFIX, SegmentFile, read_segment_file
 from keyphase.scoring.calibration import Calibration, calibration
 from keyphase.scoring.counting import Tally, tally, together

@@ -6,12 +6,12 @@ from statistics import median
 
 from keyphase.errors import KeyphaseError, RequestError
 from keyphase.files.parts import stem_of
-from keyphase.labeling.comparison import Comparison as ComparisonResult
-from keyphase.labeling.comparison import Outline, compare
+from keyphase.labeling.comparing.comparison import Comparison as ComparisonResult
+from keyphase.labeling.comparing.comparison import Outline, compare
+from keyphase.labeling.comparing.taking_over import taking_over
 from keyphase.labeling.edits import Reset
 from keyphase.labeling.label import label
 from keyphase.labeling.segment_file import SUFFIX, SegmentFile, read_segment_file
-from keyphase.labeling.taking_over import taking_over
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.desks.open_recording import OpenRecording
 from keyphase.workbench.recordings import printable

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from keyphase.errors import LabelingError
+from keyphase.labeling.comparing.matching import covering, match_times
 from keyphase.labeling.labeling import Labeling
-from keyphase.labeling.matching import covering, match_times
 from keyphase.labeling.segment_file import SegmentFile
 
 DEFAULT_TOLERANCE_S = 0.25
