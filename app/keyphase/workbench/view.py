@@ -1,59 +1,25 @@
 """A view: what one page looks at. No other page moves it, unless it follows that page."""
 
-import logging
 import threading
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Protocol
 
 from keyphase.errors import RequestError
 from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.desk_state import DeskState
-from keyphase.workbench.desks.library import Library
 from keyphase.workbench.leading.session import LeadThroughSession
-from keyphase.workbench.leading.takes import Takes
 from keyphase.workbench.playback import Playhead
-from keyphase.workbench.recording_list import COLORS, Presence, RecordingList
+from keyphase.workbench.recording_list import COLORS, Presence
 from keyphase.workbench.recordings import Recording
 from keyphase.workbench.replaying.session import ReplaySession
 from keyphase.workbench.scene_choices import SceneChoices
-from keyphase.workbench.tasks import Tasks
+from keyphase.workbench.selection import Selection
+from keyphase.workbench.surroundings import Surroundings
 from keyphase.workbench.telling import Level, Telling
 from keyphase.workbench.watcher import Watcher
+from keyphase.workbench.watchers import Watchers
 from keyphase.workbench.worker import Worker
-
-_log = logging.getLogger(__name__)
-
-
-class Surroundings(Protocol):
-    """What a view needs of the workbench it belongs to."""
-
-    library: Library
-    recordings: RecordingList
-    tasks: Tasks
-    takes: Takes
-    arms: tuple[str, ...]
-
-    def find_view(self, page: str) -> "View":
-        """The view of another page. Raises RequestError where there is none."""
-        ...
-
-    def view_changed(self, view: "View") -> None:
-        """It looks at another recording."""
-        ...
-
-    def followers(self, page: str) -> tuple["View", ...]:
-        """The views that follow a page."""
-        ...
-
-    def wake_clock(self) -> None:
-        """A playhead has begun to run."""
-        ...
-
-    def remove(self, path: Path) -> None:
-        """A recording less in the list."""
-        ...
 
 
 class View:
@@ -69,23 +35,20 @@ class View:
 
     def __init__(self, id: str, number: int, around: Surroundings) -> None:
         self.id, self.number = id, number
+        self._watchers = Watchers()
         self.playhead = Playhead()
-        self.selected: int | None = None
         self.scene = SceneChoices(around.arms, self.each)
         self.following: str | None = None
         self._around = around
         self._lock = threading.RLock()
-        self._watchers: tuple[Watcher, ...] = ()
         self._desk: Desk | None = None
         self._coming: Desk | None = None
         self._state: DeskState | None = None
-        self._cut_at = 0
+        self._selection = Selection()
         self.telling = Telling(self.tell, around.tasks)
         self.errands = Worker(self.telling.report)
         self.replay = ReplaySession(self.current, self.add, self.telling, self.each)
         self.lead = LeadThroughSession(around.takes, self, self.telling, self.each)
-
-    # -- what it is
 
     @property
     def state(self) -> DeskState | None:
@@ -96,6 +59,11 @@ class View:
     def recording(self) -> str | None:
         """Id of the recording that is looked at."""
         return self._state.recording.id if self._state else None
+
+    @property
+    def selected(self) -> int | None:
+        """Index of the segment that is selected."""
+        return self._selection.segment
 
     @property
     def presence(self) -> Presence:
@@ -122,22 +90,18 @@ class View:
                 watcher.show_playhead(self.playhead)
             for task in self._around.tasks.under_way:
                 watcher.show_task(task)
-            self._watchers = (*self._watchers, watcher)
+            self._watchers.add(watcher)
         self.lead.greet(watcher)
         self.replay.greet(watcher)
 
     def unwatch(self, watcher: Watcher) -> None:
         """Tell `watcher` no more."""
         with self._lock:
-            self._watchers = tuple(one for one in self._watchers if one is not watcher)
+            self._watchers.remove(watcher)
 
     def each(self, show: Callable[[Watcher], None]) -> None:
         """Tell all watchers; what goes wrong in one is no other's business."""
-        for watcher in self._watchers:
-            try:
-                show(watcher)
-            except Exception as error:
-                _log.error("A defect in keyphase", exc_info=error)
+        self._watchers.each(show)
 
     def tell(self, level: Level, text: str) -> None:
         """A line of text for this page alone."""
@@ -151,7 +115,7 @@ class View:
         with self._lock:
             lent = (self._desk, self._coming)
             self._desk = self._coming = self._state = None
-            self._watchers = ()
+            self._watchers.clear()
         self._give_back(*lent)
 
     # -- which recording
@@ -164,12 +128,9 @@ class View:
     def _open(self, recording_id: str) -> None:
         recording = self._around.recordings.find(recording_id)
         with self._lock:
-            if self._desk is not None and self._desk.recording.id == recording_id:
-                before, self._coming = self._coming, None
-                desk = None
-            else:
-                desk = self._around.library.lend(recording)
-                before, self._coming = self._coming, desk
+            shown = self._desk is not None and self._desk.recording.id == recording_id
+            desk = None if shown else self._around.library.lend(recording)
+            before, self._coming = self._coming, desk
         self._give_back(before)
         if desk is not None:
             desk.join(self)
@@ -190,7 +151,8 @@ class View:
             self._open(neighbour.id)
             return
         with self._lock:
-            before, self._desk, self._state, self.selected = self._desk, None, None, None
+            before, self._desk, self._state = self._desk, None, None
+            self._selection = Selection()
             self.each(lambda watcher: watcher.show_nothing())
         self._give_back(before)
         self._around.view_changed(self)
@@ -203,7 +165,7 @@ class View:
             if desk is not self._coming:
                 return
             before, self._desk, self._coming = self._desk, desk, None
-            self._state, self.selected, self._cut_at = state, None, state.revision
+            self._state, self._selection = state, Selection(cut_at=state.revision)
             start_s, end_s = state.demonstration.start_s, state.demonstration.end_s
             self.playhead = Playhead(start_s, start_s, end_s)
             self._show_state(state)
@@ -226,10 +188,7 @@ class View:
             if desk is not self._desk:
                 return
             before, self._state = self._state, state
-            if before is None or _cuts(before) != _cuts(state):
-                self._cut_at = state.revision
-            if self.selected is not None and self.selected >= len(state.labeling.segments):
-                self.selected = None
+            self._selection = self._selection.after(before, state)
             self._show_state(state)
 
     def _turned(self, state: DeskState, before: Desk | None) -> None:
@@ -264,16 +223,9 @@ class View:
         """
         self._leave_other()
         with self._lock:
-            state = self._state
             if recording is not None and recording != self.recording:
                 raise RequestError("Another recording is shown by now, so nothing was selected.")
-            cut_anew = state is not None and revision is not None and revision < self._cut_at
-            if segment is not None and cut_anew:
-                raise RequestError("The segments were changed meanwhile; select again.")
-            count = len(state.labeling.segments) if state else 0
-            if segment is not None and segment >= count:
-                raise RequestError(f"There are {count} segments, so none has the index {segment}.")
-            self._select(segment)
+            self._select(self._selection.of(segment, self._state, revision))
         self._lead_on()
 
     def select_at(self, time_s: float) -> None:
@@ -300,10 +252,10 @@ class View:
         self._lead_on()
         return playing
 
-    def _select(self, segment: int | None) -> None:
+    def _select(self, selection: Selection) -> None:
         with self._lock:
-            self.selected = segment
-            self.each(lambda watcher: watcher.show_selection(segment))
+            self._selection = selection
+            self.each(lambda watcher: watcher.show_selection(selection.segment))
 
     def _move(self, change: Callable[[Playhead], Playhead]) -> None:
         with self._lock:
@@ -329,15 +281,14 @@ class View:
     def mirror(self, leader: "View") -> None:
         """Take over what the page that is followed sees."""
         recording, playhead, selected = leader.recording, leader.playhead, leader.selected
-        if recording is not None and recording != self.recording:
-            self._open(recording)
-            return
-        if recording is None:
+        if recording != self.recording:
+            if recording is not None:
+                self._open(recording)
             return
         if playhead != self.playhead:
             self._move(lambda _: playhead)
         if selected != self.selected:
-            self._select(selected)
+            self._select(replace(self._selection, segment=selected))
 
     def _leave_other(self) -> None:
         """Whoever acts for itself follows nobody any more."""
@@ -347,7 +298,3 @@ class View:
     def _lead_on(self) -> None:
         for follower in self._around.followers(self.id):
             follower.mirror(self)
-
-
-def _cuts(state: DeskState) -> list[float]:
-    return [segment.start_s for segment in state.labeling.segments]

@@ -7,13 +7,13 @@ names the revision it was made on; one that no longer fits is refused to the pag
 import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Protocol
 
 from keyphase.errors import KeyphaseError, RequestError
 from keyphase.labeling.edits import Edit
 from keyphase.segmentation import Parameters
 from keyphase.workbench.desks.asked import Asked
 from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.desks.member import Member
 from keyphase.workbench.desks.open_recording import OpenRecording
 from keyphase.workbench.desks.revisions import Revisions
 from keyphase.workbench.exports import export
@@ -24,22 +24,6 @@ from keyphase.workbench.telling import in_words
 from keyphase.workbench.worker import Worker
 
 Opens = Callable[[Recording, Task], OpenRecording]
-
-
-class Member(Protocol):
-    """Who looks at a desk. Told in the desk's thread, under its lock: not to be kept waiting."""
-
-    def desk_opened(self, desk: "Desk", state: DeskState) -> None:
-        """It is open, or was already when the member joined."""
-        ...
-
-    def desk_failed(self, desk: "Desk", error: Exception) -> None:
-        """Its recording cannot be opened."""
-        ...
-
-    def desk_changed(self, desk: "Desk", state: DeskState) -> None:
-        """It has another revision."""
-        ...
 
 
 class Desk:
