@@ -127,14 +127,8 @@ def start(
     goal, goal_wxyz = goal_pose(primitive, goal_position_m, goal_orientation_wxyz, wxyz)
     duration = np.asarray(primitive.duration_s if duration_s is None else duration_s, float)
     refuse_not_positive(duration)
-    batch = np.broadcast_shapes(
-        position.shape[:-1],
-        wxyz.shape[:-1],
-        goal.shape[:-1],
-        goal_wxyz.shape[:-1],
-        np.shape(velocity)[:-1],
-        duration.shape,
-    )
+    vectors = (position, wxyz, goal, goal_wxyz, np.asarray(velocity))
+    batch = np.broadcast_shapes(*(vector.shape[:-1] for vector in vectors), duration.shape)
     displacement = np.broadcast_to(remaining(goal, goal_wxyz, position, wxyz), (*batch, 6))
     scale, hold = scale_and_hold(primitive, displacement)
     tau = np.broadcast_to(tau_of(duration), batch)

@@ -54,9 +54,7 @@ def fit_primitive(
     than 225 degrees; ParameterError for fewer than two basis functions.
     """
     constants = constants or Constants()
-    count = BASIS_COUNT[fit] if basis_count is None else basis_count
-    if count < 2:
-        raise ParameterError(f"A primitive needs at least 2 basis functions, but got {count}.")
+    count = _basis_count(fit, basis_count)
     _refuse_short(time_s)
     wxyz = _orientations(orientation_wxyz, len(time_s))
     centres, widths = basis(count, constants.alpha_x)
@@ -81,6 +79,13 @@ def fit_primitive(
         oriented=orientation_wxyz is not None,
         constants=constants,
     )
+
+
+def _basis_count(fit: Fit, wanted: int | None) -> int:
+    count = BASIS_COUNT[fit] if wanted is None else wanted
+    if count < 2:
+        raise ParameterError(f"A primitive needs at least 2 basis functions, but got {count}.")
+    return count
 
 
 def least_squares_weights(

@@ -95,46 +95,42 @@ def margin_of(
 
     if not plans:
         raise ParameterError("A margin needs at least one plan; give the one in question.")
-    done, along = 0, [axis for axis in axes_of(cell) if axes is None or axis.name in axes]
+    along = [axis for axis in axes_of(cell) if axes is None or axis.name in axes]
     parallel: Any = Parallel(n_jobs=jobs, return_as="generator")
-    asked = [delayed(_nominal)(cell, demonstration, skills, seed) for skills in plans.values()]
-    total = len(plans) * (1 + len(along))
-
-    def told(results: Iterable[Any]) -> list[Any]:
-        nonlocal done
-        found = []
-        for result in results:
-            found.append(result)
-            done += 1
-            if progress:
-                progress(done, total)
-        return found
-
-    nominal = dict(zip(plans, told(parallel(asked)), strict=True))
-    working = [name for name in plans if nominal[name] is None]
-    total = len(plans) + len(working) * len(along)
-    todo = [
+    in_nominal = parallel(
+        delayed(_failure)(cell, demonstration, skills, NOMINAL, seed) for skills in plans.values()
+    )
+    failures = _counted(in_nominal, progress, 0, len(plans) * (1 + len(along)))
+    failed = dict(zip(plans, failures, strict=True))
+    working = [name for name in plans if failed[name] is None]
+    reaches = parallel(
         delayed(_reach_in)(cell, demonstration, plans[name], axis.name, seed)
         for name in working
         for axis in along
-    ]
-    found = iter(told(parallel(todo)))
+    )
+    found = iter(_counted(reaches, progress, len(plans), len(plans) + len(working) * len(along)))
     none = tuple(Reach(axis.name, axis.unit, None, False, "") for axis in along)
     return Margin(
         cell.name,
         tuple(
-            PlanMargin(name, failed, none)
-            if (failed := nominal[name]) is not None
-            else PlanMargin(name, "success", tuple(next(found) for _ in along))
-            for name in plans
+            PlanMargin(name, "success", tuple(next(found) for _ in along))
+            if reason is None
+            else PlanMargin(name, reason, none)
+            for name, reason in failed.items()
         ),
     )
 
 
-def _nominal(
-    cell: Cell, demonstration: Demonstration, skills: Sequence[Skill], seed: int
-) -> str | None:
-    return _failure(cell, demonstration, skills, NOMINAL, seed)
+def _counted(
+    results: Iterable[Any], progress: Callable[[int, int], None] | None, before: int, total: int
+) -> list[Any]:
+    """The results, each told as one more of `total` when it comes."""
+    found = []
+    for result in results:
+        found.append(result)
+        if progress:
+            progress(before + len(found), total)
+    return found
 
 
 def axes_of(cell: Cell) -> tuple[Axis, ...]:
