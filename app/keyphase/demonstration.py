@@ -21,17 +21,17 @@ Array = NDArray[np.float64]
 UNIT_TOLERANCE = 1e-3
 """How far a quaternion's norm may be from one before it is refused rather than normalised."""
 
-LARGEST = 1e9
+MAX_MAGNITUDE = 1e9
 """No pose or wrench in SI units is larger; what is has been read in the wrong unit or type."""
 
-FARTHEST_S = 1e10
+MAX_TIME_S = 1e10
 """No time stamp is farther from zero; nanoseconds since 1970 read as seconds are."""
 
-SHORTEST_STEP_S = 1e-10
+MIN_STEP_S = 1e-10
 """No recorder is faster."""
 
 _GAP_STEPS = 8.0
-_LEAST_GAP_S = 0.2
+_MIN_GAP_S = 0.2
 
 _CHANNELS: Mapping[str, int | None] = {
     "position_m": 3,
@@ -134,7 +134,7 @@ class Demonstration:
         """
         steps = np.diff(self.time_s)
         usual = max(float(np.median(steps)), float(np.quantile(steps, 0.95)) / 2)
-        rows = np.flatnonzero(steps > max(_GAP_STEPS * usual, _LEAST_GAP_S))
+        rows = np.flatnonzero(steps > max(_GAP_STEPS * usual, _MIN_GAP_S))
         times = self.time_s
         return tuple((float(times[row]), float(times[row + 1])) for row in rows)
 
@@ -178,15 +178,15 @@ def _checked_time(values: ArrayLike, name: str) -> Array:
 
 def _refuse_impossible_time(time: Array, name: str) -> None:
     farthest = float(np.abs(time).max())
-    if farthest > FARTHEST_S:
+    if farthest > MAX_TIME_S:
         raise DemonstrationError(
-            f"{name}: time_s must lie within {FARTHEST_S:g} s, but reaches {farthest:g}; check the "
+            f"{name}: time_s must lie within {MAX_TIME_S:g} s, but reaches {farthest:g}; check the "
             "column and its unit."
         )
     step = float(np.median(np.abs(np.diff(time))))
-    if 0.0 < step < SHORTEST_STEP_S:
+    if 0.0 < step < MIN_STEP_S:
         raise DemonstrationError(
-            f"{name}: time_s must have steps of at least {SHORTEST_STEP_S:g} s, but the median one "
+            f"{name}: time_s must have steps of at least {MIN_STEP_S:g} s, but the median one "
             f"is {step:g} s; check the column and its unit."
         )
 
@@ -219,12 +219,12 @@ def _refuse_not_finite(array: Array, channel: str, name: str) -> None:
 
 
 def _refuse_absurd(array: Array, channel: str, name: str) -> None:
-    large = np.abs(array) > LARGEST
+    large = np.abs(array) > MAX_MAGNITUDE
     if large.any():
         row, column = (int(i) for i in np.argwhere(large)[0])
         raise DemonstrationError(
-            f"{name}: {channel} must lie within {LARGEST:g} in SI units, but row {row}, column "
-            f"{column} holds {array[row, column]:g}; check the column's unit and type."
+            f"{name}: {channel} must lie within {MAX_MAGNITUDE:g} in SI units, but row {row}, "
+            f"column {column} holds {array[row, column]:g}; check the column's unit and type."
         )
 
 

@@ -17,13 +17,13 @@ CONTACT_N, CONTACT_SHARE = 1.0, 0.1
 """A force counts as one from a newton on, and from this part of the 98 % force."""
 
 MOVING_M_S = 0.005
-LEAST_SAMPLES = 10
+MIN_SAMPLES = 10
 
 HELPS = 0.05
 """A force whose mean share of power is above this helps the motion."""
 
 _FREE_M_S = 0.03
-_LEAST_FREE = 40
+_MIN_FREE = 40
 _CALM_S = 0.25
 _SMALL_N = 1.0
 _REST_M = 0.004
@@ -89,7 +89,7 @@ def free_force(even: Even) -> Array:
         np.maximum(running_mean((force**2).sum(axis=1), _CALM_S) - (mean**2).sum(axis=1), 0.0)
     )
     size, moving = np.linalg.norm(mean, axis=1), speed > _FREE_M_S
-    if moving.sum() < _LEAST_FREE:
+    if moving.sum() < _MIN_FREE:
         return np.zeros(3)
     calm = moving & (spread <= np.percentile(spread[moving], 40))
     least = calm & (size <= np.percentile(size[calm], 50))
@@ -109,7 +109,7 @@ def power_share(even: Even) -> float | None:
     speed, size = np.linalg.norm(velocity, axis=1), np.linalg.norm(force, axis=1)
     least = max(CONTACT_N, CONTACT_SHARE * float(np.percentile(size, 98)))
     inside = (speed > MOVING_M_S) & (size > least)
-    if inside.sum() < LEAST_SAMPLES:
+    if inside.sum() < MIN_SAMPLES:
         return None
     power = (force[inside] * velocity[inside]).sum()
     return float(power / (size[inside] * speed[inside]).sum())

@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "simulation"))
 
 from right_segments import PHASES, segmented_right
 
-LEAST_SHARE = 0.95
+MIN_SHARE = 0.95
 
 
 def main() -> int:
@@ -27,7 +27,7 @@ def main() -> int:
         wrong = [seed for seed, good in zip(seeds, right, strict=True) if not good]
         shares.append(1.0 - len(wrong) / len(seeds))
         print(f"{name}: {len(seeds) - len(wrong)} of {len(seeds)} right; wrong seeds: {wrong}")
-    return 0 if min(shares) >= LEAST_SHARE else 1
+    return 0 if min(shares) >= MIN_SHARE else 1
 
 
 if __name__ == "__main__":

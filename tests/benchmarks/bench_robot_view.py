@@ -30,9 +30,9 @@ from keyphase.web.server import PageServer
 
 UPDATES = 600
 RATE_HZ = 60.0
-MOST_MS = 2.0
-MOST_LATE_MS = 50.0
-MOST_BYTES = 4_000_000
+MAX_MS = 2.0
+MAX_LATE_MS = 50.0
+MAX_BYTES = 4_000_000
 QUIET_S = 3.0
 
 
@@ -97,9 +97,9 @@ def test_sixty_poses_a_second(server):
         f"\none pose: median {median:.2f} ms, 95 % under {worst:.2f} ms; the last of {UPDATES} "
         f"{max(late, 0.0):.1f} ms late; {batches} batches, {rate:.0f} kB/s"
     )
-    assert median < MOST_MS
-    assert worst < MOST_MS
-    assert late < MOST_LATE_MS
+    assert median < MAX_MS
+    assert worst < MAX_MS
+    assert late < MAX_LATE_MS
 
 
 def test_page_load(server):
@@ -116,7 +116,7 @@ def test_page_load(server):
         f"together {total / 1e6:.2f} MB"
     )
     assert scene > 500_000, "the robot must have been in it"
-    assert total < MOST_BYTES
+    assert total < MAX_BYTES
 
 
 def loaded_bytes(server):

@@ -2,7 +2,7 @@
 
 from driver import KeyphasePage
 
-MOST_ACTIONS = 25
+MAX_ACTIONS = 25
 
 
 class Counted:
@@ -54,4 +54,4 @@ def test_setup1_is_corrected_in_under_25_actions(timeline: KeyphasePage) -> None
     timeline.change(lambda: person.key("Control+z"))
     person.key("Control+s")
     timeline.page.get_by_text("Written to").wait_for()
-    assert person.actions < MOST_ACTIONS
+    assert person.actions < MAX_ACTIONS

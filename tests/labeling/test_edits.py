@@ -8,7 +8,7 @@ from handmade import segmentation
 
 from keyphase.errors import LabelingError
 from keyphase.labeling.edits import (
-    LONGEST_PLAN,
+    MAX_PLAN_LENGTH,
     Accept,
     AcceptLabels,
     Add,
@@ -96,7 +96,7 @@ def test_spaces_around_a_label_are_not_part_of_it():
         {"kind": "plan", "order": [1.0, None]},
         {"kind": "plan", "order": [float("nan")]},
         {"kind": "plan", "order": [1.0], "spans_s": []},
-        {"kind": "plan", "order": [1.0] * (LONGEST_PLAN + 1)},
+        {"kind": "plan", "order": [1.0] * (MAX_PLAN_LENGTH + 1)},
         {"kind": "bring_back", "edit": -1},
         {"kind": "bring_back", "edit": 1.5},
         {"kind": "reset", "time_s": 1.0},

@@ -5,7 +5,7 @@ import pytest
 from keyphase.errors import LabelingError
 from keyphase.labeling.vocabulary import (
     COLORS,
-    MOST_LABELS,
+    MAX_LABELS,
     Vocabulary,
     VocabularyLabel,
 )
@@ -38,7 +38,7 @@ def test_a_label_stands_in_the_vocabulary_once():
 
 
 def test_a_vocabulary_has_an_end():
-    words = vocabulary(*map(str, range(MOST_LABELS)))
+    words = vocabulary(*map(str, range(MAX_LABELS)))
     assert words.with_label("one more") is words
 
 

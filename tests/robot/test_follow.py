@@ -227,7 +227,7 @@ def test_the_same_demonstration_gives_the_same_joints(arm, within, followed):
 def test_of_a_long_demonstration_some_poses_are_followed_and_every_sample_is_still_met(
     arm, within, monkeypatch
 ):
-    monkeypatch.setattr("keyphase.robot.follow.MOST_FOLLOWED", 60)
+    monkeypatch.setattr("keyphase.robot.follow.MAX_FOLLOWED", 60)
     path = follow(arm, within)
     placement = Placement()
 
@@ -244,7 +244,7 @@ def test_of_a_long_demonstration_some_poses_are_followed_and_every_sample_is_sti
 def test_stretches_out_of_reach_are_found_in_a_long_demonstration_too(
     arm, beyond, partly, monkeypatch
 ):
-    monkeypatch.setattr("keyphase.robot.follow.MOST_FOLLOWED", 60)
+    monkeypatch.setattr("keyphase.robot.follow.MAX_FOLLOWED", 60)
     coarse = follow(arm, beyond).unreached
 
     assert len(coarse) == len(partly.unreached)

@@ -5,7 +5,7 @@ import pytest
 
 from keyphase.errors import SimulationError
 from keyphase.simulation import Gains, Reference, Simulation
-from keyphase.simulation.demonstrating.follow import FURTHEST_AHEAD_M, Follower
+from keyphase.simulation.demonstrating.follow import MAX_AHEAD_M, Follower
 from keyphase.simulation.impedance import CartesianImpedance
 from keyphase.simulation.workcells.setup1 import SETUP1
 
@@ -92,7 +92,7 @@ def test_a_following_reference_waits_for_a_tool_that_is_held() -> None:
     follower = Follower(start)
     for _ in range(500):
         ahead = follower.towards(goal, start)
-    assert np.linalg.norm(ahead.position_m) <= FURTHEST_AHEAD_M + 1e-9
+    assert np.linalg.norm(ahead.position_m) <= MAX_AHEAD_M + 1e-9
 
 
 def test_joints_that_are_no_chain_are_refused() -> None:

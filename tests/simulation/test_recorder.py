@@ -12,7 +12,7 @@ from keyphase.errors import SimulationError
 from keyphase.readers import read
 from keyphase.simulation import RATE_HZ, Sample
 from keyphase.simulation.demonstrating.recorder import (
-    LONGEST_UNWRITTEN_S,
+    MAX_UNWRITTEN_S,
     Recorder,
     read_take,
     recover,
@@ -20,7 +20,7 @@ from keyphase.simulation.demonstrating.recorder import (
 )
 
 ORIGIN = {"workcell": "setup1", "contact_names": ["touch", "wall"], "contact_changes": ["wall"]}
-CHUNK = round(LONGEST_UNWRITTEN_S * RATE_HZ)
+CHUNK = round(MAX_UNWRITTEN_S * RATE_HZ)
 
 
 def sample(tick: int) -> Sample:
@@ -35,7 +35,7 @@ def sample(tick: int) -> Sample:
     )
 
 
-def recorder_with(samples: int, path, unwritten_s: float = LONGEST_UNWRITTEN_S) -> Recorder:
+def recorder_with(samples: int, path, unwritten_s: float = MAX_UNWRITTEN_S) -> Recorder:
     recorder = Recorder(path, ORIGIN, unwritten_s)
     for tick in range(samples):
         recorder.append(sample(tick))

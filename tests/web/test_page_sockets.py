@@ -12,7 +12,7 @@ from websockets.asyncio.server import serve
 from websockets.exceptions import ConnectionClosed
 
 from keyphase.web.transport.access import Grant
-from keyphase.web.transport.page_sockets import MOST_PAGES, Page, PageSockets
+from keyphase.web.transport.page_sockets import MAX_PAGES, Page, PageSockets
 
 
 class Heard:
@@ -110,7 +110,7 @@ def test_no_more_pages_than_can_be_served() -> None:
     with _heard() as heard:
 
         async def talk(open_page) -> None:
-            pages = [await open_page(str(number)) for number in range(MOST_PAGES)]
+            pages = [await open_page(str(number)) for number in range(MAX_PAGES)]
             async with open_page("another") as page:
                 with pytest.raises(ConnectionClosed) as refusal:
                     await page.recv()

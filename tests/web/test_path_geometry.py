@@ -11,8 +11,8 @@ from keyphase.demonstration import Demonstration
 from keyphase.segmentation.segmentation import Gaussian
 from keyphase.web.scene.recording.path_geometry import (
     CHEVRONS,
-    MOST_ELLIPSOIDS,
-    MOST_PIECES,
+    MAX_ELLIPSOIDS,
+    MAX_PIECES,
     arrow,
     bent,
     chevron,
@@ -63,7 +63,7 @@ def test_a_rest_belongs_to_no_piece_after_it(corner: Demonstration) -> None:
 def test_a_path_however_long_is_drawn_with_a_bounded_number_of_pieces() -> None:
     walk = np.cumsum(np.random.default_rng(0).normal(size=(200_000, 3)), axis=0)
 
-    assert len(path_of(_demonstration(0.01 * walk)).drawn) <= MOST_PIECES
+    assert len(path_of(_demonstration(0.01 * walk)).drawn) <= MAX_PIECES
 
 
 def test_going_round_again_and_again_is_drawn_about_once() -> None:
@@ -88,8 +88,8 @@ def test_of_very_many_gaussians_the_heaviest_are_drawn() -> None:
     gaussians = [Gaussian(float(k), 0.0, 1.0, np.zeros(3), np.eye(3)) for k in range(200)]
     drawn = heaviest(gaussians)
 
-    assert len(drawn) == MOST_ELLIPSOIDS
-    assert min(one.weight for one in drawn) == 200 - MOST_ELLIPSOIDS
+    assert len(drawn) == MAX_ELLIPSOIDS
+    assert min(one.weight for one in drawn) == 200 - MAX_ELLIPSOIDS
 
 
 @pytest.mark.parametrize("rows", [2, 3, 4, 7])

@@ -20,7 +20,7 @@ from keyphase.readers import own_or_folder_recipe
 from keyphase.segmentation.parameters import Parameters
 
 NAME = "keyphase-manifest.jsonl"
-_LONGEST_LINE = 100_000
+_MAX_LINE_LENGTH = 100_000
 
 
 def settings_hash(parameters: Parameters, recipe: Path | None, csv: bool) -> str:
@@ -110,7 +110,7 @@ def _lines(path: Path) -> list[dict[str, Any]]:
     found = []
     try:
         with path.open("rb") as file:
-            while line := file.readline(_LONGEST_LINE):
+            while line := file.readline(_MAX_LINE_LENGTH):
                 try:
                     content = json.loads(line)
                 except (ValueError, RecursionError):

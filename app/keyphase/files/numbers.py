@@ -2,7 +2,7 @@
 
 import math
 
-_LARGEST = 2**63
+_MAX_NUMBER = 2**63
 
 
 def finite_number(text: str) -> float:
@@ -15,7 +15,7 @@ def finite_number(text: str) -> float:
 
 def whole_number(text: str) -> int:
     """The whole number a JSON text writes. Raises ValueError where it is beyond 2^63."""
-    value = int(text) if len(text) <= 20 else _LARGEST + 1
-    if abs(value) > _LARGEST:
+    value = int(text) if len(text) <= 20 else _MAX_NUMBER + 1
+    if abs(value) > _MAX_NUMBER:
         raise ValueError(f"{text[:20]}… is larger than any number here")
     return value

@@ -17,8 +17,8 @@ from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, En
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import Boundary, Origin, Segment
 
-MOST_SEGMENTS = 100_000
-MOST_ENTRIES = 100_000
+MAX_SEGMENTS = 100_000
+MAX_ENTRIES = 100_000
 """Of a plan."""
 
 
@@ -102,7 +102,7 @@ class Frozen(msgspec.Struct, frozen=True, omit_defaults=True):
     def checked(self) -> "Frozen":
         """The same; raises LabelingError where the values contradict each other."""
         times = [boundary.time_s for boundary in self.boundaries]
-        if len(self.segments) > MOST_SEGMENTS or len(self.plan) > MOST_ENTRIES:
+        if len(self.segments) > MAX_SEGMENTS or len(self.plan) > MAX_ENTRIES:
             raise LabelingError("A finished recording has at most 100 000 segments and entries.")
         if [s.start_s for s in self.segments[1:]] != times:
             raise LabelingError("Finished segments must meet at their boundaries.")

@@ -13,7 +13,7 @@ from keyphase.files.numbers import finite_number, whole_number
 from keyphase.files.reading import read_regular
 from keyphase.files.writing import write_whole
 from keyphase.labeling.earlier import parameters_as_meant
-from keyphase.labeling.edits import LONGEST_PLAN, check_label
+from keyphase.labeling.edits import MAX_PLAN_LENGTH, check_label
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file_content import as_csv, as_json, segment_file_content
 from keyphase.readers import fingerprint
@@ -24,7 +24,7 @@ from keyphase.segmentation.segmentation import Origin
 SUFFIX = ".segments.json"
 """How the names of segment files end."""
 
-MOST_SEGMENTS = 5_000
+MAX_SEGMENTS = 5_000
 
 _LIMIT_BYTES = 64 * 1024**2
 
@@ -178,7 +178,7 @@ def _json(path: Path) -> Any:
 
 def _refuse_too_many(content: Any, path: Path) -> None:
     """Before the schema is checked, which takes a while for each."""
-    limits = {"segments": MOST_SEGMENTS, "boundaries": MOST_SEGMENTS, "plan": LONGEST_PLAN}
+    limits = {"segments": MAX_SEGMENTS, "boundaries": MAX_SEGMENTS, "plan": MAX_PLAN_LENGTH}
     for name, most in limits.items():
         items = content.get(name) if isinstance(content, Mapping) else None
         if isinstance(items, list) and len(items) > most:

@@ -10,7 +10,7 @@ from keyphase.labeling.edits import check_label
 COLORS = ("#58A2F2", "#EFB63A", "#26C397", "#CA71B6", "#A7A425", "#8FDDE8", "#B98A63")
 """The colours of segments, in the order in which they are given out."""
 
-MOST_LABELS = 500
+MAX_LABELS = 500
 
 _COLOR = re.compile(r"#[0-9A-Fa-f]{6}")
 
@@ -41,8 +41,8 @@ class Vocabulary:
     def __post_init__(self) -> None:
         if len({label.name for label in self.labels}) < len(self.labels):
             raise LabelingError("Each label stands in the vocabulary once.")
-        if len(self.labels) > MOST_LABELS:
-            raise LabelingError(f"A vocabulary has at most {MOST_LABELS} labels.")
+        if len(self.labels) > MAX_LABELS:
+            raise LabelingError(f"A vocabulary has at most {MAX_LABELS} labels.")
 
     def color(self, name: str) -> str | None:
         """The colour of a label, None for one that is not in the vocabulary."""
@@ -54,7 +54,7 @@ class Vocabulary:
         The same if it is there already.
         """
         name = check_label(name)
-        if not name or self.color(name) is not None or len(self.labels) == MOST_LABELS:
+        if not name or self.color(name) is not None or len(self.labels) == MAX_LABELS:
             return self
         used = [label.color.upper() for label in self.labels]
         if color is None or color.upper() in used:

@@ -7,7 +7,7 @@ from scipy.signal import butter, sosfilt
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 
-_LARGEST_SHARE_OF_RATE = 0.44
+_MAX_SHARE_OF_RATE = 0.44
 _WARM_UP_S = 2.0
 
 
@@ -52,7 +52,7 @@ def _filtered(
 ) -> Array:
     """White noise through a Butterworth filter of second order, run in before it is used."""
     low, high = band_hz
-    high = min(high, _LARGEST_SHARE_OF_RATE * rate_hz)
+    high = min(high, _MAX_SHARE_OF_RATE * rate_hz)
     low = min(low, 0.5 * high)
     run_in = int(_WARM_UP_S * rate_hz)
     white = rng.normal(size=(count + run_in, 3))

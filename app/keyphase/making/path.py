@@ -10,7 +10,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from keyphase.making.draws import Array
-from keyphase.making.strokes import SHORTEST
+from keyphase.making.strokes import MIN_SAMPLES
 
 TURN_M_PER_RAD = 0.2
 """What a turn counts for beside a way [m/rad], as in the segmentation."""
@@ -70,7 +70,7 @@ class Path:
 
     def samples(self, seconds: float) -> int:
         """How many samples this long a stroke has."""
-        return max(SHORTEST, round(seconds * self.rate_hz))
+        return max(MIN_SAMPLES, round(seconds * self.rate_hz))
 
     def move(
         self, along: Array, offset: Array, turn: Array, aside: Array, overlap: float = 0.0

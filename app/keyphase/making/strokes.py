@@ -9,7 +9,7 @@ from scipy.special import betainc
 
 from keyphase.making.draws import Array, chance
 
-SHORTEST = 6
+MIN_SAMPLES = 6
 """Samples of the shortest stroke."""
 
 _CUT = 0.93

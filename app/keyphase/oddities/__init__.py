@@ -16,7 +16,7 @@ from keyphase.oddities.time_steps import gaps, odd_time
 
 __all__ = ["Oddity", "oddities_of"]
 
-FEWEST_ROWS = 20
+MIN_ROWS = 20
 
 _CHECKS = (
     odd_time,
@@ -39,7 +39,7 @@ def oddities_of(demonstration: Demonstration) -> tuple[Oddity, ...]:
 
     A few rows are too few to say.
     """
-    if len(demonstration) < FEWEST_ROWS:
+    if len(demonstration) < MIN_ROWS:
         return ()
     with np.errstate(all="ignore"):
         return tuple(found for check in _CHECKS for found in check(demonstration))

@@ -5,21 +5,21 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.oddities.oddity import Oddity
 
-_LARGEST_N = 5000.0
-_SMALLEST_N = 0.05
-_FEWEST_ROWS = 50
-_LEAST_RUN = 5
-_LEAST_LIMIT_N = 2.0
+_MAX_FORCE_N = 5000.0
+_MIN_FORCE_N = 0.05
+_MIN_ROWS = 50
+_MIN_RUN = 5
+_MIN_LIMIT_N = 2.0
 _SATURATED_SHARE = 0.01
-_FEWEST_LEVELS = 30
+_MIN_LEVELS = 30
 _REST_M = 2e-3
 _WINDOW_S = 5.0
 _SMOOTHED_S = 0.2
-_LEAST_WANDER_N = 0.5
-_FEWEST_WINDOWS = 2
+_MIN_WANDER_N = 0.5
+_MIN_WINDOWS = 2
 _TOUCHING_N = 3.0
 _MOVING_M_S = 0.02
-_LEAST_TOUCHING_S = 1.0
+_MIN_TOUCHING_S = 1.0
 _HELPS = 0.1
 
 
@@ -29,9 +29,9 @@ def odd_size(demonstration: Demonstration) -> list[Oddity]:
     if force is None:
         return []
     most = float(np.linalg.norm(force, axis=1).max())
-    if most > _LARGEST_N:
+    if most > _MAX_FORCE_N:
         text = f"The force reaches {most:.4g} N; is the unit of force_N right?"
-    elif 0.0 < most < _SMALLEST_N:
+    elif 0.0 < most < _MIN_FORCE_N:
         text = f"The force never exceeds {most:.2g} N; were kilonewtons read as newtons?"
     else:
         return []
@@ -41,7 +41,7 @@ def odd_size(demonstration: Demonstration) -> list[Oddity]:
 def constant_force(demonstration: Demonstration) -> list[Oddity]:
     """A component that never changes while the recording goes on."""
     force = demonstration.force_N
-    if force is None or len(force) < _FEWEST_ROWS:
+    if force is None or len(force) < _MIN_ROWS:
         return []
     still = [axis for axis, moved in zip("xyz", np.ptp(force, axis=0), strict=True) if not moved]
     if not still:
@@ -54,18 +54,18 @@ def constant_force(demonstration: Demonstration) -> list[Oddity]:
 def saturated_force(demonstration: Demonstration) -> list[Oddity]:
     """A component that stays at its greatest or least value, as a sensor at its limit does."""
     force = demonstration.force_N
-    if force is None or len(force) < _FEWEST_ROWS:
+    if force is None or len(force) < _MIN_ROWS:
         return []
     found = []
     for axis, column in zip("xyz", force.T, strict=True):
-        if len(np.unique(column[:10_000])) < _FEWEST_LEVELS:
+        if len(np.unique(column[:10_000])) < _MIN_LEVELS:
             continue
         for limit in (float(column.max()), float(column.min())):
-            if abs(limit) < _LEAST_LIMIT_N:
+            if abs(limit) < _MIN_LIMIT_N:
                 continue
             at_limit = column == limit
             runs = _longest_run(at_limit)
-            if runs >= _LEAST_RUN and at_limit.mean() >= _SATURATED_SHARE:
+            if runs >= _MIN_RUN and at_limit.mean() >= _SATURATED_SHARE:
                 share = 100 * at_limit.mean()
                 text = f"force_N {axis} stays at {limit:.4g} N for {share:.0f} % of the rows: " \
                     "the sensor may have been at its limit."  # fmt: skip
@@ -77,19 +77,19 @@ def wandering_force(demonstration: Demonstration) -> list[Oddity]:
     """A force that changes while the tool stands still, as an estimated one does."""
     force, rate = demonstration.force_N, demonstration.rate_hz
     width = round(_WINDOW_S * rate)
-    if force is None or width < 4 or len(force) < _FEWEST_WINDOWS * width:
+    if force is None or width < 4 or len(force) < _MIN_WINDOWS * width:
         return []
     count = len(force) // width
     place = demonstration.position_m[: count * width].reshape(count, width, 3)
     still = np.ptp(place, axis=1).max(axis=1) < _REST_M
-    if still.sum() < _FEWEST_WINDOWS:
+    if still.sum() < _MIN_WINDOWS:
         return []
     part = max(1, min(width // 2, round(_SMOOTHED_S * rate)))
     parts = width // part
     kept = force[: count * width].reshape(count, width, 3)[still, : parts * part]
     smooth = kept.reshape(len(kept), parts, part, 3).mean(axis=2)
     wander = float(np.median(np.linalg.norm(np.ptp(smooth, axis=1), axis=1)))
-    if wander < _LEAST_WANDER_N:
+    if wander < _MIN_WANDER_N:
         return []
     text = (
         f"While the tool stands still the force wanders by {wander:.2g} N within {_WINDOW_S:g} s; "
@@ -104,14 +104,14 @@ def helping_force(demonstration: Demonstration) -> list[Oddity]:
     The mean of F·v/(|F||v|) over rows that touch and move must be below zero; above, the sign or
     the frame of the force is wrong.
     """
-    if demonstration.force_N is None or len(demonstration) < _FEWEST_ROWS:
+    if demonstration.force_N is None or len(demonstration) < _MIN_ROWS:
         return []
     velocity = np.gradient(demonstration.position_m, demonstration.time_s, axis=0)
     width = max(1, round(0.05 * demonstration.rate_hz))
     velocity, force = _smoothed(velocity, width), demonstration.force_N
     speed, strength = np.linalg.norm(velocity, axis=1), np.linalg.norm(force, axis=1)
     rows = (speed > _MOVING_M_S) & (strength > _TOUCHING_N)
-    if rows.sum() < _LEAST_TOUCHING_S * demonstration.rate_hz or rows.sum() < _FEWEST_ROWS:
+    if rows.sum() < _MIN_TOUCHING_S * demonstration.rate_hz or rows.sum() < _MIN_ROWS:
         return []
     power = np.einsum("ni,ni->n", force[rows], velocity[rows]) / (speed[rows] * strength[rows])
     mean = float(power.mean())

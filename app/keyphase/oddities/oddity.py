@@ -24,17 +24,17 @@ class Oddity:
     span_s: tuple[float, float] | None = None
 
 
-MOST_NAMED = 5
+MAX_NAMED = 5
 """So many of a kind are told one by one."""
 
 
 def first_few(found: list[Oddity]) -> list[Oddity]:
     """The first of many, the last of them saying how many more there are."""
-    if len(found) <= MOST_NAMED:
+    if len(found) <= MAX_NAMED:
         return found
-    last = found[MOST_NAMED - 1]
-    more = f"{last.text.removesuffix('.')}, and {len(found) - MOST_NAMED} more like it."
-    return [*found[: MOST_NAMED - 1], Oddity(last.kind, last.severity, more, last.span_s)]
+    last = found[MAX_NAMED - 1]
+    more = f"{last.text.removesuffix('.')}, and {len(found) - MAX_NAMED} more like it."
+    return [*found[: MAX_NAMED - 1], Oddity(last.kind, last.severity, more, last.span_s)]
 
 
 def at_row(demonstration: Demonstration, row: int) -> str:

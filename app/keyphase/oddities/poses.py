@@ -5,15 +5,15 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.oddities.oddity import Oddity, at_row, first_few
 
-FASTEST_M_S = 7.0
+MAX_SPEED_M_S = 7.0
 """No arm's tool goes faster; neither does a hand that leads one."""
 
-_LEAST_JUMP_M = 0.02
-_FASTEST_RAD_S = 60.0
-_LEAST_JUMP_RAD = 0.3
-_LARGEST_REACH_M = 20.0
-_SMALLEST_REACH_M = 5e-5
-_LEAST_JOINT_RAD = 0.02
+_MIN_JUMP_M = 0.02
+_MAX_SPEED_RAD_S = 60.0
+_MIN_JUMP_RAD = 0.3
+_MAX_REACH_M = 20.0
+_MIN_REACH_M = 5e-5
+_MIN_JOINT_RAD = 0.02
 
 
 def jumps(demonstration: Demonstration) -> list[Oddity]:
@@ -21,7 +21,7 @@ def jumps(demonstration: Demonstration) -> list[Oddity]:
     time, steps = demonstration.time_s, np.diff(demonstration.time_s)
     travel = np.linalg.norm(np.diff(demonstration.position_m, axis=0), axis=1)
     gone = {float(start) for start, _ in demonstration.gaps_s}
-    rows = np.flatnonzero((travel > _LEAST_JUMP_M) & (travel > FASTEST_M_S * steps))
+    rows = np.flatnonzero((travel > _MIN_JUMP_M) & (travel > MAX_SPEED_M_S * steps))
     found: list[Oddity] = []
     last = -2
     for row in rows.tolist():
@@ -47,7 +47,7 @@ def turns_too_fast(demonstration: Demonstration) -> list[Oddity]:
         return []
     inner = np.abs(np.sum(wxyz[1:] * wxyz[:-1], axis=1)).clip(0.0, 1.0)
     angle, steps = 2 * np.arccos(inner), np.diff(demonstration.time_s)
-    rows = np.flatnonzero((angle > _LEAST_JUMP_RAD) & (angle > _FASTEST_RAD_S * steps))
+    rows = np.flatnonzero((angle > _MIN_JUMP_RAD) & (angle > _MAX_SPEED_RAD_S * steps))
     if not rows.size:
         return []
     row = int(rows[0])
@@ -82,7 +82,7 @@ def still_pose(demonstration: Demonstration) -> list[Oddity]:
         return []
     joints = demonstration.joints_rad
     turned = 0.0 if joints is None else float(np.ptp(joints, axis=0).max(initial=0.0))
-    if turned > _LEAST_JOINT_RAD:
+    if turned > _MIN_JOINT_RAD:
         text = (
             f"position_m never changes while joints_rad do (by up to {np.degrees(turned):.0f}°): "
             "the pose was not recorded."
@@ -94,10 +94,10 @@ def still_pose(demonstration: Demonstration) -> list[Oddity]:
 def odd_reach(demonstration: Demonstration) -> list[Oddity]:
     """A reach no robot has, as when millimetres are read as metres."""
     reach = float(np.linalg.norm(np.ptp(demonstration.position_m, axis=0)))
-    if reach > _LARGEST_REACH_M:
+    if reach > _MAX_REACH_M:
         text = f"The tool reaches {reach:.4g} m: no robot does; were millimetres read as metres?"
         return [Oddity("scale", "warning", text)]
-    if 0.0 < reach < _SMALLEST_REACH_M:
+    if 0.0 < reach < _MIN_REACH_M:
         text = f"The tool moves {1e6 * reach:.2g} µm in all; were metres read as millimetres?"
         return [Oddity("scale", "warning", text)]
     return []
@@ -107,7 +107,7 @@ def _far_from_origin(position_m: Array, zero: np.ndarray) -> bool:
     """Whether the tool is elsewhere in the rows beside those of zeros."""
     beside = ~zero & (np.roll(zero, 1) | np.roll(zero, -1))
     distances = np.linalg.norm(position_m[beside], axis=1)
-    return bool(distances.size) and float(np.median(distances)) > _LEAST_JUMP_M
+    return bool(distances.size) and float(np.median(distances)) > _MIN_JUMP_M
 
 
 def _is_back(position_m: Array, row: int, travel: float) -> bool:

@@ -5,17 +5,17 @@ import numpy as np
 from keyphase.demonstration import Demonstration
 from keyphase.oddities.oddity import Oddity, first_few
 
-_SLOWEST_HZ = 0.5
-_FASTEST_HZ = 50_000.0
+_MIN_RATE_HZ = 0.5
+_MAX_RATE_HZ = 50_000.0
 _SHOWN_TRAVEL_M = 1e-3
 
 
 def odd_time(demonstration: Demonstration) -> list[Oddity]:
     """A rate no recorder has, as when milliseconds are read as seconds or the other way."""
     rate = demonstration.rate_hz
-    if _SLOWEST_HZ <= rate <= _FASTEST_HZ:
+    if _MIN_RATE_HZ <= rate <= _MAX_RATE_HZ:
         return []
-    slow = rate < _SLOWEST_HZ
+    slow = rate < _MIN_RATE_HZ
     was, read = ("milliseconds", "seconds") if slow else ("seconds", "milliseconds")
     text = (
         f"{rate:.2g} rows a second over {_duration(demonstration.duration_s)}: no recorder does "

@@ -9,7 +9,7 @@ from keyphase.errors import DemonstrationError, KeyphaseError
 from keyphase.files.parts import split_part, with_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, first_bytes, read_whole
 from keyphase.readers.formats.known import format_of
-from keyphase.readers.native_csv import LONGEST_HEADER, has_native_header
+from keyphase.readers.native_csv import MAX_HEADER_BYTES, has_native_header
 from keyphase.readers.recipes.file import load_recipe
 from keyphase.readers.recipes.several import parts_of_table
 from keyphase.readers.table import open_table
@@ -107,7 +107,7 @@ def folder_recipe(path: Path) -> Path | None:
 def begins_native(path: Path) -> bool:
     """Whether a file begins with the header of a native table; reads no more of it than that."""
     try:
-        return has_native_header(first_bytes(path, LONGEST_HEADER))
+        return has_native_header(first_bytes(path, MAX_HEADER_BYTES))
     except (OSError, ValueError):
         return False
 

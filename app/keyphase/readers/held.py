@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from keyphase.demonstration import Array
 
 _SHARE_OF_LONG_RUNS = 0.25
-_FEWEST_RUNS = 10
+_MIN_RUNS = 10
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ def find_hold(time_s: Array, values: Array) -> Hold | None:
     changed = np.any(values[1:] != values[:-1], axis=1)
     fresh = np.flatnonzero(np.concatenate([[True], changed]))
     runs = np.diff(fresh)
-    if len(runs) < _FEWEST_RUNS or np.mean(runs > 1) < _SHARE_OF_LONG_RUNS:
+    if len(runs) < _MIN_RUNS or np.mean(runs > 1) < _SHARE_OF_LONG_RUNS:
         return None
     return Hold(fresh, float(len(runs) / (time_s[fresh[-1]] - time_s[fresh[0]])))
 

@@ -31,13 +31,13 @@ _REQUIRED = ("time_s", "position_m")
 _JOINT = re.compile(r"joint_([1-9][0-9]{0,3})_rad")
 _SHOWN_NAMES = 5
 
-LONGEST_HEADER = 65536
+MAX_HEADER_BYTES = 65536
 """Bytes in which a native header must end."""
 
 
 def has_native_header(data: bytes) -> bool:
     """Whether a file that begins with `data` begins with the header of a native table."""
-    first = data[:LONGEST_HEADER].decode("utf-8-sig", errors="replace").splitlines()[:1]
+    first = data[:MAX_HEADER_BYTES].decode("utf-8-sig", errors="replace").splitlines()[:1]
     names = {cell.strip() for line in first for cell in split_cells(line, ",")}
     return all(name in names for channel in _REQUIRED for name in _GROUPS[channel])
 

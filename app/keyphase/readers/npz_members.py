@@ -32,8 +32,8 @@ WIDTHS: Mapping[str, int | None] = {
 _PACKINGS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
 _HEADER_BYTES = 64 * 1024
 _PIECE_BYTES = 1024**2
-_LONGEST_TEXT_BYTES = 16 * 1024**2
-_MOST_JOINTS = 1000
+_MAX_TEXT_BYTES = 16 * 1024**2
+_MAX_JOINTS = 1000
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ def refuse_wrong_shapes(members: Mapping[str, Member], file: str) -> None:
         if member is None:
             continue
         shape = member.shape
-        widths = (width,) if width else range(_MOST_JOINTS)
+        widths = (width,) if width else range(_MAX_JOINTS)
         fits = len(shape) == 2 and shape[0] == time[0] and shape[1] in widths
         if not fits:
             raise DemonstrationError(
@@ -99,9 +99,9 @@ def refuse_wrong_shapes(members: Mapping[str, Member], file: str) -> None:
                 f"sample, but has shape {shape}."
             )
     text = members.get(TEXT)
-    if text is not None and text.bytes_in_memory > _LONGEST_TEXT_BYTES:
+    if text is not None and text.bytes_in_memory > _MAX_TEXT_BYTES:
         raise DemonstrationError(
-            f"{file}: {TEXT} may have {_LONGEST_TEXT_BYTES} bytes, but has "
+            f"{file}: {TEXT} may have {_MAX_TEXT_BYTES} bytes, but has "
             f"{text.bytes_in_memory}; leave some of it out."
         )
 

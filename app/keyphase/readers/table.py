@@ -16,7 +16,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.errors import DemonstrationError
 
-_LONGEST_LINE = 100_000
+_MAX_LINE_LENGTH = 100_000
 """Thousands of columns; what is longer is no table, and the csv module would refuse its cells."""
 _BYTES_PER_LINE = 200
 """A limit of 2 GiB in memory lets ten million lines in: eleven hours at 250 Hz."""
@@ -189,10 +189,10 @@ def _lines(file: str, data: bytes, form: TableForm, limit_bytes: int) -> list[st
         )
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     longest = max(range(len(lines)), key=lambda i: len(lines[i]))
-    if len(lines[longest]) > _LONGEST_LINE:
+    if len(lines[longest]) > _MAX_LINE_LENGTH:
         raise DemonstrationError(
             f"{file}: line {longest + 1} has {len(lines[longest])} characters, more than a table "
-            f"of numbers can have ({_LONGEST_LINE}); check that the file is a text table."
+            f"of numbers can have ({_MAX_LINE_LENGTH}); check that the file is a text table."
         )
     return lines
 

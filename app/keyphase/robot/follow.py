@@ -36,10 +36,10 @@ PREVIEW_HZ = 20.0
 PREVIEWS = 8
 """How many ways to start are compared at most."""
 
-MOST_PREVIEWED = 2000
+MAX_PREVIEWED = 2000
 """So many poses of the path decide between ways to start."""
 
-MOST_FOLLOWED = 20_000
+MAX_FOLLOWED = 20_000
 """So many poses are followed of any demonstration; `posture_at` finds what lies between."""
 
 _POSES_PER_PROGRESS = 20
@@ -109,18 +109,18 @@ def follow(
     as many as the arm's; the arm's own; random ones of `seed`) the first is taken from which all
     of the path is reached, or else the one that reaches most. A demonstration without orientation
     is followed with the tool pointing down. `progress` hears the share that is done, none while
-    starts are compared; what it raises ends it all. Of a demonstration of more than MOST_FOLLOWED
+    starts are compared; what it raises ends it all. Of a demonstration of more than MAX_FOLLOWED
     samples so many at most are followed.
     """
     if start_rad is None:
         start_rad = _recorded_start(arm, demonstration)
-    every = -(-len(demonstration) // MOST_FOLLOWED)
+    every = -(-len(demonstration) // MAX_FOLLOWED)
     rows = np.arange(0, len(demonstration), every)
     poses = (placement or Placement()).apply(tool_poses(demonstration, rows))
     goals = [pinocchio.SE3(pose) for pose in poses]
     time = demonstration.time_s[rows]
     stride = max(1, round(demonstration.rate_hz / PREVIEW_HZ / every))
-    stride = max(stride, -(-len(goals) // MOST_PREVIEWED))
+    stride = max(stride, -(-len(goals) // MAX_PREVIEWED))
     start = _best_start(arm, goals[::stride], time[::stride], start_rad, seed, progress)
     return _followed(arm, goals, time, start, progress)
 

@@ -23,8 +23,8 @@ ARM_LENGTH_M = 0.3
 """Turning by one radian weighs as much as moving by this."""
 
 RESTARTS = 60
-_LEAST_DAMPING = 1e-10
-_MOST_STEPS = 200
+_MIN_DAMPING = 1e-10
+_MAX_STEPS = 200
 _STALLED = 1e-3
 _PATIENCE = 8
 """Steps that gain less than the share `_STALLED` of the error before the target is given up."""
@@ -91,10 +91,10 @@ def nearest(
     joints = np.clip(start_rad, lower_rad, upper_rad)
     error, jacobian = _error(arm, goal, joints, data)
     left, caution, stalled = float(error @ error), 1.0, 0
-    for _ in range(_MOST_STEPS):
+    for _ in range(_MAX_STEPS):
         if _within_tolerance(error) or stalled >= _PATIENCE:
             break
-        damping = caution * left + _LEAST_DAMPING
+        damping = caution * left + _MIN_DAMPING
         trial = joints + _bounded_step(
             jacobian, error, lower_rad - joints, upper_rad - joints, damping
         )

@@ -13,7 +13,7 @@ import numpy as np
 from keyphase.errors import RobotError
 from keyphase.files.reading import read_regular
 
-_LARGEST_BYTES = 16 * 1024**2
+_MAX_BYTES = 16 * 1024**2
 _ENCODING = re.compile(rb"""\W{0,4}<\?xml[^>]*encoding\s*=\s*["']([^"']*)""")
 _ENCODINGS = frozenset({"utf-8", "utf8", "utf-16", "us-ascii", "ascii", "iso-8859-1", "latin-1"})
 
@@ -52,7 +52,7 @@ def refuse_bad_urdf(path: Path) -> None:
 
 def _parsed(path: Path) -> ElementTree.Element:
     try:
-        data = read_regular(path, _LARGEST_BYTES)
+        data = read_regular(path, _MAX_BYTES)
     except FileNotFoundError as error:
         raise RobotError(
             f"{path}: expected a robot description, but there is no such file; "

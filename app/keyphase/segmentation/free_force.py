@@ -5,7 +5,7 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.bins import bin_means, bin_starts
 
-LEAST_N = 0.5
+MIN_FORCE_N = 0.5
 """No force below this above the free level counts as contact."""
 
 _SHARE_OF_STRONGEST = 0.08
@@ -31,4 +31,4 @@ def free_force(demonstration: Demonstration) -> Array:
 
 def least_contact(size_N: Array) -> float:
     """The least force that counts as contact beside the sizes (n,) that were recorded [N]."""
-    return max(LEAST_N, _SHARE_OF_STRONGEST * float(np.quantile(size_N, 0.95)))
+    return max(MIN_FORCE_N, _SHARE_OF_STRONGEST * float(np.quantile(size_N, 0.95)))

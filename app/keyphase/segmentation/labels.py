@@ -34,7 +34,7 @@ _MOSTLY = 0.6
 _SETTLED_S = 0.2
 _BUILT_UP = 0.35
 _STILL_SHARE = 0.02
-_LEAST_STILL_M, _MOST_STILL_M = 1e-3, 5e-3
+_MIN_STILL_M, _MAX_STILL_M = 1e-3, 5e-3
 _STILL_TURN_M = METRES_PER_RADIAN * np.radians(3.0)
 
 
@@ -57,7 +57,7 @@ class Evidence:
         """Evidence of a demonstration; `motion` where it is already at hand."""
         motion = motion or motion_of(demonstration)
         extent = _size(np.ptp(motion.position_m, axis=0))
-        still = min(max(_STILL_SHARE * extent, _LEAST_STILL_M), _MOST_STILL_M)
+        still = min(max(_STILL_SHARE * extent, _MIN_STILL_M), _MAX_STILL_M)
         return cls(motion, idle_speed(motion), still, contact_force_of(demonstration))
 
 
@@ -110,7 +110,7 @@ def _is_idle(evidence: Evidence, first: int, last: int, duration_s: float, trave
         return True
     slowest = evidence.idle_m_s
     drifts = _size(mean_velocity(evidence.motion, first, last)) < slowest
-    nowhere = _size(travel) < 1.5 * slowest * duration_s + _LEAST_STILL_M
+    nowhere = _size(travel) < 1.5 * slowest * duration_s + _MIN_STILL_M
     return drifts and nowhere and _size(reach) < max(0.02, 2.0 * slowest * duration_s)
 
 

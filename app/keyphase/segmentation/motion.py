@@ -11,7 +11,7 @@ from keyphase.segmentation.bins import bin_means, bin_starts, typical_step_s
 METRES_PER_RADIAN = 0.2
 """How far a rotation counts as a movement: about the reach of a hand around its wrist."""
 
-_LARGEST_M = 1e3
+_MAX_DISTANCE_M = 1e3
 _SMOOTHING_HZ = 5.0
 
 
@@ -65,7 +65,7 @@ def rotation_vectors(wxyz: Array) -> Array:
 
 def _pose(position: Array, rotation: Array | None) -> Array:
     # Beyond a kilometre squares lose the millimetres; such a recording is shrunk to one.
-    scale = max(1.0, float(np.abs(position).max()) / _LARGEST_M)
+    scale = max(1.0, float(np.abs(position).max()) / _MAX_DISTANCE_M)
     translation = position / scale
     translation = translation - translation[0]
     if rotation is None:

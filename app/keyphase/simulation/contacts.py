@@ -13,7 +13,7 @@ from keyphase.errors import SimulationError
 Pair = tuple[tuple[str, ...], tuple[str, ...]]
 """Two groups of geom names that may touch."""
 
-_MOST_POINTS = 8
+_MAX_POINTS = 8
 """Two boxes touch in at most so many points."""
 
 _FORCE = 1 << int(mujoco.mjtConDataField.mjCONDATA_FORCE)
@@ -39,7 +39,7 @@ def watch_contacts(spec: mujoco.MjSpec, pairs: Mapping[str, Pair]) -> None:
             objname=first,
             reftype=mujoco.mjtObj.mjOBJ_GEOM,
             refname=second,
-            intprm=[_FORCE, 0, _MOST_POINTS],
+            intprm=[_FORCE, 0, _MAX_POINTS],
         )
 
 
@@ -51,7 +51,7 @@ class Contacts:
         self._sums = np.zeros((len(self.names), model.nsensordata))
         for name, first, second in _geoms_of(pairs):
             address = int(model.sensor(_sensor(name, first, second)).adr[0])
-            normals = slice(address, address + 3 * _MOST_POINTS, 3)
+            normals = slice(address, address + 3 * _MAX_POINTS, 3)
             self._sums[self.names.index(name), normals] = 1.0
 
     def normal_forces(self, sensordata: Array) -> Array:

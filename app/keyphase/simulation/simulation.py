@@ -35,7 +35,7 @@ _CALIBRATION_TICKS, _CALIBRATION_SETTLING_TICKS = 40, 15
 
 _SITE = int(mujoco.mjtObj.mjOBJ_SITE)
 
-_FURTHEST_M = 5.0
+_MAX_DISTANCE_M = 5.0
 """A tool that is further away has been thrown there by physics that diverged."""
 
 
@@ -104,7 +104,7 @@ class Simulation:
         wrench, contact_N = self._advance(reference)
         self._ticks += 1
         position, orientation = self.tool_pose()
-        if not (isfinite(wrench.dot(wrench)) and position.dot(position) < _FURTHEST_M**2):
+        if not (isfinite(wrench.dot(wrench)) and position.dot(position) < _MAX_DISTANCE_M**2):
             raise SimulationError(
                 f"{self.workcell.name} diverged after {self._ticks / RATE_HZ:.3f} s; "
                 "use smaller disturbances or a slower reference."

@@ -13,9 +13,9 @@ from keyphase.skills.skill import Skill
 
 PEAK_SPEED_M_S = 0.15
 PEAK_TURN_RAD_S = 1.0
-SHORTEST_S = 0.5
+MIN_DURATION_S = 0.5
 
-LEAST_TIMEOUT_S = 2.0
+MIN_TIMEOUT_S = 2.0
 """A connecting move may stand still so long before it has failed."""
 
 MINIMUM_JERK_PEAK = 1.875
@@ -72,14 +72,14 @@ def connecting_skill(
         travel_direction=None,
         offset_m=0.0,
         travel_limit_m=0.0,
-        timeout_s=max(2.0 * float(time[-1]), LEAST_TIMEOUT_S),
+        timeout_s=max(2.0 * float(time[-1]), MIN_TIMEOUT_S),
         force_limit_N=force_limit_N,
     )
 
 
 def _duration(way_m: float, angle_rad: float) -> float:
     fastest = max(way_m / PEAK_SPEED_M_S, angle_rad / PEAK_TURN_RAD_S)
-    return max(MINIMUM_JERK_PEAK * fastest, SHORTEST_S)
+    return max(MINIMUM_JERK_PEAK * fastest, MIN_DURATION_S)
 
 
 def _apart(

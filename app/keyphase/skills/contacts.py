@@ -20,16 +20,16 @@ from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.search import Search, search_for
 from keyphase.skills.skill import Skill
 
-LEAST_FORCE_N = 0.5
+MIN_FORCE_N = 0.5
 """A demonstration that presses less than this keeps no contact."""
 
-LARGEST_DEPTH_M, LARGEST_SLOPE = 0.005, 0.1
+MAX_DEPTH_M, MAX_SLOPE = 0.005, 0.1
 """A contact is kept by a skill that moves less than this, or this part of its way, along it."""
 
 STEEPEST = 0.4
 """Largest part of a way that may lie along a contact for the way to have slid on the surface."""
 
-LEAST_SLIDE_M = 0.01
+MIN_SLIDE_M = 0.01
 """A way shorter than this says nothing about the surface."""
 
 STAYED_WITHIN_M = 0.002
@@ -118,7 +118,7 @@ def press_after(
     if force is None or not len(path):
         return None
     pressed = -float((force[inside] @ direction).mean())
-    stayed = pressed >= LEAST_FORCE_N and float(np.ptp(path @ direction)) <= STAYED_WITHIN_M
+    stayed = pressed >= MIN_FORCE_N and float(np.ptp(path @ direction)) <= STAYED_WITHIN_M
     own = square(direction, kept)
     return Press(own, pressed, path.mean(axis=0)) if stayed and own is not None else None
 
@@ -135,12 +135,12 @@ def kept_force(demonstration: Demonstration, skill: Skill, direction: Array) -> 
     if own is None:
         return None
     force = -(demonstration.force_N[inside] @ own)
-    if float(np.median(force)) < LEAST_FORCE_N:
+    if float(np.median(force)) < MIN_FORCE_N:
         return None
     smooth = _smoothed(force, demonstration.rate_hz)
     grid = np.linspace(0, len(smooth) - 1, GRID)
     profile = np.interp(grid, np.arange(len(smooth)), smooth)
-    return KeptForce(np.tile(own, (GRID, 1)), np.maximum(profile, LEAST_FORCE_N))
+    return KeptForce(np.tile(own, (GRID, 1)), np.maximum(profile, MIN_FORCE_N))
 
 
 def square(direction: Array, others: Sequence[Array]) -> Array | None:
@@ -171,7 +171,7 @@ def shift_beyond(demonstration: Demonstration, skill: Skill, free_N: Array) -> f
     assert demonstration.force_N is not None
     inside = demonstration.force_N[_inside(demonstration, skill.demonstrated_s)]
     before = -((inside - free_N) @ pressing_direction(skill))
-    free = len(before) and float(np.median(before)) < max(LEAST_FORCE_N, end.threshold_N)
+    free = len(before) and float(np.median(before)) < max(MIN_FORCE_N, end.threshold_N)
     return SOFT_BEYOND_M if free else None
 
 
@@ -200,14 +200,14 @@ def _off_the_way(direction: Array, path: Array) -> Array | None:
         return None
     slid = path[-1] - path[0]
     length = float(np.linalg.norm(slid))
-    if length > LEAST_SLIDE_M:
+    if length > MIN_SLIDE_M:
         slope = float(direction @ slid) / length
         if abs(slope) > STEEPEST:
             return None
         direction = direction - slope * slid / length
         direction = direction / np.linalg.norm(direction)
     way = float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
-    deep = float(np.ptp(path @ direction)) > max(LARGEST_DEPTH_M, LARGEST_SLOPE * way)
+    deep = float(np.ptp(path @ direction)) > max(MAX_DEPTH_M, MAX_SLOPE * way)
     return None if deep else direction
 
 

@@ -45,7 +45,7 @@ from keyphase.skills.primitive import (
     transformation,
 )
 
-LARGEST_STEP = 0.5
+MAX_STEP = 0.5
 """Largest alpha_z h / tau of one integration step; it is unstable above 1.66."""
 
 REFERENCE_REACH = (0.01, 0.05)
@@ -201,7 +201,7 @@ def step(
 def substeps(primitive: Primitive, tau: Array, h: float) -> int:
     """Integration steps that one control step needs to stay accurate."""
     ratio = primitive.constants.alpha_z * h / (tau.item() if tau.ndim == 0 else float(np.min(tau)))
-    return max(1, ceil(ratio / LARGEST_STEP - 1e-9))
+    return max(1, ceil(ratio / MAX_STEP - 1e-9))
 
 
 def _advance(

@@ -23,14 +23,14 @@ Fit = Literal["least squares", "locally weighted"]
 BASIS_COUNT: dict[Fit, int] = {"least squares": 25, "locally weighted": 15}
 """Basis functions per axis; fifteen, regressed locally, is what the paper does."""
 
-LEAST_DISPLACEMENT = np.array([1e-3] * 3 + [1e-2] * 3)
+MIN_DISPLACEMENT = np.array([1e-3] * 3 + [1e-2] * 3)
 """Axes whose net displacement is below (1 mm, 0.01 rad) are not scaled."""
 
-MOST_EXCURSION = 2.0
+MAX_EXCURSION = 2.0
 """Nor are axes that swing wider than this many net displacements: scaling would magnify it."""
 
-LEAST_SAMPLES = 5
-LARGEST_TURN_RAD = math.radians(225.0)
+MIN_SAMPLES = 5
+MAX_TURN_RAD = math.radians(225.0)
 """Beyond half a turn the logarithm pulls the long way round, and small errors across it grow; up
 to here they stay below 0.5 degrees."""
 
@@ -131,7 +131,7 @@ def angular_velocity_of(time_s: Array, wxyz: Array) -> Array:
 def _scaled_axes(left: Array) -> Array:
     net = np.abs(left[0])
     excursion = np.ptp(left, axis=0)
-    return (net >= LEAST_DISPLACEMENT) & (excursion <= MOST_EXCURSION * net)
+    return (net >= MIN_DISPLACEMENT) & (excursion <= MAX_EXCURSION * net)
 
 
 def _orientations(wxyz: Array | None, rows: int) -> Array:
@@ -139,17 +139,17 @@ def _orientations(wxyz: Array | None, rows: int) -> Array:
 
 
 def _refuse_short(time_s: Array) -> None:
-    if len(time_s) < LEAST_SAMPLES or not time_s[-1] > time_s[0]:
+    if len(time_s) < MIN_SAMPLES or not time_s[-1] > time_s[0]:
         raise SkillError(
-            f"A segment needs at least {LEAST_SAMPLES} samples to become a skill, but has "
+            f"A segment needs at least {MIN_SAMPLES} samples to become a skill, but has "
             f"{len(time_s)}; drop it or merge it with its neighbour."
         )
 
 
 def _refuse_large_turn(left: Array) -> None:
     largest = float(np.sqrt((left[:, 3:] ** 2).sum(axis=1)).max())
-    if largest > LARGEST_TURN_RAD:
+    if largest > MAX_TURN_RAD:
         raise SkillError(
-            f"A skill can turn by up to {np.degrees(LARGEST_TURN_RAD):.0f} degrees, but this "
+            f"A skill can turn by up to {np.degrees(MAX_TURN_RAD):.0f} degrees, but this "
             f"segment turns by {np.degrees(largest):.0f}; split it in two."
         )

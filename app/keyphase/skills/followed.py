@@ -11,7 +11,7 @@ from keyphase.skills.skill import Skill
 FOLLOWED_N = 1.0
 """A recorded force above this is followed."""
 
-MOST_ALONG = 0.7
+MAX_ALONG = 0.7
 """It is not followed where more than this part of it lies along the way: there it is a push."""
 
 SLOW_M_S = 0.008
@@ -20,7 +20,7 @@ SLOW_M_S = 0.008
 SETTLED_S = 0.1
 """A contact that is made within a skill is followed from so long after it on."""
 
-GRID_PER_S, LEAST_GRID, MOST_GRID = 25.0, 51, 1001
+GRID_PER_S, MIN_GRID, MAX_GRID = 25.0, 51, 1001
 """Directions and forces are kept so often, within these numbers."""
 
 _FORCE_WINDOW_S, _WAY_WINDOW_S = 0.2, 0.1
@@ -50,10 +50,10 @@ def followed_force(demonstration: Demonstration, skill: Skill, free_N: Array) ->
     size = np.linalg.norm(normal, axis=1)
     along = np.abs((smooth * way).sum(axis=1)) / np.maximum(np.linalg.norm(smooth, axis=1), 1e-9)
     pressed = size > FOLLOWED_N
-    follows = _settled(pressed) & (~moves | (along < MOST_ALONG))
+    follows = _settled(pressed) & (~moves | (along < MAX_ALONG))
     if not follows.any():
         return None
-    count = int(np.clip(round(GRID_PER_S * (moments[-1] - moments[0])), LEAST_GRID, MOST_GRID))
+    count = int(np.clip(round(GRID_PER_S * (moments[-1] - moments[0])), MIN_GRID, MAX_GRID))
     rows = np.round(np.linspace(0, len(moments) - 1, count)).astype(int)
     direction = -normal / np.maximum(size, 1e-9)[:, None]
     profile = np.where(follows, size, 0.0)[rows]

@@ -35,7 +35,7 @@ most."""
 
 _TIMEOUT_DURATIONS = 2.0
 
-LEAST_FORCE_LIMIT_N = 15.0
+MIN_FORCE_LIMIT_N = 15.0
 FORCE_LIMIT_FACTOR = 2.0
 """A force that changed by more than this many demonstrated changes is not the expected one."""
 
@@ -168,11 +168,11 @@ def move_between(before: Skill, after: Skill) -> Skill | None:
 def force_limit(demonstration: Demonstration, start_s: float, end_s: float) -> float:
     """Twice the largest demonstrated change of the force against the start, 15 N at least [N]."""
     if demonstration.force_N is None:
-        return LEAST_FORCE_LIMIT_N
+        return MIN_FORCE_LIMIT_N
     first, last = np.searchsorted(demonstration.time_s, (start_s, end_s + AFTER_S[1])).tolist()
     force = demonstration.force_N[first : max(last, first + 1)]
     change = np.sqrt(((force - force[0]) ** 2).sum(axis=1)).max()
-    return max(FORCE_LIMIT_FACTOR * float(change), LEAST_FORCE_LIMIT_N)
+    return max(FORCE_LIMIT_FACTOR * float(change), MIN_FORCE_LIMIT_N)
 
 
 def _primitive(

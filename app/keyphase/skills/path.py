@@ -12,7 +12,7 @@ from keyphase.errors import SkillError
 from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.segmentation.end_condition.travel import last_way
 from keyphase.skills import quaternions
-from keyphase.skills.fitting import LEAST_SAMPLES, angular_velocity_of
+from keyphase.skills.fitting import MIN_SAMPLES, angular_velocity_of
 
 RATE_HZ = 250.0
 """Samples per second of a path; demonstrations come at any rate, even or not."""
@@ -23,10 +23,10 @@ SMOOTHING_S = 0.1
 END_WINDOW_S = 0.1
 """The velocity at the end is judged over this time."""
 
-LEAST_SPEED_M_S = 0.02
+MIN_SPEED_M_S = 0.02
 """The least speed with which a path is extended."""
 
-MOST_OF_MEAN = 1.5
+MAX_OF_MEAN = 1.5
 """The speed at the end is taken as this many times the mean of the last 100 ms at most."""
 
 TURN_BRAKE_S = 0.2
@@ -59,13 +59,13 @@ def path_of(demonstration: Demonstration, start_s: float, end_s: float) -> Path:
     first, last = np.searchsorted(demonstration.time_s, (start_s, end_s), side="left").tolist()
     rows = slice(max(first - 1, 0), min(last + 1, len(demonstration)))
     time = demonstration.time_s[rows]
-    if len(time) < LEAST_SAMPLES or not end_s > start_s:
+    if len(time) < MIN_SAMPLES or not end_s > start_s:
         raise SkillError(
-            f"{demonstration.name}: a segment needs at least {LEAST_SAMPLES} samples to become a "
+            f"{demonstration.name}: a segment needs at least {MIN_SAMPLES} samples to become a "
             f"skill, but the one from {start_s:.3f} s to {end_s:.3f} s has {len(time)}; "
             "drop it or merge it with its neighbour."
         )
-    count = max(round((end_s - start_s) * RATE_HZ), 2 * LEAST_SAMPLES) + 1
+    count = max(round((end_s - start_s) * RATE_HZ), 2 * MIN_SAMPLES) + 1
     moments = np.linspace(start_s, end_s, count).clip(time[0], time[-1])
     position = _smooth(CubicSpline(time, demonstration.position_m[rows])(moments))
     wxyz = demonstration.orientation_wxyz
@@ -83,14 +83,14 @@ def direction_of_travel(path: Path, end: ContactEnd) -> tuple[Array, float]:
     """
     way = last_way(path.position_m)
     if way is None:
-        return -np.asarray(end.direction), LEAST_SPEED_M_S
+        return -np.asarray(end.direction), MIN_SPEED_M_S
     direction = way[0]
     first = int(np.searchsorted(path.time_s, path.duration_s - END_WINDOW_S - 1e-9))
     time = path.time_s[first:] - path.duration_s
     mean_speed = float((path.position_m[-1] - path.position_m[first]) @ direction / -time[0])
     speed = float(np.polyfit(time, path.position_m[first:] @ direction, 2)[1])
-    fastest = max(MOST_OF_MEAN * mean_speed, LEAST_SPEED_M_S)
-    return direction, float(np.clip(speed, LEAST_SPEED_M_S, fastest))
+    fastest = max(MAX_OF_MEAN * mean_speed, MIN_SPEED_M_S)
+    return direction, float(np.clip(speed, MIN_SPEED_M_S, fastest))
 
 
 def extended(path: Path, direction: Array, speed_m_s: float, offset_m: float) -> Path:

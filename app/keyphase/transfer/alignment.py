@@ -13,7 +13,7 @@ from keyphase.demonstration import Array
 from keyphase.transfer.signals import Signals
 
 BAND = 0.25
-_LEAST_BAND = 50
+_MIN_BAND = 50
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +66,7 @@ def _distances(a: Array, b: Array) -> Array:
     distance = np.sqrt(np.maximum(squares, 0.0))
     rows, columns = np.arange(len(a))[:, None], np.arange(len(b))[None]
     diagonal = rows * (len(b) - 1) / max(len(a) - 1, 1)
-    width = max(BAND * max(len(a), len(b)), _LEAST_BAND)
+    width = max(BAND * max(len(a), len(b)), _MIN_BAND)
     return np.where(np.abs(columns - diagonal) <= width, distance, np.inf)
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-LEAST_GAP_S = 0.04
+MIN_GAP_S = 0.04
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ def in_order(
             reached = [
                 (total + (missing_cost if option is None else option.cost), last, k)
                 for k, (total, last, _) in enumerate(best[-1])
-                if option is None or last + LEAST_GAP_S <= option.time_s < end_s
+                if option is None or last + MIN_GAP_S <= option.time_s < end_s
             ]
             total, last, k = min(reached, default=(np.inf, start_s, -1))
             row.append((total, last if option is None else option.time_s, k))

@@ -21,7 +21,7 @@ from keyphase.transfer.taught import Taught
 SNAP_S = 0.4
 """How far from where it was taught a boundary may be moved to evidence."""
 
-LEAST_PROBABILITY = 0.1
+MIN_PROBABILITY = 0.1
 """Evidence less likely than this moves nothing."""
 
 STAYING_WORTH = 0.2
@@ -161,7 +161,7 @@ def _options(warped_s: float, contact: bool, candidates: Sequence[Candidate]) ->
     found = [Option(warped_s, 0.0, -np.log(STAYING_WORTH))]
     for one in candidates:
         away = abs(one.time_s - warped_s)
-        if away <= SNAP_S and one.probability >= LEAST_PROBABILITY:
+        if away <= SNAP_S and one.probability >= MIN_PROBABILITY:
             kind = 1.0 if (one.kind == "contact") == contact else 0.5
             worth = kind * one.probability * (1.0 - 0.8 * away / SNAP_S)
             found.append(Option(one.time_s, one.probability, -np.log(worth)))

@@ -23,7 +23,7 @@ DEFAULT_LIMIT_BYTES = 2 << 30
 SUFFIXES = frozenset({".npz", ".csv", ".tsv", ".txt", ".dat", ".log", ".asc"})
 """How recordings end; a segment file ends as it always does."""
 
-_LONGEST_NAME = 80
+_MAX_NAME_LENGTH = 80
 _UNSAFE = re.compile(r"[^A-Za-z0-9._-]+")
 _SPARE_BYTES = 64 << 20
 
@@ -135,7 +135,7 @@ def safe_name(name: str) -> str:
             f"Expected a recording ({kinds}) or a segment file ({SEGMENTS}), but got "
             f"{last[:80]!r}, which is of none of these kinds."
         )
-    stem = _UNSAFE.sub("_", stem).strip("._-")[:_LONGEST_NAME]
+    stem = _UNSAFE.sub("_", stem).strip("._-")[:_MAX_NAME_LENGTH]
     return (stem or "recording") + suffix.lower()
 
 

@@ -16,12 +16,12 @@ from keyphase.demonstration import Demonstration
 from keyphase.scoring import Claim, Truth
 from keyphase.segmentation import Parameters, segment
 
-LEAST_S = 0.3
+MIN_DURATION_S = 0.3
 PENALTY = 12.0
 """Of the kernel detector: a first guess. `python tests/benchmarks/compare --choose-penalty` tries
 3 to 100 on made recordings; take the best before quoting that column."""
 SLOW = 0.05
-MOST_STATES = 8
+MAX_STATES = 8
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ def hidden_markov(demonstration: Demonstration, truth: Truth) -> list[Claim]:
     taken = samples(demonstration)
     features = taken.features(_contact_only(truth))
     best, best_states = np.inf, None
-    for count in range(2, MOST_STATES + 1):
+    for count in range(2, MAX_STATES + 1):
         model = GaussianHMM(count, "diag", min_covar=1e-3, n_iter=30, random_state=0)
         try:
             states = model.fit(features).predict(features)
@@ -124,7 +124,7 @@ def _kernel(demonstration: Demonstration, truth: Truth, **number: float) -> list
 
     taken = samples(demonstration)
     features = taken.features(_contact_only(truth))
-    least = max(2, round(LEAST_S * RATE_HZ))
+    least = max(2, round(MIN_DURATION_S * RATE_HZ))
     detector = ruptures.KernelCPD("rbf", min_size=least, params={"gamma": 1.0 / features.shape[1]})
     most = max(1, len(features) // least - 1)
     if "n_bkps" in number:

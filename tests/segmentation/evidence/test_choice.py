@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from keyphase.segmentation.evidence.choice import CROWDED_S, LEAST_ODDS, spaced_scores
+from keyphase.segmentation.evidence.choice import CROWDED_S, MIN_ODDS, spaced_scores
 
 candidates = st.lists(
     st.tuples(st.floats(0.0, 10.0), st.floats(-6.0, 6.0)), min_size=1, max_size=30
@@ -24,7 +24,7 @@ def test_what_is_chosen_keeps_its_distance_whatever_the_line(found, distance):
 def test_the_likeliest_candidate_is_always_chosen_with_all_its_odds(found, distance):
     times, odds = np.array(found).T
     scores = spaced_scores(times, odds, distance)
-    if odds.max() >= LEAST_ODDS:
+    if odds.max() >= MIN_ODDS:
         assert scores.max() == odds.max()
     assert (scores <= odds).all()
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from keyphase.errors import LabelingError
 from keyphase.labeling.edits import (
-    LONGEST_LABEL,
+    MAX_LABEL_LENGTH,
     Add,
     Contact,
     Keep,
@@ -47,7 +47,7 @@ def taking_over(file: SegmentFile, segmentation: Segmentation) -> TakeOver:
 
 def _plain(name: str) -> str:
     """A file name as a label may be: what is no plain text in it becomes a question mark."""
-    return "".join(c if c.isprintable() else "?" for c in name).strip()[:LONGEST_LABEL]
+    return "".join(c if c.isprintable() else "?" for c in name).strip()[:MAX_LABEL_LENGTH]
 
 
 def _boundary_edits(

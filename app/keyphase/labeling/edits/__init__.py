@@ -8,20 +8,20 @@ from keyphase.labeling.edits.contact import Contact
 from keyphase.labeling.edits.done import Done, Reopen
 from keyphase.labeling.edits.drop_idle import DropIdle
 from keyphase.labeling.edits.keep import Keep
-from keyphase.labeling.edits.label import LONGEST_LABEL, Label, check_label
+from keyphase.labeling.edits.label import MAX_LABEL_LENGTH, Label, check_label
 from keyphase.labeling.edits.lost_edits import BringBack, Forget
 from keyphase.labeling.edits.merge import Merge
 from keyphase.labeling.edits.move import Move
 from keyphase.labeling.edits.parsing import Edit, edit_as_json, edit_from_json
-from keyphase.labeling.edits.plan import LONGEST_PLAN, Plan
+from keyphase.labeling.edits.plan import MAX_PLAN_LENGTH, Plan
 from keyphase.labeling.edits.remove import Remove
 from keyphase.labeling.edits.reset import Reset
 from keyphase.labeling.edits.set_end import SetEnd
 from keyphase.labeling.edits.take_over import TakeOver
 
 __all__ = [
-    "LONGEST_LABEL",
-    "LONGEST_PLAN",
+    "MAX_LABEL_LENGTH",
+    "MAX_PLAN_LENGTH",
     "Accept",
     "AcceptLabels",
     "Add",

@@ -15,7 +15,7 @@ from keyphase.errors import LabelingError
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.walk import Walk
 
-_FARTHEST_S = 1e10
+_MAX_TIME_S = 1e10
 
 
 @dataclass(eq=False)
@@ -53,7 +53,7 @@ class BaseEdit(msgspec.Struct, frozen=True, tag_field="kind", forbid_unknown_fie
 
         Raises LabelingError where a value is not finite, too large or too long.
         """
-        if not all(math.isfinite(t) and abs(t) <= _FARTHEST_S for t in times_in(self)):
+        if not all(math.isfinite(t) and abs(t) <= _MAX_TIME_S for t in times_in(self)):
             raise LabelingError(
                 f"The times of an edit of kind {kind_of(self)} must be finite seconds."
             )

@@ -11,10 +11,10 @@ from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.spans import Span
 from keyphase.labeling.walk import Walk
 
-LONGEST_LABEL = 200
+MAX_LABEL_LENGTH = 200
 """Characters."""
 
-_LONGEST_SHOWN = 24
+_MAX_SHOWN_LENGTH = 24
 _NOT_TEXT = frozenset({"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"})
 
 
@@ -53,9 +53,9 @@ def check_label(label: str) -> str:
     marks that turn the writing direction.
     """
     label = label.strip()
-    if len(label) > LONGEST_LABEL:
+    if len(label) > MAX_LABEL_LENGTH:
         raise LabelingError(
-            f"A label has at most {LONGEST_LABEL} characters, but this one has {len(label)}; "
+            f"A label has at most {MAX_LABEL_LENGTH} characters, but this one has {len(label)}; "
             "shorten it."
         )
     strange = next((c for c in label if unicodedata.category(c) in _NOT_TEXT), None)
@@ -69,4 +69,4 @@ def check_label(label: str) -> str:
 
 def shortened(text: str) -> str:
     """A label as the name of a step shows it."""
-    return text if len(text) <= _LONGEST_SHOWN else f"{text[: _LONGEST_SHOWN - 1]}…"
+    return text if len(text) <= _MAX_SHOWN_LENGTH else f"{text[: _MAX_SHOWN_LENGTH - 1]}…"

@@ -45,7 +45,7 @@ Edit = (
 )
 """Everything a person can do; msgspec tells the kinds apart by their field `kind`."""
 
-_LONGEST_REASON = 200
+_MAX_REASON_LENGTH = 200
 
 
 def edit_as_json(edit: Edit) -> dict[str, Any]:
@@ -65,6 +65,6 @@ def edit_from_json(content: Any) -> Edit:
         edit: Edit = msgspec.convert(content, Edit)
     except (msgspec.ValidationError, OverflowError) as error:
         raise LabelingError(
-            f"Expected an edit, but this one is malformed: {str(error)[:_LONGEST_REASON]}."
+            f"Expected an edit, but this one is malformed: {str(error)[:_MAX_REASON_LENGTH]}."
         ) from error
     return edit.checked()

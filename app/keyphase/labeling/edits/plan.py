@@ -7,7 +7,7 @@ from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.spans import Span
 from keyphase.labeling.walk import Walk
 
-LONGEST_PLAN = 10_000
+MAX_PLAN_LENGTH = 10_000
 """Entries."""
 
 
@@ -25,11 +25,11 @@ class Plan(BaseEdit, frozen=True, tag="plan"):
     def checked(self) -> "Plan":
         """Of a length that a plan can have."""
         spans = self.spans_s
-        too_long = max(len(self.order), len(self.left_out_s)) > LONGEST_PLAN
+        too_long = max(len(self.order), len(self.left_out_s)) > MAX_PLAN_LENGTH
         if too_long or (spans is not None and len(spans) != len(self.order)):
             raise LabelingError(
-                f"A plan has at most {LONGEST_PLAN} entries and a span for each or none, but this "
-                f"one has {len(self.order)}."
+                f"A plan has at most {MAX_PLAN_LENGTH} entries and a span for each or none, but "
+                f"this one has {len(self.order)}."
             )
         return super().checked()
 

@@ -14,7 +14,7 @@ from keyphase.labeling.edits.remove import Remove
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.walk import Walk
 
-MOST_TAKEN_OVER = 100_000
+MAX_TAKEN_OVER = 100_000
 """Edits of which one taking over consists at most."""
 
 Part = Remove | Add | Contact | Label | Keep | Plan
@@ -29,7 +29,7 @@ class TakeOver(BaseEdit, frozen=True, tag="take_over"):
     """
 
     source: str
-    edits: Annotated[tuple[Part, ...], msgspec.Meta(max_length=MOST_TAKEN_OVER)]
+    edits: Annotated[tuple[Part, ...], msgspec.Meta(max_length=MAX_TAKEN_OVER)]
 
     def checked(self) -> "TakeOver":
         """With each part checked, and a source that is plain text."""

@@ -7,7 +7,7 @@ from typing import Any
 
 from keyphase.errors import KeyphaseError
 from keyphase.labeling.earlier import parameters_as_meant
-from keyphase.labeling.vocabulary import COLORS, MOST_LABELS, Vocabulary, VocabularyLabel
+from keyphase.labeling.vocabulary import COLORS, MAX_LABELS, Vocabulary, VocabularyLabel
 from keyphase.segmentation.parameters import Parameters
 
 VERSION = 1
@@ -53,7 +53,7 @@ def _vocabulary(items: Any, left_out: list[str]) -> Vocabulary:
     labels: dict[str, VocabularyLabel] = {}
     for number, item in enumerate(items, start=1):
         label = _label(item, number, left_out)
-        if label is not None and len(labels) < MOST_LABELS:
+        if label is not None and len(labels) < MAX_LABELS:
             labels.setdefault(label.name, label)
     return Vocabulary(tuple(labels.values()))
 

@@ -17,8 +17,8 @@ FORMAT = 2
 a recording was done is kept."""
 
 _WITHOUT_VARIANT = 1
-_LARGEST_NUMBER = 2**53
-_LONGEST_NAME = 300
+_MAX_NUMBER = 2**53
+_MAX_NAME_LENGTH = 300
 
 
 @dataclass(frozen=True)
@@ -155,14 +155,14 @@ def _own(values: Any) -> dict[str, Any]:
 
 def _whole(value: Any) -> int:
     """A number of a step. Raises ValueError for anything else."""
-    if not isinstance(value, int) or isinstance(value, bool) or not 0 <= value <= _LARGEST_NUMBER:
+    if not isinstance(value, int) or isinstance(value, bool) or not 0 <= value <= _MAX_NUMBER:
         raise ValueError("no number of a step")
     return value
 
 
 def _plain(name: str) -> str:
     """A name of a step that a page can show, whatever the journal held."""
-    return "".join(c if c.isprintable() else "?" for c in name[:_LONGEST_NAME])
+    return "".join(c if c.isprintable() else "?" for c in name[:_MAX_NAME_LENGTH])
 
 
 def _position(history: History, number: Any) -> int:

@@ -12,7 +12,7 @@ from keyphase.errors import JournalError
 NAME = ".keyphase"
 """Folder beside the recordings that holds their journals and the folder's settings."""
 
-_LONGEST_NAME = 200
+_MAX_NAME_LENGTH = 200
 """Bytes; file systems take 255, and what is kept beside a journal is named after it."""
 
 
@@ -69,9 +69,9 @@ def state_name(recording: Path, suffix: str) -> str:
     A name that would be too long for a file system is cut and told apart by its hash.
     """
     name = os.fsencode(recording.name)
-    if len(name) + len(suffix) <= _LONGEST_NAME:
+    if len(name) + len(suffix) <= _MAX_NAME_LENGTH:
         return f"{recording.name}{suffix}"
-    cut = name[: _LONGEST_NAME - len(suffix) - 20].decode("utf-8", "ignore")
+    cut = name[: _MAX_NAME_LENGTH - len(suffix) - 20].decode("utf-8", "ignore")
     return f"{cut}~{hashlib.sha256(name).hexdigest()[:16]}{suffix}"
 
 

@@ -73,7 +73,7 @@ _MAGIC = (
     (MAT_MAGIC, MAT),
     (NPY_MAGIC, NPY),
 )
-LONGEST_MAGIC = max(len(magic) for magic, _ in _MAGIC)
+MAX_MAGIC_LENGTH = max(len(magic) for magic, _ in _MAGIC)
 
 
 def format_of(path: Path) -> Format | None:
@@ -86,7 +86,7 @@ def format_of(path: Path) -> Format | None:
             return _folder_format(path)
         if is_zarr(path):
             return ZARR
-        head = first_bytes(path, LONGEST_MAGIC)
+        head = first_bytes(path, MAX_MAGIC_LENGTH)
     except (OSError, ValueError):
         return None
     return next((form for magic, form in _MAGIC if head.startswith(magic)), None)

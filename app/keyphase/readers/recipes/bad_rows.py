@@ -6,12 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.errors import DemonstrationError
-from keyphase.oddities.poses import FASTEST_M_S
+from keyphase.oddities.poses import MAX_SPEED_M_S
 from keyphase.readers.recipes.channels import Channels, Noted
 from keyphase.readers.recipes.recipe import Rows
 
-_LEAST_JUMP_M = 0.02
-_LONGEST_OUTLIER = 5
+_MIN_JUMP_M = 0.02
+_MAX_OUTLIER_ROWS = 5
 """Rows; what stays away longer is no single misreading."""
 
 
@@ -47,10 +47,10 @@ def _outliers(time_s: NDArray[np.float64], position_m: NDArray[np.float64]) -> N
     steps = np.diff(time_s)
     travel = np.linalg.norm(np.diff(position_m, axis=0), axis=1)
     found: list[int] = []
-    for row in np.flatnonzero((travel > _LEAST_JUMP_M) & (travel > FASTEST_M_S * steps)).tolist():
+    for row in np.flatnonzero((travel > _MIN_JUMP_M) & (travel > MAX_SPEED_M_S * steps)).tolist():
         if found and row <= found[-1]:
             continue
-        after = position_m[row + 2 : row + 2 + _LONGEST_OUTLIER]
+        after = position_m[row + 2 : row + 2 + _MAX_OUTLIER_ROWS]
         back = np.linalg.norm(after - position_m[row], axis=1) < 0.2 * travel[row]
         if back.any():
             found += range(row + 1, row + 2 + int(np.argmax(back)))

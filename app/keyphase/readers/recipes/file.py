@@ -25,10 +25,10 @@ from keyphase.readers.recipes.sections import (
     wrench_of,
 )
 
-_LONGEST_RECIPE = 64 * 1024
+_MAX_RECIPE_BYTES = 64 * 1024
 _TOO_DEEP = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){12}""")
-_MOST_JOINTS = 100
-_MOST_PARTS = 100
+_MAX_JOINTS = 100
+_MAX_PARTS = 100
 _CHANNELS = ("pose", "position", "orientation", "force", "torque", "joints", "gripper")
 
 
@@ -40,7 +40,7 @@ def load_recipe(path: Path | str) -> Recipe:
     """
     path = Path(path)
     try:
-        data = read_regular(path, _LONGEST_RECIPE)
+        data = read_regular(path, _MAX_RECIPE_BYTES)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else str(error)
         raise RecipeError(
@@ -55,9 +55,9 @@ def load_recipe(path: Path | str) -> Recipe:
 def parse_recipe(text: str, name: str) -> Recipe:
     """The recipe written in `text`; raises RecipeError as `load_recipe` does."""
     # The parser takes minutes over keys nested thousands deep.
-    if len(text) > _LONGEST_RECIPE or _TOO_DEEP.search(text):
+    if len(text) > _MAX_RECIPE_BYTES or _TOO_DEEP.search(text):
         raise RecipeError(
-            f"{name}: a recipe has at most {_LONGEST_RECIPE} characters and no key of more than "
+            f"{name}: a recipe has at most {_MAX_RECIPE_BYTES} characters and no key of more than "
             "twelve parts; check that it is a recipe."
         )
     try:
@@ -96,8 +96,8 @@ def _named(several: Any, name: str) -> list[tuple[str, dict[str, Any]]]:
                 f"{name}: each [[demonstration]] needs a name of its own, without # and /; add it."
             )
         found[part] = {key: value for key, value in one.items() if key != "name"}
-    if not 0 < len(found) <= _MOST_PARTS:
-        raise RecipeError(f"{name}: expected 1 to {_MOST_PARTS} of [[demonstration]].")
+    if not 0 < len(found) <= _MAX_PARTS:
+        raise RecipeError(f"{name}: expected 1 to {_MAX_PARTS} of [[demonstration]].")
     return list(found.items())
 
 
@@ -123,7 +123,7 @@ def _one(values: Mapping[str, Any], name: str) -> Recipe:
         force=load_of(sections["force"], "force"),
         torque=load_of(sections["torque"], "torque"),
         wrench=wrench_of(keys.section("wrench")),
-        joints=scaled_of(sections["joints"], range(1, _MOST_JOINTS + 1), "angle"),
+        joints=scaled_of(sections["joints"], range(1, _MAX_JOINTS + 1), "angle"),
         gripper=scaled_of(sections["gripper"], (1, 2), "opening"),
         clocks=clocks,
         split=split,

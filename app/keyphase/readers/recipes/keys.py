@@ -10,7 +10,7 @@ from keyphase.readers.recipes.columns import Columns
 from keyphase.readers.recipes.units import Quantity, unit_size
 
 _Choice = TypeVar("_Choice")
-_LONGEST_TEXT = 1000
+_MAX_TEXT_LENGTH = 1000
 
 
 class Keys:
@@ -43,7 +43,7 @@ class Keys:
     def text(self, key: str, default: str | None = None) -> str:
         """A text; required where there is no default."""
         value = self._required(key, default)
-        if not isinstance(value, str) or not 0 < len(value) <= _LONGEST_TEXT:
+        if not isinstance(value, str) or not 0 < len(value) <= _MAX_TEXT_LENGTH:
             raise self._wrong(key, "a text", value)
         return value
 
@@ -120,7 +120,7 @@ class Keys:
         value = self._required("columns", None)
         if isinstance(value, list) and value and all(_is_column(item) for item in value):
             return Columns(self.where, tuple(value), tuple(counts))
-        if isinstance(value, str) and 0 < len(value) <= _LONGEST_TEXT:
+        if isinstance(value, str) and 0 < len(value) <= _MAX_TEXT_LENGTH:
             return Columns(self.where, value, tuple(counts))
         raise self._wrong("columns", "a list of names or indices, or one pattern", value)
 
@@ -168,7 +168,7 @@ class Keys:
 
 def _is_column(value: Any) -> bool:
     if isinstance(value, str):
-        return 0 < len(value) <= _LONGEST_TEXT
+        return 0 < len(value) <= _MAX_TEXT_LENGTH
     return isinstance(value, int) and not isinstance(value, bool)
 
 

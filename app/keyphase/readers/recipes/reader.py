@@ -22,7 +22,7 @@ from keyphase.readers.table import Columned, open_table
 from keyphase.readers.timing import irregularity, refuse_not_increasing
 from keyphase.readers.wrench import in_base_frame, offset_of
 
-_FINER, _LEAST_ROOM = 10, 10_000
+_FINER, _MIN_ROOM = 10, 10_000
 """Resampling makes at most so many times the rows that were recorded, or so many rows."""
 
 _LOADS = {"force_N": "N", "torque_Nm": "N m"}
@@ -147,7 +147,7 @@ def _even(channels: Channels, recipe: Recipe, limit_bytes: int, file: str) -> No
         return channels, ()
     columns = sum(values[:1].size for values in channels.values())
     rows = (time[-1] - time[0]) * rate
-    if rows * columns * time.itemsize > limit_bytes or rows > max(_LEAST_ROOM, _FINER * len(time)):
+    if rows * columns * time.itemsize > limit_bytes or rows > max(_MIN_ROOM, _FINER * len(time)):
         raise RecipeError(
             f"{recipe.name}: [rows]: {rate:g} Hz over {time[-1] - time[0]:.6g} s makes more "
             "samples than the limit allows; choose a lower rate_hz."

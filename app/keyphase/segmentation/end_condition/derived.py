@@ -27,8 +27,8 @@ STEP_FRACTION = 0.5
 NOISE_FACTOR = 5.0
 """A threshold is never below this many standard deviations of the force before the change."""
 
-LEAST_STEP_N = 1e-9
-LARGEST_THRESHOLD_N = 1e9
+MIN_STEP_N = 1e-9
+MAX_THRESHOLD_N = 1e9
 """Outside of these a force has no direction in floating point, or is no force of this world."""
 
 LAST_STEP_N = 1.0
@@ -39,7 +39,7 @@ deviations of the force before; whether it would stay changed cannot be seen."""
 KEPT_N = 0.5
 """A force before the change that is less than this, its friction aside, presses nothing."""
 
-LEAST_SQUARE = 0.5
+MIN_SQUARE = 0.5
 """A change of which less than this part is square to what was pressed is a change of the press."""
 
 ALONG_THE_WAY = 0.3
@@ -115,11 +115,11 @@ def _contact_end(
     """The end condition of a force step; None where there is none."""
     change = _square_to_pressed(step, way, free_N) if square else step.change
     size = float(np.sqrt(change @ change))
-    if not size > LEAST_STEP_N:
+    if not size > MIN_STEP_N:
         return None
     direction = change / size
     threshold = max(STEP_FRACTION * size, NOISE_FACTOR * step.noise_along(direction))
-    if not threshold < LARGEST_THRESHOLD_N:
+    if not threshold < MAX_THRESHOLD_N:
         return None
     x, y, z = direction.tolist()
     return ContactEnd((x, y, z), threshold, release=_is_release(step, way, free_N))
@@ -138,7 +138,7 @@ def _square_to_pressed(step: ForceStep, way: Array | None, free_N: Array) -> Arr
     if size < max(KEPT_N, noise):
         return change
     square = change - float(change @ pressed) * pressed / size**2
-    lasting = float(np.linalg.norm(square)) > LEAST_SQUARE * float(np.linalg.norm(change))
+    lasting = float(np.linalg.norm(square)) > MIN_SQUARE * float(np.linalg.norm(change))
     return square if lasting else change
 
 

@@ -7,7 +7,7 @@ from keyphase.demonstration import Array, Demonstration
 WAY_M = 0.01
 """The direction of travel is that of the last 10 mm: a hand slows down before it touches."""
 
-LEAST_WAY_M = 0.003
+MIN_WAY_M = 0.003
 """A tool that moved less than this did not travel; it presses against the force."""
 
 RATE_HZ = 250.0
@@ -22,7 +22,7 @@ def last_way(position_m: Array) -> tuple[Array, int] | None:
     far = np.sqrt((away * away).sum(axis=1))
     beyond = np.flatnonzero(far >= WAY_M)
     first = int(beyond[-1]) if len(beyond) else int(far.argmax())
-    if far[first] < LEAST_WAY_M:
+    if far[first] < MIN_WAY_M:
         return None
     return -away[first] / far[first], first
 

@@ -17,14 +17,14 @@ from keyphase.demonstration import Array
 CROWDING = 4.0
 CROWDED_S = 0.5
 
-LEAST_ODDS = -9.0
+MIN_ODDS = -9.0
 """Candidates less likely than this (one in ten thousand) are never boundaries."""
 
 
 def spaced_scores(time_s: Array, odds: Array, min_distance_s: float) -> Array:
     """Log-odds (C,) of candidates in time order beside likelier ones; -inf where too close."""
     scores = np.full(len(odds), -np.inf)
-    use = np.flatnonzero(odds >= LEAST_ODDS)
+    use = np.flatnonzero(odds >= MIN_ODDS)
     times, own = time_s[use].tolist(), odds[use].tolist()
     current, taken = list(own), [False] * len(own)
     queue = [(-z, index) for index, z in enumerate(own)]
@@ -47,7 +47,7 @@ def spaced_scores(time_s: Array, odds: Array, min_distance_s: float) -> Array:
             worse = own[other] - CROWDING * max(0.0, 1.0 - gap / CROWDED_S)
             if worse < current[other]:
                 current[other] = worse
-                if worse >= LEAST_ODDS:
+                if worse >= MIN_ODDS:
                     heapq.heappush(queue, (-worse, other))
                 else:
                     taken[other] = True

@@ -12,7 +12,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.force_curve import FINE, ForceCurves, force_curves, peaks
-from keyphase.segmentation.evidence.grid import LEAST_CELLS, Grid
+from keyphase.segmentation.evidence.grid import MIN_CELLS, Grid
 from keyphase.segmentation.evidence.placing import placed
 from keyphase.segmentation.evidence.speed import Speed
 from keyphase.segmentation.evidence.state_view import StateView, state_view
@@ -72,7 +72,7 @@ class ContactCandidates:
 
 def contact_candidates(grid: Grid, speed: Speed) -> ContactCandidates:
     """Every candidate of a grid with its evidence; none without force."""
-    if grid.wrench is None or len(grid) < LEAST_CELLS:
+    if grid.wrench is None or len(grid) < MIN_CELLS:
         return _none()
     curves, view = force_curves(grid), state_view(grid)
     at = _cells(grid, curves, view)

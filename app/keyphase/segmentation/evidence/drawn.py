@@ -13,7 +13,7 @@ from keyphase.segmentation.paper.force import error_curve
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import ErrorCurve, Peak, Rejection
 
-LEAST_DRAWN = 0.1
+MIN_DRAWN = 0.1
 """Candidates less likely than this are not drawn on the curve."""
 
 _REACH_S = 0.1
@@ -46,7 +46,7 @@ class DrawnCurve:
 
     def peaks(self, scores: Scores, selection: Selection) -> tuple[Peak, ...]:
         """The given and the likelier other candidates, in time order."""
-        drawn = (selection.contact == GIVEN) | (scores.contact >= log_odds(LEAST_DRAWN))
+        drawn = (selection.contact == GIVEN) | (scores.contact >= log_odds(MIN_DRAWN))
         codes = selection.contact[drawn].tolist()
         chances = sigmoid(scores.contact[drawn]).tolist()
         keys = zip(np.flatnonzero(drawn).tolist(), codes, chances, strict=True)

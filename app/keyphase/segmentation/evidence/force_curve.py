@@ -20,9 +20,9 @@ FINE = 3
 """The first so many scales see steps, the others ramps."""
 
 _FLOOR = 0.003
-_LEAST_WINDOW_S = 0.8
-_LEAST_PEAK = 0.03
-_WIDEST_TOP_S = 0.8
+_MIN_WINDOW_S = 0.8
+_MIN_PEAK = 0.03
+_MAX_TOP_S = 0.8
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +41,7 @@ class ForceCurves:
         """Largest step (5, C) near candidates, within half a scale."""
         from scipy.ndimage import maximum_filter1d
 
-        reach = [max(1, round(min(w, _WIDEST_TOP_S) * rate_hz / 2)) for w in SCALES_S]
+        reach = [max(1, round(min(w, _MAX_TOP_S) * rate_hz / 2)) for w in SCALES_S]
         rows = zip(self.step, reach, strict=True)
         return np.array([maximum_filter1d(row, 2 * r + 1)[at] for row, r in rows]) + 1e-3
 
@@ -79,7 +79,7 @@ def _background(row: Array, grid: Grid, scale_s: float) -> tuple[Array, Array]:
     """Running medians beside each cell, far enough off not to see its own step."""
     from scipy.ndimage import median_filter
 
-    length = max(_LEAST_WINDOW_S, 2.0 * scale_s)
+    length = max(_MIN_WINDOW_S, 2.0 * scale_s)
     median = median_filter(row, grid.cells(length) | 1, mode="nearest")
     away = grid.cells(length / 2.0 + scale_s)
     last = len(row) - 1
@@ -94,7 +94,7 @@ def peaks(curves: ForceCurves, rate_hz: float) -> Indices:
 
     found = []
     for row, scale in zip(curves.step, SCALES_S, strict=True):
-        height = max(_LEAST_PEAK, 3.0 * float(np.quantile(row, 0.1)))
+        height = max(_MIN_PEAK, 3.0 * float(np.quantile(row, 0.1)))
         distance = max(1, int(scale * rate_hz))
         padded = np.concatenate([[0.0], row, [0.0]])
         found.append(find_peaks(padded, height=height, distance=distance)[0] - 1)

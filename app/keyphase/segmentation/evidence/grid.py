@@ -11,16 +11,16 @@ from keyphase.segmentation.motion import METRES_PER_RADIAN, Motion
 LEVER_M = METRES_PER_RADIAN
 """A torque counts as the force that gives it on this lever."""
 
-LARGEST_GAP_S = 0.5
+MAX_GAP_S = 0.5
 """A longer stretch without data is shortened to this on the grid."""
 
-LEAST_CELLS = 20
+MIN_CELLS = 20
 """In shorter recordings nothing is looked for."""
 
 _SIZE_QUANTILE = 0.98
 _VIBRATION_HZ = 10.0
 _VIBRATION_STEP_S = 0.004
-_SLOWEST_FOR_VIBRATION_HZ = 60.0
+_MIN_FOR_VIBRATION_HZ = 60.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +63,7 @@ def grid_of(demonstration: Demonstration, motion: Motion) -> Grid:
 def _even_times(motion: Motion) -> tuple[Array, Array, float]:
     """Times of the bins with gaps shortened, the uniform cells over them, and their step."""
     step = max(BIN_S, motion.step_s)
-    steps = np.minimum(np.diff(motion.time_s), max(LARGEST_GAP_S, 3.0 * step))
+    steps = np.minimum(np.diff(motion.time_s), max(MAX_GAP_S, 3.0 * step))
     even = np.concatenate([[0.0], np.cumsum(steps)])
     return even, step * np.arange(int(even[-1] / step + 1e-6) + 1), step
 
@@ -91,13 +91,13 @@ def _vibration(demonstration: Demonstration, time_s: Array) -> Array | None:
     from scipy.signal import butter, sosfiltfilt
 
     step = typical_step_s(demonstration.time_s)
-    if step * _SLOWEST_FOR_VIBRATION_HZ > 1.0 or demonstration.force_N is None:
+    if step * _MIN_FOR_VIBRATION_HZ > 1.0 or demonstration.force_N is None:
         return None
     time, force = demonstration.time_s, demonstration.force_N
     if step < 0.75 * _VIBRATION_STEP_S:
         starts = bin_starts(time, _VIBRATION_STEP_S)
         time, force, step = bin_means(time, starts), bin_means(force, starts), _VIBRATION_STEP_S
-    if len(time) < 2 * LEAST_CELLS:
+    if len(time) < 2 * MIN_CELLS:
         return None
     high = butter(2, _VIBRATION_HZ, "highpass", fs=1.0 / step, output="sos")
     energy = np.square(sosfiltfilt(high, force.T)).sum(axis=0)

@@ -28,7 +28,7 @@ MOTION_TERMS: Mapping[str, str] = {
 LEVELS = (0.02, 0.3)
 """Prominence of strokes, in the fast speed: small swings must not split a long stop."""
 
-LEAST_STROKE_M_S = 2e-3
+MIN_STROKE_M_S = 2e-3
 LONG_DWELL_S = 0.4
 """A longer valley has two edges, a shorter one a middle."""
 
@@ -89,7 +89,7 @@ class _Valleys:
         self.grid, self.speed = grid, speed
         self.coarse = level > LEVELS[0]
         s = speed.speed_m_s
-        least = max(level * speed.fast_m_s, LEAST_STROKE_M_S)
+        least = max(level * speed.fast_m_s, MIN_STROKE_M_S)
         padded = np.concatenate([[0.0], s, [0.0]])
         found, _ = find_peaks(padded, prominence=level * speed.fast_m_s, height=least)
         self.stroke: Indices = (found - 1).astype(np.intp)

@@ -10,7 +10,7 @@ from keyphase.segmentation.evidence.weights import Calibration, Kinds, Weights
 CONTACT_COLUMNS = {name: column for column, name in enumerate(CONTACT_TERMS)}
 MOTION_COLUMNS = {name: column for column, name in enumerate(MOTION_TERMS)}
 
-LARGEST_ODDS = 9.0
+MAX_ODDS = 9.0
 """No probability is surer than this many nats: what was fitted on says no more."""
 
 FAR = 0.2
@@ -53,7 +53,7 @@ def calibrated(odds: Array, calibration: Calibration, unlike: float) -> Array:
     For recordings unlike those they are drawn towards the automatic line: what is given stays
     given, but with less confidence.
     """
-    z = np.clip(calibration.slope * odds + calibration.offset, -LARGEST_ODDS, LARGEST_ODDS)
+    z = np.clip(calibration.slope * odds + calibration.offset, -MAX_ODDS, MAX_ODDS)
     line = log_odds(calibration.line)
     return line + (z - line) / (1.0 + _FADES * unlike)
 

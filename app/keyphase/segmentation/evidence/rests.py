@@ -6,7 +6,7 @@ from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.grid import Grid
 from keyphase.segmentation.motion import METRES_PER_RADIAN
 
-SHORTEST_S = 0.5
+MIN_DURATION_S = 0.5
 PLACE_M = 1e-3
 TURN_M = METRES_PER_RADIAN * float(np.radians(1.0))
 
@@ -19,7 +19,7 @@ def rests(grid: Grid) -> Indices:
     """
     from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
-    width = int(np.ceil(SHORTEST_S * grid.rate_hz)) + 1
+    width = int(np.ceil(MIN_DURATION_S * grid.rate_hz)) + 1
     if len(grid) < width:
         return np.zeros((0, 2), dtype=np.intp)
     still = np.ones(len(grid) - width + 1, dtype=bool)

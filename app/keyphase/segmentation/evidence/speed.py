@@ -6,12 +6,12 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
-from keyphase.segmentation.evidence.grid import LEAST_CELLS, Grid
+from keyphase.segmentation.evidence.grid import MIN_CELLS, Grid
 from keyphase.segmentation.evidence.windows import Windows
 
 SMOOTHING_HZ = 3.0
 
-LEAST_FAST_M_S = 5e-3
+MIN_FAST_M_S = 5e-3
 """Where the fast moments are slower than this, nothing moves on purpose."""
 
 _FAST_QUANTILE = 0.98
@@ -44,11 +44,11 @@ def speed_of(grid: Grid) -> Speed:
     from scipy.signal import butter, sosfiltfilt
 
     pose = grid.pose_m
-    if len(grid) <= LEAST_CELLS:
+    if len(grid) <= MIN_CELLS:
         return Speed(grid, pose, np.zeros(len(grid)), 0.0)
     low = butter(2, min(SMOOTHING_HZ, 0.35 * grid.rate_hz), fs=grid.rate_hz, output="sos")
     pose = np.ascontiguousarray(sosfiltfilt(low, pose.T).T)
     velocity = np.gradient(pose, 1.0 / grid.rate_hz, axis=0)
     speed = np.linalg.norm(velocity, axis=1)
     fast = float(np.quantile(speed, _FAST_QUANTILE))
-    return Speed(grid, pose, speed, fast if fast > LEAST_FAST_M_S else 0.0)
+    return Speed(grid, pose, speed, fast if fast > MIN_FAST_M_S else 0.0)

@@ -15,7 +15,7 @@ from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.grid import Grid
 
 RATE_HZ = 10.0
-SHORTEST_S = 6.0
+MIN_DURATION_S = 6.0
 """Shorter recordings show no state."""
 
 SWITCH = 6.0
@@ -60,7 +60,7 @@ def state_view(grid: Grid) -> StateView:
     block = max(1, round(grid.rate_hz / RATE_HZ))
     count = len(grid) // block
     means = grid.wrench[: count * block].reshape(count, block, -1).mean(axis=1)
-    if count < SHORTEST_S * RATE_HZ or grid.rate_hz < 0.5 * RATE_HZ:
+    if count < MIN_DURATION_S * RATE_HZ or grid.rate_hz < 0.5 * RATE_HZ:
         return _no_view(grid.wrench)
     odds, core, spread = _core_and_rest(means)
     odds = np.clip(odds, -CLIP, CLIP)

@@ -29,10 +29,10 @@ from keyphase.segmentation.evidence.stage import Evidence
 from keyphase.segmentation.evidence.weights import Line, Weights
 from keyphase.segmentation.segmentation import Boundary, Candidate, CandidateKind, Change, Reason
 
-MOST_TOLD = 2000
+MAX_TOLD = 2000
 """No more candidates than this are told, the likeliest ones."""
 
-LEAST_TOLD = 0.03
+MIN_TOLD = 0.03
 """Candidates less likely than this are not told."""
 
 CROWDED = "a likelier boundary close by"
@@ -143,10 +143,10 @@ class Told:
             (float(score), float(times[index]), kind, index)
             for kind, values, times in sides
             for index, score in enumerate(values.tolist())
-            if score >= log_odds(LEAST_TOLD)
+            if score >= log_odds(MIN_TOLD)
         ]
         worth.sort(key=lambda each: (-each[0], each[1]))
-        return sorted((time, kind, index) for _, time, kind, index in worth[:MOST_TOLD])
+        return sorted((time, kind, index) for _, time, kind, index in worth[:MAX_TOLD])
 
     def _summed_up(self, kind: CandidateKind, index: int) -> tuple[Reason, ...]:
         evidence = self._evidence

@@ -26,9 +26,9 @@ FALSE_ALARMS = 0.01
 MEDIAN_WINDOW_S = 2.0
 
 _LEVER_M = 0.1
-_LARGEST = 1e9
+_MAX_MAGNITUDE = 1e9
 _HELD_FRACTION = 0.3
-_FEWEST_DIFFERENCES = 8
+_MIN_DIFFERENCES = 8
 
 
 def wrench_of(demonstration: Demonstration) -> Array | None:
@@ -39,7 +39,7 @@ def wrench_of(demonstration: Demonstration) -> Array | None:
     wrench = force if torque is None else np.hstack([force, torque])
     # Squares of absurd values would overflow; the normalized error does not depend on the unit.
     largest = float(np.abs(wrench).max())
-    return wrench if largest <= _LARGEST else wrench / (largest / _LARGEST)
+    return wrench if largest <= _MAX_MAGNITUDE else wrench / (largest / _MAX_MAGNITUDE)
 
 
 def noise_variance(wrench: Array) -> Array:
@@ -61,7 +61,7 @@ def _robust_variance(values: Array) -> float:
     held = values == 0.0
     if held.mean() > _HELD_FRACTION if len(values) else False:
         values = values[~held]
-    if len(values) <= _FEWEST_DIFFERENCES:
+    if len(values) <= _MIN_DIFFERENCES:
         return 0.0
     return float(1.4826 * np.median(np.abs(values - np.median(values)))) ** 2
 

@@ -12,10 +12,10 @@ from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.motion import METRES_PER_RADIAN, rotation_vectors
 from keyphase.segmentation.paper.position import PositionFit
 
-MOST_GAUSSIANS = 15
+MAX_GAUSSIANS = 15
 """The sweep of the criterion ends here."""
 
-MOST_SAMPLES = 20_000
+MAX_SAMPLES = 20_000
 """Of longer recordings every n-th sample is used: a sweep over all would take hours."""
 
 
@@ -24,7 +24,7 @@ def fit_literal(demonstration: Demonstration, count: int | None, seed: int) -> P
     samples = _samples(demonstration)
     if count is not None:
         return _chronological(_fitted(samples, min(count, len(samples)), seed))
-    most = min(MOST_GAUSSIANS, len(samples))
+    most = min(MAX_GAUSSIANS, len(samples))
     models = [_fitted(samples, k, seed) for k in range(1, most + 1)]
     return _chronological(min(models, key=lambda model: model.bic(samples)))
 
@@ -33,7 +33,7 @@ def _samples(demonstration: Demonstration) -> Array:
     columns = [demonstration.time_s[:, None], demonstration.position_m]
     if demonstration.orientation_wxyz is not None:
         columns.append(METRES_PER_RADIAN * rotation_vectors(demonstration.orientation_wxyz))
-    return np.hstack(columns)[:: -(-len(demonstration) // MOST_SAMPLES)]
+    return np.hstack(columns)[:: -(-len(demonstration) // MAX_SAMPLES)]
 
 
 def _fitted(samples: Array, count: int, seed: int):

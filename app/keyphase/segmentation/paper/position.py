@@ -27,14 +27,14 @@ WINDOW_S = 60.0
 OVERLAP_S = 6.0
 
 _GRID_S = 0.04
-_SHORTEST_S = 0.12
+_MIN_DURATION_S = 0.12
 _REFINE_REACH_S = 1.2
 _REFINE_STRIDE_S = 0.06
-_LEAST_SPREAD_M = 2e-3
+_MIN_SPREAD_M = 2e-3
 _TIME_FLOOR_S = 0.01
 _COARSE_FLOOR_M = 1e-3
 _FINE_FLOOR_M = 2e-4
-_FURTHEST_FROM_CUT_S = 0.4
+_MAX_FROM_CUT_S = 0.4
 _FLOOR_PER_RANGE = 1e-6
 _CONTEXT = 2
 _FITTED_TOGETHER_S = 30.0
@@ -73,7 +73,7 @@ class PositionFit:
         cross = estimator == "weight-crossing"
         times = weight_crossing(self) if cross else equal_distance(self)
         if self.cut_s is not None:
-            strayed = np.abs(times - self.cut_s).max(initial=0.0) > _FURTHEST_FROM_CUT_S
+            strayed = np.abs(times - self.cut_s).max(initial=0.0) > _MAX_FROM_CUT_S
             times = self.cut_s if strayed else times
         return np.maximum.accumulate(times)
 
@@ -120,7 +120,7 @@ def _features(motion: Motion) -> Array:
     """Samples (n, d): time, and the pose on the principal axes along which it spreads."""
     centred = motion.pose_m - motion.pose_m.mean(axis=0)
     variance, axes = np.linalg.eigh(centred.T @ centred / len(centred))
-    spread = variance > _LEAST_SPREAD_M**2
+    spread = variance > _MIN_SPREAD_M**2
     spread[-1] = True
     return np.column_stack([motion.time_s - motion.time_s[0], centred @ axes[:, spread]])
 
@@ -149,7 +149,7 @@ def _automatic_cuts(samples: Array, step_s: float) -> Indices:
 
 def _window_cuts(samples: Array, step_s: float) -> Indices:
     n = len(samples)
-    least = count_in(_SHORTEST_S, step_s, 2, n)
+    least = count_in(_MIN_DURATION_S, step_s, 2, n)
     effective = min(EFFECTIVE_HZ * float(samples[-1, 0] - samples[0, 0]), float(n))
     grid = np.append(np.arange(0, n, count_in(_GRID_S, step_s, 1, n)), n)
     coarse = Moments.of(samples, _floor(samples, _COARSE_FLOOR_M))
@@ -166,7 +166,7 @@ def _refined(
     n = len(samples)
     fine = Moments.of(samples, _floor(samples, _FINE_FLOOR_M))
     reach, stride = count_in(reach_s, step_s, 1, n), count_in(_REFINE_STRIDE_S, step_s, 1, n)
-    return refine_cuts(fine, cuts, reach, count_in(_SHORTEST_S, step_s, 2, n), stride)
+    return refine_cuts(fine, cuts, reach, count_in(_MIN_DURATION_S, step_s, 2, n), stride)
 
 
 def _widest_gap(earlier: Indices, later: Indices, low: int, high: int) -> int:
@@ -180,7 +180,7 @@ def _widest_gap(earlier: Indices, later: Indices, low: int, high: int) -> int:
 def _cuts_into(samples: Array, step_s: float, count: int) -> Indices:
     """Cuts into a given number of stretches; the grid is coarser the longer the recording."""
     n = len(samples)
-    least = count_in(_SHORTEST_S, step_s, 2, n)
+    least = count_in(_MIN_DURATION_S, step_s, 2, n)
     step = max(count_in(_GRID_S, step_s, 1, n), n // _GRID_POINTS)
     grid = np.append(np.arange(0, n, step), n)
     coarse = Moments.of(samples, _floor(samples, _COARSE_FLOOR_M))

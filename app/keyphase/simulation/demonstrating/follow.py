@@ -8,10 +8,10 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.simulation.impedance import RATE_HZ, Reference, rotation_towards
 
-FASTEST_M_S = 0.25
-FASTEST_RAD_S = 1.5
-FURTHEST_AHEAD_M = 0.010
-FURTHEST_AHEAD_RAD = 0.15
+MAX_SPEED_M_S = 0.25
+MAX_SPEED_RAD_S = 1.5
+MAX_AHEAD_M = 0.010
+MAX_AHEAD_RAD = 0.15
 
 _STEP_S = 1.0 / RATE_HZ
 _NATURAL_RAD_S = 25.0
@@ -37,11 +37,11 @@ class Follower:
         """The reference of the next tick, on its way to `target`, for a tool that is at `tool`."""
         away = target.position_m - self._position
         turn = _turn(self._orientation, target.orientation_wxyz)
-        velocity = _accelerated(self._velocity, away, FASTEST_M_S)
-        turning = _accelerated(self._turning, turn, FASTEST_RAD_S)
+        velocity = _accelerated(self._velocity, away, MAX_SPEED_M_S)
+        turning = _accelerated(self._turning, turn, MAX_SPEED_RAD_S)
         position = _near(tool.position_m, self._position + velocity * _STEP_S)
         wanted = _turned(self._orientation, turning * _STEP_S)
-        ahead = _bounded(_turn(tool.orientation_wxyz, wanted), FURTHEST_AHEAD_RAD)
+        ahead = _bounded(_turn(tool.orientation_wxyz, wanted), MAX_AHEAD_RAD)
         orientation = _turned(tool.orientation_wxyz, ahead)
         # What was held back was not moved: the damping must not push on.
         self._velocity = (position - self._position) / _STEP_S
@@ -51,7 +51,7 @@ class Follower:
 
 
 def _near(tool_m: Array, wanted_m: Array) -> Array:
-    return tool_m + _bounded(wanted_m - tool_m, FURTHEST_AHEAD_M)
+    return tool_m + _bounded(wanted_m - tool_m, MAX_AHEAD_M)
 
 
 def _bounded(vector: Array, greatest: float) -> Array:

@@ -22,7 +22,7 @@ from keyphase.simulation.workcells.workcell import Workcell
 Pose = tuple[Array, Array]
 """Position (3,) [m] and orientation (4,), w x y z, in the base frame."""
 
-_FURTHEST_BEHIND_S = 0.1
+_MAX_BEHIND_S = 0.1
 _STEP_S = 1.0 / RATE_HZ
 
 
@@ -154,7 +154,7 @@ class LeadThrough:
         due = clock()
         while not self._stop.wait(max(0.0, due - clock())):
             self.advance()
-            due = max(due + _STEP_S, clock() - _FURTHEST_BEHIND_S)
+            due = max(due + _STEP_S, clock() - _MAX_BEHIND_S)
 
     def close(self) -> None:
         """Stop. A take that is still recorded is finished, so that nothing is lost."""

@@ -24,7 +24,7 @@ from keyphase.simulation.samples import as_demonstration, ground_truth
 from keyphase.simulation.simulation import Sample
 
 TAKE_SUFFIX = ".take"
-LONGEST_UNWRITTEN_S = 0.5
+MAX_UNWRITTEN_S = 0.5
 
 _FORMAT = "keyphase take 1"
 _CHUNK = struct.Struct("<4sII")
@@ -37,7 +37,7 @@ class Recorder:
     """Appends samples to a take beside `path`, and finishes it into the recording at `path`."""
 
     def __init__(
-        self, path: Path, origin: Mapping[str, Any], unwritten_s: float = LONGEST_UNWRITTEN_S
+        self, path: Path, origin: Mapping[str, Any], unwritten_s: float = MAX_UNWRITTEN_S
     ) -> None:
         """Open a take with its provenance; `unwritten_s` is the most that is not on the disk yet.
 

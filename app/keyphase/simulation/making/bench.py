@@ -22,7 +22,7 @@ TIP_M = 0.01
 
 Touching = frozenset[tuple[str, str]]
 
-_LEAST_N = 0.03
+_MIN_FORCE_N = 0.03
 _TURN_NM_PER_RAD = 15.0
 _TURN_DAMPING = 0.24
 _GRIP_N = 25.0
@@ -176,7 +176,7 @@ def _contacts(model, data, names: list[str], ours: set[int], about_m) -> tuple[A
     geoms, frames, places = data.contact.geom, data.contact.frame, data.contact.pos
     for index in range(data.ncon):
         mujoco.mj_contactForce(model, data, index, local)
-        if local[0] < _LEAST_N:
+        if local[0] < _MIN_FORCE_N:
             continue
         first, second = int(geoms[index, 0]), int(geoms[index, 1])
         pairs.add((min(names[first], names[second]), max(names[first], names[second])))

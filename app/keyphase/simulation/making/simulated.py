@@ -18,7 +18,7 @@ from keyphase.simulation.making.families import FAMILIES
 from keyphase.simulation.making.touching import contact_events, felt
 from keyphase.simulation.making.wanting import Wanting
 
-LEAST_STROKE_M = 0.003
+MIN_STROKE_M = 0.003
 """A stroke that moves the tool by less, because something holds it, is no motion."""
 
 SIMULATED: Mapping[str, object] = FAMILIES
@@ -64,7 +64,7 @@ def _really_moving(wanting: Wanting, led: Led) -> list[Stretch]:
     kept: list[Stretch] = []
     for each in wanting.path.stretches:
         way = np.ptp(led.position_m[each.first : each.last], axis=0)
-        moves = each.moves and float(np.linalg.norm(way)) >= LEAST_STROKE_M
+        moves = each.moves and float(np.linalg.norm(way)) >= MIN_STROKE_M
         if kept and not moves and not kept[-1].moves:
             kept[-1] = Stretch(False, kept[-1].first, each.last)
         else:

@@ -18,7 +18,7 @@ STIFFNESS_N_M = 4000.0
 ON_N, ON_SHARE, OFF_SHARE = 0.8, 0.04, 0.6
 """In contact from this force, or this part of the 98 % force; out of it below this part of that."""
 
-LEAST_S, GAP_S = 0.08, 0.06
+MIN_DURATION_S, GAP_S = 0.08, 0.06
 """Contacts shorter than this are none, gaps shorter than this neither."""
 
 BEFORE_M = 0.002
@@ -100,7 +100,7 @@ def contact_spans(force_N: Array) -> list[tuple[int, int]]:
             spans[-1] = (spans[-1][0], last)
         else:
             spans.append((first, last))
-    return [(first, last) for first, last in spans if last - first > LEAST_S * RATE_HZ]
+    return [(first, last) for first, last in spans if last - first > MIN_DURATION_S * RATE_HZ]
 
 
 def _with_hysteresis(size: Array, on: float, off: float) -> Array:

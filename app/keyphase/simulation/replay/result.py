@@ -9,7 +9,7 @@ from keyphase.demonstration import Array, Demonstration
 from keyphase.simulation.impedance import Reference
 from keyphase.simulation.simulation import Sample
 from keyphase.skills.execution.result import SkillResult, Stage, went_on
-from keyphase.skills.library import FORCE_LIMIT_FACTOR, LEAST_FORCE_LIMIT_N
+from keyphase.skills.library import FORCE_LIMIT_FACTOR, MIN_FORCE_LIMIT_N
 from keyphase.skills.skill import Skill
 
 
@@ -132,6 +132,6 @@ class ReplayResult:
 def greatest_force(demonstration: Demonstration) -> float:
     """Twice the largest demonstrated force, 15 N at least: more is not what was shown [N]."""
     if demonstration.force_N is None:
-        return LEAST_FORCE_LIMIT_N
+        return MIN_FORCE_LIMIT_N
     demonstrated = float(np.linalg.norm(demonstration.force_N, axis=1).max())
-    return max(FORCE_LIMIT_FACTOR * demonstrated, LEAST_FORCE_LIMIT_N)
+    return max(FORCE_LIMIT_FACTOR * demonstrated, MIN_FORCE_LIMIT_N)

@@ -15,7 +15,7 @@ from keyphase.skills.skill import DISAGREES, Skill, until
 WIDTH, BAR, FORCE = 1000.0, 18.0, 60.0
 """Of the timeline: its width, the height of its bars and of its force, in its own units."""
 
-_MOST_POINTS = 500
+_MAX_POINTS = 500
 _GOOD, _BAD, _NEUTRAL = "#0a7d55", "#b3261e", "#5b6472"
 
 _STYLE = """
@@ -60,7 +60,7 @@ def timeline(result: ReplayResult) -> str:
     """The skills over the replay's time, and the size of the measured force under them (SVG)."""
     per_s = WIDTH / max(result.duration_s, 1e-9)
     bars = "".join(_bar(each, per_s) for each in result.results)
-    picked = result.states[:: max(len(result.states) // _MOST_POINTS, 1)]
+    picked = result.states[:: max(len(result.states) // _MAX_POINTS, 1)]
     force = np.array([np.linalg.norm(state.sample.force_N) for state in picked])
     most = max(float(force.max()), 1.0)
     points = " ".join(

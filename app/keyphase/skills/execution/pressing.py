@@ -14,7 +14,7 @@ from keyphase.skills.changed import changed
 from keyphase.skills.coupling import Measured, Reference, State
 from keyphase.skills.pressed import KeptForce
 
-FURTHEST_M = 0.01
+MAX_DISTANCE_M = 0.01
 """How far beyond the skill's own path a contact is followed."""
 
 TOUCHING_N = 0.5
@@ -58,7 +58,7 @@ def pressing(
     at, velocity = reference.position_m, reference.velocity.copy()
     for d, force in pressed:
         here = float(position_m.dot(d)) + force / stiffness_N_m
-        wanted = min(here, float(reference.position_m.dot(d)) + FURTHEST_M)
+        wanted = min(here, float(reference.position_m.dot(d)) + MAX_DISTANCE_M)
         at = at + (wanted - float(at.dot(d))) * d
         velocity[:3] -= float(velocity[:3].dot(d)) * d
     return changed(reference, position_m=at, velocity=velocity)

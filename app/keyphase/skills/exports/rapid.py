@@ -12,7 +12,7 @@ from keyphase.skills.skill import Skill
 STEP_MM = 0.5
 """A contact is looked for in steps of this length."""
 
-_LONGEST_COMMENT = 70
+_MAX_COMMENT_LENGTH = 70
 _UNUSED = "[9E9,9E9,9E9,9E9,9E9,9E9]"
 
 _TAIL = f"""\
@@ -102,4 +102,4 @@ def _target(position_m: Array, wxyz: Array) -> str:
 def _plain(text: str) -> str:
     """For a comment: short, in one line, of characters that any controller reads."""
     plain = "".join(c if c.isascii() and c.isprintable() else " " for c in text)
-    return plain[:_LONGEST_COMMENT]
+    return plain[:_MAX_COMMENT_LENGTH]

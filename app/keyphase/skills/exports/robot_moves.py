@@ -19,8 +19,8 @@ from keyphase.skills.skill import Skill, drawn
 CORNER_M, CORNER_RAD = 0.001, 0.02
 """Corners are kept so that straight lines between them stay so near to the path."""
 
-MOST_CORNERS = 40
-FASTEST_M_S, SLOWEST_M_S = 0.25, 0.01
+MAX_CORNERS = 40
+MAX_SPEED_M_S, MIN_SPEED_M_S = 0.25, 0.01
 RETRACT_M = 0.02
 
 _POINTS = 201
@@ -79,7 +79,7 @@ def _move(skill: Skill) -> RobotMove:
         position, wxyz = position[: last + 1], wxyz[: last + 1]
     corners = _corners(position, wxyz)
     way = float(np.linalg.norm(np.diff(path.position_m, axis=0), axis=1).sum())
-    speed = min(max(way / skill.primitive.duration_s, SLOWEST_M_S), FASTEST_M_S)
+    speed = min(max(way / skill.primitive.duration_s, MIN_SPEED_M_S), MAX_SPEED_M_S)
     return RobotMove(skill.label, position[corners], wxyz[corners], speed, contact)
 
 
@@ -101,7 +101,7 @@ def _corners(position_m: Array, wxyz: Array) -> list[int]:
     turn = quaternions.difference(wxyz, wxyz[0])
     path = np.hstack([position_m, _METRES_PER_RAD * turn])
     kept = [0, len(path) - 1]
-    while len(kept) < MOST_CORNERS + 1:
+    while len(kept) < MAX_CORNERS + 1:
         away = _off_the_line(path, kept)
         worst = int(away.argmax())
         if away[worst] <= CORNER_M:

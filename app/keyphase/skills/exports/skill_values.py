@@ -6,7 +6,7 @@ from typing import Any
 from keyphase.demonstration import Array
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.skills import search
-from keyphase.skills.coupling import LARGEST_STEP, REFERENCE_REACH
+from keyphase.skills.coupling import MAX_STEP, REFERENCE_REACH
 from keyphase.skills.end_monitor import PROGRESS_FRACTION, PROGRESS_M, REACHED_AFTER
 from keyphase.skills.execution import executor, guard, pressing, seeking
 from keyphase.skills.exports.skill_library import SkillLibrary
@@ -31,7 +31,7 @@ def execution_values() -> dict[str, float]:
     """The numbers that an executor has for all skills."""
     return {
         "step_s": executor.STEP_S,
-        "largest_step": LARGEST_STEP,
+        "largest_step": MAX_STEP,
         "reach_m": REFERENCE_REACH[0],
         "reach_rad": REFERENCE_REACH[1],
         "reached_after": REACHED_AFTER,
@@ -43,7 +43,7 @@ def execution_values() -> dict[str, float]:
         "loaded_within": executor.LOADED_WITHIN,
         "loaded_within_N": executor.LOADED_WITHIN_N,
         "rest_s": executor.REST_S,
-        "followed_beyond_m": pressing.FURTHEST_M,
+        "followed_beyond_m": pressing.MAX_DISTANCE_M,
         "touching_N": pressing.TOUCHING_N,
         "touch_N": search.TOUCH_N,
         "touch_smoothed": search.SMOOTHED,

@@ -11,7 +11,7 @@ from keyphase.simulation.replay.replay import Replay
 from keyphase.simulation.replay.result import ReplayState, SkillResult, went_on
 from keyphase.skills.skill import until
 from keyphase.web.protocol.document_messages import Point
-from keyphase.web.scene.figures.force_arrow import BESIDE_M, LEAST_FORCE_N
+from keyphase.web.scene.figures.force_arrow import BESIDE_M, MIN_FORCE_N
 from keyphase.web.scene.recording.path_geometry import METRES_PER_NEWTON
 from keyphase.workbench.replaying.plan import PlannedSkill
 from keyphase.workbench.replaying.plan_paths import (
@@ -41,7 +41,7 @@ class ForceArrowMessage(Struct, frozen=True):
 
     beside_m: Point = BESIDE_M
     metres_per_N: float = METRES_PER_NEWTON
-    least_N: float = LEAST_FORCE_N
+    least_N: float = MIN_FORCE_N
 
 
 class SkillMessage(Struct, frozen=True):

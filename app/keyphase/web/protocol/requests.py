@@ -287,7 +287,7 @@ LOOKING_REQUESTS = (
 )
 """What a page may ask that was opened by the link for looking."""
 
-_LARGEST_BYTES = 256 << 10
+_MAX_BYTES = 256 << 10
 _decoder = msgspec.json.Decoder(Request)
 
 
@@ -296,9 +296,9 @@ def parse(raw: str | bytes) -> Request:
 
     Raises RequestError with what is wrong and where.
     """
-    if len(raw) > _LARGEST_BYTES:
+    if len(raw) > _MAX_BYTES:
         raise RequestError(
-            f"A message may have {_LARGEST_BYTES} characters at most, but has {len(raw)}."
+            f"A message may have {_MAX_BYTES} characters at most, but has {len(raw)}."
         )
     if isinstance(raw, bytes):
         raise RequestError("A message must be text holding one JSON object, but is binary.")

@@ -18,7 +18,7 @@ from keyphase.web.scene.recording.floor import Floor
 from keyphase.web.scene.recording.ground_shadow import GroundShadow
 from keyphase.web.scene.recording.marks import draw_forces, draw_gaussians
 from keyphase.web.scene.recording.path import ScenePath
-from keyphase.web.scene.recording.path_geometry import LEAST_M, Path, path_of
+from keyphase.web.scene.recording.path_geometry import MIN_SIZE_M, Path, path_of
 from keyphase.web.scene.recording.viewpoint import (
     WITH_ROBOT_M,
     Viewpoint,
@@ -174,7 +174,7 @@ class Stage:
     def _build(self, shown: DeskState) -> _Standing:
         self._place_parts()
         base, demonstration = self._robot_base(), shown.demonstration
-        path = path_of(demonstration, LEAST_M if base is None else WITH_ROBOT_M)
+        path = path_of(demonstration, MIN_SIZE_M if base is None else WITH_ROBOT_M)
         tool = self._client.scene.add_frame(
             "/frame/tool",
             axes_length=0.13 * path.size_m,

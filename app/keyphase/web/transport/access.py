@@ -18,7 +18,7 @@ from keyphase.errors import RequestError
 COOKIE_LASTS_S = 30 * 24 * 3600
 """A browser that has followed the link need not do so again for this long."""
 
-_MOST_COOKIES = 16
+_MAX_COOKIES = 16
 
 
 def new_token() -> str:
@@ -173,7 +173,7 @@ def _tokens_in_cookies(header: str, port: int) -> list[str]:
     """
     pairs = (pair.partition("=") for pair in header.split(";"))
     name = cookie_name(port)
-    return [value.strip() for key, _, value in pairs if key.strip() == name][:_MOST_COOKIES]
+    return [value.strip() for key, _, value in pairs if key.strip() == name][:_MAX_COOKIES]
 
 
 def _host_name(host: str) -> str:

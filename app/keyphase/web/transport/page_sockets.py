@@ -17,7 +17,7 @@ from keyphase.web.transport.budget import Budget
 
 _log = logging.getLogger(__name__)
 
-MOST_PAGES = 100
+MAX_PAGES = 100
 """So many pages at once; the next one is turned away."""
 
 _LAGGING_BYTES = 1 << 20
@@ -78,8 +78,8 @@ class PageSockets:
 
         `id` is what the page calls itself, as its 3D frame does; without one it gets one.
         """
-        if self._closed or len(self._threads) >= MOST_PAGES:
-            await connection.close(1013, f"No more than {MOST_PAGES} pages at once.")
+        if self._closed or len(self._threads) >= MAX_PAGES:
+            await connection.close(1013, f"No more than {MAX_PAGES} pages at once.")
             return
         page = Page(id or secrets.token_hex(16), grant, connection, asyncio.get_running_loop())
         thread = ThreadPoolExecutor(max_workers=1, thread_name_prefix="page")

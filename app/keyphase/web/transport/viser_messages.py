@@ -15,10 +15,10 @@ _EVERYTHING = _LOOKING | {
     "TransformControlsDragStartMessage",
     "TransformControlsDragEndMessage",
 }
-_LONGEST_TEXT = 2000
-_LARGEST_NUMBER = 1e9
-_DEEPEST = 6
-_MOST_ITEMS = 64
+_MAX_TEXT_LENGTH = 2000
+_MAX_NUMBER = 1e9
+_MAX_DEPTH = 6
+_MAX_ITEMS = 64
 
 
 def admits(raw: bytes, grant: Grant) -> bool:
@@ -44,10 +44,10 @@ def _is_plain(value: object, depth: int = 0) -> bool:
     if isinstance(value, bool) or value is None:
         return True
     if isinstance(value, int | float):
-        return math.isfinite(value) and abs(value) <= _LARGEST_NUMBER
+        return math.isfinite(value) and abs(value) <= _MAX_NUMBER
     if isinstance(value, str):
-        return len(value) <= _LONGEST_TEXT
-    if isinstance(value, list | dict) and depth < _DEEPEST and len(value) <= _MOST_ITEMS:
+        return len(value) <= _MAX_TEXT_LENGTH
+    if isinstance(value, list | dict) and depth < _MAX_DEPTH and len(value) <= _MAX_ITEMS:
         items = value.values() if isinstance(value, dict) else value
         return all(_is_plain(item, depth + 1) for item in items)
     return False

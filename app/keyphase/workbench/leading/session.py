@@ -11,7 +11,7 @@ from typing import Protocol
 
 from keyphase.demonstration import Array
 from keyphase.errors import SimulationError
-from keyphase.simulation.demonstrating.follow import FURTHEST_AHEAD_M
+from keyphase.simulation.demonstrating.follow import MAX_AHEAD_M
 from keyphase.simulation.demonstrating.lead_through import LeadThrough
 from keyphase.simulation.workcells.registry import workcell
 from keyphase.workbench.leading.status import LeadThroughStatus
@@ -174,7 +174,7 @@ class LeadThroughSession:
         tool = lead.state().sample.position_m
         away = position_m - tool
         size = float((away @ away) ** 0.5)
-        held = tool + away * min(1.0, FURTHEST_AHEAD_M / max(size, 1e-9))
+        held = tool + away * min(1.0, MAX_AHEAD_M / max(size, 1e-9))
         lead.set_target(held, wxyz)
         return held, wxyz
 

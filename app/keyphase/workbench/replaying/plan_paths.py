@@ -10,7 +10,7 @@ from keyphase.workbench.replaying.plan import PlannedSkill, ReplayPlan
 
 Rows = NDArray[np.intp]
 
-MOST_DEMONSTRATED = 250
+MAX_DEMONSTRATED = 250
 """So many samples of the demonstration are told of each skill."""
 
 
@@ -61,5 +61,5 @@ def _of(values: Array | None, rows: Rows) -> Array | None:
 def _rows(recording: Demonstration, from_s: float, to_s: float) -> Rows:
     first, last = np.searchsorted(recording.time_s, (from_s, to_s)).tolist()
     last = max(last, first + 2)
-    count = min(last - first, MOST_DEMONSTRATED)
+    count = min(last - first, MAX_DEMONSTRATED)
     return np.unique(np.linspace(first, min(last, len(recording)) - 1, count).astype(np.intp))

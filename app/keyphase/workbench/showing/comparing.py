@@ -19,7 +19,7 @@ from keyphase.workbench.recordings import printable
 AUTOMATIC = "automatic"
 """Compare with what the program found, without anybody's edits."""
 
-MOST_FILES = 50
+MAX_FILES = 50
 """So many segment files of a folder are offered."""
 
 
@@ -83,7 +83,7 @@ def _segment_files(opened: DeskState | OpenRecording) -> Sequence[str]:
     found = sorted(file.name for file in path.parent.glob(f"*{SUFFIX}"))
     own = stem_of(path) + SUFFIX
     found.sort(key=lambda name: (name != own, not name.startswith(stem_of(path))))
-    return found[:MOST_FILES]
+    return found[:MAX_FILES]
 
 
 def _automatic(opened: DeskState | OpenRecording) -> Outline:

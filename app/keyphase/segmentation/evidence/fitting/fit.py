@@ -80,7 +80,7 @@ FAMILY_SHARE = 60.0
 
 ROUNDS = 3
 MIN_DISTANCE_S = 0.25
-_LEAST_CALIBRATED = -4.0
+_MIN_CALIBRATED = -4.0
 _AS_GOOD = 0.01
 """Rather a boundary too many: it is seen and taken away, one that is missing is not."""
 _UNCALIBRATED = Calibration(1.0, 0.0, 0.5)
@@ -195,7 +195,7 @@ def _calibration(scored: Sequence[tuple[str, Side, Array]], as_good: float) -> C
     scores = np.concatenate([s for _, _, s in scored])
     hits = np.concatenate([right(side, s) for _, side, s in scored])
     events = {f: sum(len(side.event_s) for g, side, _ in scored if g == f) for f in set(families)}
-    known = (hits >= 0) & (scores >= _LEAST_CALIBRATED)
+    known = (hits >= 0) & (scores >= _MIN_CALIBRATED)
     families, scores, hits = families[known], scores[known], hits[known].astype(float)
     share = np.zeros(len(scores))
     for family in sorted(set(families)):

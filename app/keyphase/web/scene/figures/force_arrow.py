@@ -7,7 +7,7 @@ from keyphase.demonstration import Array
 from keyphase.web.scene.palette import LIGHT, Rgb, painted
 from keyphase.web.scene.recording.path_geometry import METRES_PER_NEWTON
 
-LEAST_FORCE_N = 0.6
+MIN_FORCE_N = 0.6
 """What the sensor reads in free space is not drawn."""
 
 BESIDE_M = (0.055, 0.0, 0.0)
@@ -42,7 +42,7 @@ class ForceArrow:
     def show(self, tool_m: Array, force_N: Array) -> None:
         """Show a force (3,) at the tool (3,), base frame."""
         size = float(np.linalg.norm(force_N))
-        seen = size >= LEAST_FORCE_N
+        seen = size >= MIN_FORCE_N
         _put(self._arrow, seen)
         _put(self._size, seen and self._is_labeled)
         if seen:
@@ -55,7 +55,7 @@ class ForceArrow:
 
 def force_arrow_message() -> dict[str, object]:
     """What a page needs to know to put the force's size at the arrow's tip."""
-    return {"beside_m": BESIDE_M, "metres_per_N": METRES_PER_NEWTON, "least_N": LEAST_FORCE_N}
+    return {"beside_m": BESIDE_M, "metres_per_N": METRES_PER_NEWTON, "least_N": MIN_FORCE_N}
 
 
 def _put(handle: viser.ArrowsHandle | viser.LabelHandle, visible: bool) -> None:

@@ -13,7 +13,7 @@ from keyphase.web.scene.recording.path_geometry import Path
 _ABOVE_GROUND_M = 0.001
 """The grid lies so far above the ground, so that it is seen."""
 
-_LEAST_STAND_M = 0.01
+_MIN_STAND_M = 0.01
 """A robot whose base is nearer to the ground than this stands on it."""
 
 _STAND = "/stand"
@@ -69,7 +69,7 @@ class Floor:
     def _draw_stand(self, theme: Theme, ground_m: float, base: Placement | None) -> None:
         """What carries a base that is above the ground, as wide as the shadow's robot is."""
         height = 0.0 if base is None else base.position_m[2] - ground_m
-        if base is None or self._shadow is None or height < _LEAST_STAND_M:
+        if base is None or self._shadow is None or height < _MIN_STAND_M:
             self._scene.remove_by_name(_STAND)
             return
         x, y, _ = base.position_m

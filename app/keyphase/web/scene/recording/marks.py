@@ -10,8 +10,8 @@ from keyphase.demonstration import Array
 from keyphase.labeling.labeling import LabeledBoundary, Labeling
 from keyphase.web.scene.palette import Theme, painted, segment_color
 from keyphase.web.scene.recording.path_geometry import (
-    LONGEST_ARROW,
-    MOST_ARROWS,
+    MAX_ARROW,
+    MAX_ARROWS,
     Path,
     arrow,
     ellipsoids,
@@ -66,8 +66,8 @@ def draw_forces(
     """
     found = [(one, _force_step(one, labeling)) for one in labeling.boundaries]
     steps = [(hypot(*step), one, step) for one, step in found if step is not None]
-    steps = sorted(steps, key=lambda one: -one[0])[:MOST_ARROWS]
-    scale = LONGEST_ARROW * path.size_m / max(steps[0][0] if steps else 0.0, 1e-9)
+    steps = sorted(steps, key=lambda one: -one[0])[:MAX_ARROWS]
+    scale = MAX_ARROW * path.size_m / max(steps[0][0] if steps else 0.0, 1e-9)
     pointed = [
         arrow(_position_m(labeling, one.time_s), step, scale, 6 * path.radius_m)
         for _, one, step in steps

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from keyphase.labeling.labeling import Labeling
 from keyphase.web.scene.palette import painted, segment_color
 from keyphase.web.scene.recording.path_geometry import (
-    MOST_PIECES,
+    MAX_PIECES,
     Path,
     bent,
     chevron,
@@ -95,7 +95,7 @@ class ScenePath:
     def _draw_selected(self) -> None:
         """All of the selected segment, whatever of it was left out of the whole path."""
         chosen = np.flatnonzero((self._segment_of_piece == self._selected) & self._in_view)
-        chosen = chosen[:: -(-len(chosen) // MOST_PIECES)] if len(chosen) else chosen
+        chosen = chosen[:: -(-len(chosen) // MAX_PIECES)] if len(chosen) else chosen
         shown = (chosen.tobytes(), self._color_of_piece[chosen[:1]].tobytes())
         if shown == self._shown:
             return

@@ -13,29 +13,29 @@ from scipy.spatial.transform import Rotation
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.segmentation import Gaussian
 
-MOST_PIECES = 1000
+MAX_PIECES = 1000
 """So many pieces draw any path: where it passes again and again, its first pass is drawn."""
 
-MOST_ELLIPSOIDS = 60
+MAX_ELLIPSOIDS = 60
 """So many Gaussians are drawn, those with the most weight; more hide each other, and every one of
 them is filled pixel by pixel where 3D is drawn in software."""
 
-MOST_ARROWS = 100
+MAX_ARROWS = 100
 """So many force arrows are drawn, the longest ones."""
 
 METRES_PER_NEWTON = 0.01
 """Length of the force arrow of a workcell."""
 
-LONGEST_ARROW = 1.0 / 3.0
+MAX_ARROW = 1.0 / 3.0
 """The longest force arrow of a recording, as a share of its path's size."""
 
 CHEVRONS = 24
 """So many chevrons along a path, and one at least."""
 
-LEAST_M = 0.02
+MIN_SIZE_M = 0.02
 """A path that hardly moves is seen as if it were so large."""
 
-_MOST_SAMPLES = 200_000
+_MAX_SAMPLES = 200_000
 _SIDES = 12
 _SAME_PASS = 8
 """Pieces that are no more than so many apart belong to one pass."""
@@ -62,7 +62,7 @@ class Path:
     drawn: NDArray[np.intp]
     low_m: Array
     high_m: Array
-    least_m: float = LEAST_M
+    least_m: float = MIN_SIZE_M
 
     @property
     def size_m(self) -> float:
@@ -80,15 +80,15 @@ class Path:
         return 0.5 * (self.position_m[1:] + self.position_m[:-1])
 
 
-def path_of(demonstration: Demonstration, least_m: float = LEAST_M) -> Path:
-    """The path of the tool in pieces about as long as it is thick, at most MOST_PIECES drawn."""
-    stride = -(-len(demonstration) // _MOST_SAMPLES)
+def path_of(demonstration: Demonstration, least_m: float = MIN_SIZE_M) -> Path:
+    """The path of the tool in pieces about as long as it is thick, at most MAX_PIECES drawn."""
+    stride = -(-len(demonstration) // _MAX_SAMPLES)
     time, position = demonstration.time_s[::stride], demonstration.position_m[::stride]
     low, high = position.min(axis=0), position.max(axis=0)
     spacing = _radius_m(_size_m(low, high, least_m))
     kept = _apart(position, spacing)
     drawn = _first_passes(position[kept], spacing)
-    while len(drawn) > MOST_PIECES:
+    while len(drawn) > MAX_PIECES:
         spacing *= 1.5
         kept = kept[_apart(position[kept], spacing)]
         drawn = _first_passes(position[kept], spacing)
@@ -112,7 +112,7 @@ def _first_passes(points_m: Array, cell_m: float) -> NDArray[np.intp]:
     A path of few pieces is drawn whole.
     """
     pieces = len(points_m) - 1
-    if pieces <= MOST_PIECES:
+    if pieces <= MAX_PIECES:
         return np.arange(pieces)
     middles = 0.5 * (points_m[1:] + points_m[:-1])
     cells = np.floor((middles - middles.min(axis=0)) / cell_m)
@@ -186,10 +186,10 @@ def tube() -> tuple[Array, NDArray[np.uint32]]:
 
 
 def heaviest(gaussians: Sequence[Gaussian]) -> Sequence[Gaussian]:
-    """The MOST_ELLIPSOIDS Gaussians with the most weight; all where there are no more."""
-    if len(gaussians) <= MOST_ELLIPSOIDS:
+    """The MAX_ELLIPSOIDS Gaussians with the most weight; all where there are no more."""
+    if len(gaussians) <= MAX_ELLIPSOIDS:
         return gaussians
-    return sorted(gaussians, key=lambda gaussian: -gaussian.weight)[:MOST_ELLIPSOIDS]
+    return sorted(gaussians, key=lambda gaussian: -gaussian.weight)[:MAX_ELLIPSOIDS]
 
 
 def ellipsoids(gaussians: Sequence[Gaussian], least_m: float) -> tuple[Array, Array, Array]:

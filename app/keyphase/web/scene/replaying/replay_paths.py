@@ -15,7 +15,7 @@ PIECE_M = 0.003
 """The path that was run grows by pieces of this length at least."""
 
 _GHOST_M, _DONE_M, _NOW_M = 0.0018, 0.004, 0.006
-_MOST_POINTS = 60
+_MAX_POINTS = 60
 
 
 class ReplayPaths:
@@ -70,7 +70,7 @@ class ReplayPaths:
     def _draw_ghost(self, number: int, *, now: bool) -> None:
         one = self._plan.planned[number]
         path = path_of_skill(self._plan, one.skill)
-        points = path[np.unique(np.linspace(0, len(path) - 1, _MOST_POINTS).astype(int))]
+        points = path[np.unique(np.linspace(0, len(path) - 1, _MAX_POINTS).astype(int))]
         if float(np.linalg.norm(np.ptp(points, axis=0))) < 1e-4:
             return
         self._scene.add_line_segments(
