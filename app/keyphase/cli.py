@@ -13,6 +13,7 @@ from typing import Annotated, Any, Protocol
 import tyro
 
 from keyphase import __version__
+from keyphase.commands.export import ExportSegments
 from keyphase.commands.fit import FitWeights
 from keyphase.commands.inspect import Inspect
 from keyphase.commands.make_demonstrations import MakeDemonstrations
@@ -30,6 +31,7 @@ COMMANDS = {
     "inspect": Inspect,
     "propose": Propose,
     "score": ScoreSegments,
+    "export": ExportSegments,
     "record": Record,
     "replay": ReplaySegments,
     "make-demonstrations": MakeDemonstrations,

@@ -11,6 +11,7 @@ KeyphaseError
 ├── SkillError              a segment that cannot be made executable
 ├── SimulationError         a workcell, recording or replay that cannot run
 ├── ScoreError              a reference that cannot be scored against
+├── ExportError             segments that a format cannot hold as asked
 ├── MakingError             demonstrations that cannot be made as asked
 ├── MissingPackageError     a package that only this needs is not installed
 └── RequestError            a message from a browser that is refused
@@ -61,6 +62,10 @@ class SimulationError(KeyphaseError):
 
 class ScoreError(KeyphaseError):
     """A reference that cannot be scored against."""
+
+
+class ExportError(KeyphaseError):
+    """Segments that a format cannot hold as asked, or labels in one that cannot be read."""
 
 
 class MakingError(KeyphaseError):

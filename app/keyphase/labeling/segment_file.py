@@ -94,23 +94,33 @@ def schema() -> dict[str, Any]:
     return json.loads(text)
 
 
-def write_segment_file(labeling: Labeling, path: Path) -> None:
+def write_segment_file(labeling: Labeling, path: Path | str) -> None:
     """Write the segment file of `labeling` to `path`, as CSV where the name ends in .csv.
 
     A crash leaves either the old file or the new one. Raises SegmentFileError where the
     demonstration has no file, or the folder takes none.
     """
+    path = Path(path)
     content = segment_file_content(labeling, path)
     data = as_csv(content) if path.suffix.lower() == ".csv" else as_json(content)
     write_whole(path, data, refusal=SegmentFileError)
 
 
-def read_segment_file(path: Path, *, check_recording: bool = True) -> SegmentFile:
+def segment_file_of(labeling: Labeling, path: Path) -> SegmentFile:
+    """What a segment file of `labeling` at `path` says, without writing it.
+
+    Raises SegmentFileError where the demonstration has no file.
+    """
+    return _parsed(segment_file_content(labeling, path), path)
+
+
+def read_segment_file(path: Path | str, *, check_recording: bool = True) -> SegmentFile:
     """The segment file at `path`, checked against the schema and against its recording's hash.
 
     Raises SegmentFileError where it is malformed or contradicts itself, and, unless
     `check_recording` is False, where the recording is missing or no longer the same.
     """
+    path = Path(path)
     content = _json(path)
     _refuse_too_many(content, path)
     _check_schema(content, path)

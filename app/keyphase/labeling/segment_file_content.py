@@ -121,11 +121,11 @@ def _segment(number: int, segment: LabeledSegment) -> dict[str, Any]:
         "end_s": segment.end_s,
         "label": segment.label,
         "kept": segment.kept,
-        "end_condition": _end_condition(segment.end_condition),
+        "end_condition": end_condition_content(segment.end_condition),
     }
 
 
-def _end_condition(end: EndCondition) -> dict[str, Any]:
+def end_condition_content(end: EndCondition) -> dict[str, Any]:
     """What a reader of the first version needs, then what differs from its defaults."""
     if isinstance(end, ContactEnd):
         values: dict[str, Any] = {

@@ -1,18 +1,15 @@
 """From a segment file to what is replayed: the recording, checked, and the plan's segments."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path, PureWindowsPath
+from pathlib import Path
 
 from keyphase.demonstration import Demonstration
-from keyphase.errors import SegmentFileError
-from keyphase.files.shipped import shipped
+from keyphase.labeling.recording_of import recording_of
 from keyphase.labeling.segment_file import (
     FiledSegment,
-    SegmentFile,
     read_segment_file,
     require_same_reading,
-    require_same_recording,
 )
 from keyphase.readers import read
 from keyphase.segmentation.end_condition import ConfigurationEnd
@@ -37,7 +34,7 @@ def planned_replay(
     DemonstrationError where it cannot be read.
     """
     file = read_segment_file(segment_file, check_recording=False)
-    recording = _recording(file, demonstration)
+    recording = recording_of(file, demonstration)
     by_id = {segment.id: segment for segment in file.segments}
     demonstration_read = read(recording, recipe)
     require_same_reading(file, demonstration_read)
@@ -47,24 +44,3 @@ def planned_replay(
 def with_configuration_ends(segments: Sequence[FiledSegment]) -> tuple[FiledSegment, ...]:
     """The segments without their force conditions: each is over at its demonstrated pose."""
     return tuple(replace(segment, end_condition=ConfigurationEnd()) for segment in segments)
-
-
-def _recording(file: SegmentFile, given: Path | None) -> Path:
-    """Where the recording with the right bytes is; the first refusal where there is none."""
-    refusals: list[SegmentFileError] = []
-    for candidate in [given] if given is not None else _candidates(file):
-        try:
-            require_same_recording(file, candidate)
-        except SegmentFileError as refusal:
-            refusals.append(refusal)
-        else:
-            return candidate
-    raise refusals[0]
-
-
-def _candidates(file: SegmentFile) -> Iterator[Path]:
-    # The name is the last part of the path on either system's terms.
-    name = PureWindowsPath(file.demonstration.path).name
-    yield file.recording
-    yield file.path.parent / name
-    yield shipped("data") / name

@@ -1,0 +1,72 @@
+"""The command `keyphase export`: segments into other people's files."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import tyro
+
+from keyphase.errors import KeyphaseError
+
+if TYPE_CHECKING:
+    from keyphase.writers import SegmentedRecording
+
+
+@dataclass(frozen=True)
+class ExportSegments:
+    """Write segments in another format; what it cannot carry is listed first."""
+
+    segments: tyro.conf.Positional[tuple[Path, ...]]
+    """Segment files, or folders of them."""
+    to: str | None = None
+    """The format; without, all formats are listed."""
+    output: Path = Path()
+    """Folder to write into."""
+    recipe: Path | None = None
+    """How the recordings are read, where their own or their folder's recipe is not it (TOML)."""
+    trim_idle: bool = False
+    """Leave out idle ends, where the format can."""
+    replace: bool = False
+    """Replace what is there."""
+    dry_run: bool = False
+    """Say what would be written and what is not carried, and write nothing."""
+
+    def run(self) -> int:
+        """List what is lost, then write, and name each file."""
+        if self.to is None:
+            return _list_formats()
+        if not self.segments:
+            raise KeyphaseError("Name at least one segment file or folder of them.")
+        from keyphase.writers import Options, planned_export
+
+        planned = planned_export(
+            self._items(), self.to, self.output, Options(trim_idle=self.trim_idle)
+        )
+        if planned.not_carried:
+            print(f"{planned.writer.title} does not carry:")
+        for one in planned.not_carried:
+            print(f"  {one}")
+        for one in planned.remarks:
+            print(f"Note: {one}.")
+        if self.dry_run:
+            for file in planned.files:
+                print(f"would write {file.target}")
+            return 0
+        for written in planned.write(replace=self.replace):
+            print(*written, sep="\n")
+        return 0
+
+    def _items(self) -> "list[SegmentedRecording]":
+        from keyphase.writers import SegmentedRecording, found_segment_files
+
+        files = found_segment_files(self.segments)
+        return [SegmentedRecording.of_file(file, recipe=self.recipe) for file in files]
+
+
+def _list_formats() -> int:
+    from keyphase.writers import WRITERS
+
+    for writer in WRITERS:
+        needs = f' (pip install "keyphase[{writer.extra}]")' if writer.extra else ""
+        print(f"{writer.name:16} {writer.title}{needs}")
+    return 0
