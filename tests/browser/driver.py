@@ -22,6 +22,9 @@ ACCENT = {"light": "#1c7ed6", "dark": "#4dabf7"}
 _PATIENCE = 40
 """Pictures that are taken, half a second apart, until one shows what is waited for."""
 
+_TIMEOUT_MS = 90_000
+"""Of whatever is waited for: 3D is drawn in software, on cores that others use, too."""
+
 _SCENE_IDLE = """() => {
   const frame = window.__viserTestpoints?.rendererInfo.render.frame;
   if (frame === undefined) return false;
@@ -100,6 +103,7 @@ class KeyphasePage:
     def __init__(self, page: Page) -> None:
         self.page = page
         self.errors: list[str] = []
+        page.set_default_timeout(_TIMEOUT_MS)
         page.on("pageerror", lambda error: self.errors.append(str(error)))
         page.on(
             "console",
@@ -116,7 +120,7 @@ class KeyphasePage:
     def wait_for_scene(self) -> Frame:
         """Until the 3D scene has come to rest."""
         frame = self.scene
-        frame.wait_for_function(_SCENE_IDLE, polling=100, timeout=60_000)
+        frame.wait_for_function(_SCENE_IDLE, polling=100)
         return frame
 
     def until(self, condition: str) -> None:

@@ -1,6 +1,7 @@
 """A server that was killed and comes back is found again by the page that was left open."""
 
 import os
+import re
 import shutil
 import signal
 import socket
@@ -46,6 +47,8 @@ def test_a_killed_server_that_returns_is_used_again_without_a_reload(
         os.kill(server.pid, signal.SIGKILL)
         server.wait()
         page.until("!keyphase.state.connected")
+        told = page.text("#banners")
+        assert re.search(r"stopped\. Everything up to \d\d:\d\d:\d\d is saved", told)
 
         server, again = _open(recording, port)
         assert again == link
@@ -53,7 +56,7 @@ def test_a_killed_server_that_returns_is_used_again_without_a_reload(
         page.until("keyphase.state.document")
         page.change(lambda: page.press("i"))
         assert page.page.evaluate("window.neverReloaded")
-        assert page.document["can_undo"]
+        assert page.document["undo"]
         page.scene.wait_for_function("() => window.__viserMutable?.nodeRefFromName['/path/pieces']")
     finally:
         page.page.close()

@@ -14,8 +14,8 @@ import { createRecordingActions } from "./recording_actions.js";
 import { nearestEvidence, REACH_PX } from "../model/snapping.js";
 import { clampView } from "../lib/scale.js";
 
-/** So long after it was asked, what the server tells may not know of it yet. */
-const TOLD_BACK_MS = 500;
+/** What of the playhead is asked for by playing. */
+const PLAYED = ["playing", "speed", "loop"];
 
 /**
  * @param {import("../lib/store.js").Store} store
@@ -67,9 +67,16 @@ export function createActions(store, send, latency, own) {
   /** What all windows see; one that may only look keeps it to itself. */
   const share = (message) => !state.lookingOnly && send(message);
 
-  /** What was asked of the playhead lately: the next change follows it, told back already or not. */
-  let asked = { until: -Infinity, playhead: state.playhead };
-  const wanted = () => (performance.now() < asked.until ? asked.playhead : state.playhead);
+  /**
+   * What was asked of the playhead and not told back yet: the next change follows it.
+   * @type {import("../model/types.js").Playhead|null}
+   */
+  let asked = null;
+  const wanted = () => asked ?? state.playhead;
+  store.on(["playhead"], ({ playhead }) => {
+    if (PLAYED.every((name) => playhead[name] === asked?.[name])) asked = null;
+  });
+  store.on(["connected", "recording"], () => (asked = null));
 
   const actions = {
     send,
@@ -86,7 +93,7 @@ export function createActions(store, send, latency, own) {
       const playhead = { ...wanted(), ...change };
       const { playing, speed, loop } = playhead;
       if (!doc() || !share({ type: "play", playing, speed, loop })) return;
-      asked = { until: performance.now() + TOLD_BACK_MS, playhead };
+      asked = playhead;
     },
     togglePlay: () => actions.play({ playing: !wanted().playing }),
     toggleLoop: () => actions.play({ loop: !wanted().loop }),

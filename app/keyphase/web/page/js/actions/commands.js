@@ -7,6 +7,8 @@
  *   always?: boolean}} Command  keys as `keyOf` writes them; always: also without a recording
  */
 
+import { fold } from "../model/rows.js";
+
 /**
  * @param {any} actions
  * @param {import("../lib/store.js").Store} store
@@ -17,11 +19,7 @@
 export function createCommands(actions, store, dialogs) {
   const group = (name, commands) =>
     commands.map(([text, keys, run, always]) => ({ name: text, keys, run, group: name, always }));
-  const fold = (key) => () => {
-    const next = new Set(store.state.folded);
-    if (!next.delete(key)) next.add(key);
-    store.set({ folded: next });
-  };
+  const folds = (key) => () => fold(store, key);
   return [
     ...group("Playback", [
       ["Play or pause", ["Space"], actions.togglePlay],
@@ -76,7 +74,7 @@ export function createCommands(actions, store, dialogs) {
       ...["Error", "Position", "Speed", "Force", "Torque", "Orientation"].map((title) => [
         `Fold or open ${title.toLowerCase()}`,
         [],
-        fold(title.toLowerCase()),
+        folds(title.toLowerCase()),
       ]),
     ]),
     ...group("Recordings", [

@@ -44,13 +44,19 @@ export const TRACKS = [
   },
 ];
 
-const FOLDED_AT_FIRST = ["speed", "torque", "orientation"];
+/** The error beside the evidence, where it decides nothing: folded apart from the error alone. */
+const SECOND_ERROR = "error beside evidence";
+const FOLDED_AT_FIRST = ["speed", "torque", "orientation", SECOND_ERROR];
 const HIDDEN_WHEN_SMALL = ["torque", "orientation"];
 
 /** Which tracks are folded and hidden before anyone chose. @param {boolean} small */
 export function firstChoice(small) {
   return { folded: new Set(FOLDED_AT_FIRST), hidden: new Set(small ? HIDDEN_WHEN_SMALL : []) };
 }
+
+/** What a row is called among the folded ones. @param {string} key @param {string|null} method */
+export const foldName = (key, method) =>
+  key === "error" && method === "evidence" ? SECOND_ERROR : key;
 
 /**
  * The tracks this recording can show and the person has not hidden.
@@ -74,39 +80,49 @@ export function tracksFor(doc) {
  * @returns {Layout}
  */
 export function layOut(state, room = 0) {
-  const { small, folded } = state;
+  const { small, folded, method } = state;
+  const isFolded = ({ key }) => folded.has(foldName(key, method));
   const rows = new Map();
   let y = 0;
-  const put = (key, height, isFolded = false) => {
-    rows.set(key, { key, y, height, folded: isFolded });
+  const put = (key, height, isLow = false) => {
+    rows.set(key, { key, y, height, folded: isLow });
     y += height;
   };
   for (const { key, large, small: low } of HEAD) {
-    const isFolded = key === "segments" && folded.has(key);
-    put(key, isFolded ? 24 : small ? low : large, folded.has(key));
+    const isLow = key === "segments" && folded.has(key);
+    put(key, isLow ? 24 : small ? low : large, folded.has(key));
   }
   if (state.comparison?.with) put("comparison", small ? 32 : 36);
   const headHeight = y;
   const tracks = tracksOf(state);
   const natural = tracks.map((track) =>
-    folded.has(track.key) ? FOLDED_PX : small ? track.small : track.large,
+    isFolded(track) ? FOLDED_PX : small ? track.small : track.large,
   );
-  const stretch = stretchOf(tracks, natural, folded, room - headHeight);
+  const total = natural.reduce((sum, height) => sum + height, 0);
+  const open = natural.reduce((sum, height, k) => sum + (isFolded(tracks[k]) ? 0 : height), 0);
+  const stretch = stretchOf(total, open, room - headHeight);
   tracks.forEach((track, k) => {
-    const open = !folded.has(track.key);
-    put(track.key, Math.round(natural[k] * (open ? stretch : 1)), !open);
+    const isLow = isFolded(track);
+    put(track.key, Math.round(natural[k] * (isLow ? 1 : stretch)), isLow);
   });
   return { rows, headHeight, height: y };
 }
 
-function stretchOf(tracks, natural, folded, room) {
-  const total = natural.reduce((sum, height) => sum + height, 0);
-  const open = natural.filter((_, k) => !folded.has(tracks[k].key)).reduce((sum, h) => sum + h, 0);
+function stretchOf(total, open, room) {
   return open > 0 && room > total ? 1 + (room - total) / open : 1;
 }
 
 /**
- * Folds a row or opens it, hides a track or shows it.
+ * Folds a row or opens it.
+ * @param {import("../lib/store.js").Store} store
+ * @param {string} key
+ */
+export function fold(store, key) {
+  toggle(store, "folded", foldName(key, store.state.method));
+}
+
+/**
+ * Puts a name into one of the sets or takes it out: a track is hidden or shown, say.
  * @param {import("../lib/store.js").Store} store
  * @param {"folded"|"hidden"} what
  * @param {string} key

@@ -50,7 +50,7 @@ export function drawEnds(slots, scale, { y, height }, bottom) {
       const x = scale.x(slot.met);
       const color = endColor(slot);
       const text = outcomeText(slot.skill);
-      const width = textWidth(text, "600 10.5px");
+      const width = textWidth(text, "600 11px");
       const mark = slot.good
         ? glyph(slot.skill.outcome === "contact" ? "force" : "position", {
             x,
@@ -163,7 +163,7 @@ export function stateText(slot, now) {
 }
 
 function secondLine(text, x, y, room, on) {
-  return textWidth(text, "10.5px") <= room
+  return textWidth(text, "11px") <= room
     ? [svg("text", { x, y, class: `segment-second ${on}`, text })]
     : [];
 }

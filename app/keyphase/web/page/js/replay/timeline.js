@@ -171,7 +171,8 @@ function buildTrack({ key, title, unit }, content, fold) {
     svg("svg", { class: "marks" }, marks),
   );
   content.append(row);
-  return { ...createReplayTrack(key, { plot, marks, gutter: gutter.body }), row, gutter };
+  const parts = { plot, marks, gutter: gutter.body, texts: gutter.texts };
+  return { ...createReplayTrack(key, parts), row, gutter };
 }
 
 function createGutters(pane) {

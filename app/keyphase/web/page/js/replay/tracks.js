@@ -29,9 +29,9 @@ const identity = (value) => value;
 
 /**
  * @param {string} key
- * @param {{plot: HTMLElement, marks: SVGElement, gutter: HTMLElement}} parts
+ * @param {import("../timeline/gutter.js").TrackParts} parts
  */
-export function createReplayTrack(key, { plot, marks, gutter }) {
+export function createReplayTrack(key, { plot, marks, gutter, texts }) {
   const { curves, width, pale, digits, least } = PENS[key];
   let laid = [];
   let scale = null;
@@ -100,7 +100,7 @@ export function createReplayTrack(key, { plot, marks, gutter }) {
         ...ends,
         ...dots(live, scale, open.y, curves),
       );
-      marks.replaceChildren(...tickLabels(range, open.y), inside);
+      marks.replaceChildren(...tickLabels(range, open.y, texts()), inside);
     },
     /** The newest values, in the gutter. */
     read(samples) {

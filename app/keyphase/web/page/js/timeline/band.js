@@ -89,7 +89,7 @@ function keptText(segment, index, { left, top, width, height }) {
 function secondLine(segment, x, y, room) {
   const long = duration(segment.end_s - segment.start_s);
   const full = segment.proposed ? `${long} · proposed, Enter accepts` : `${long} · named by you`;
-  const text = [full, long].find((form) => textWidth(form, "10.5px") <= room);
+  const text = [full, long].find((form) => textWidth(form, "11px") <= room);
   return text ? [svg("text", { x, y, class: "segment-second", text })] : [];
 }
 

@@ -150,8 +150,7 @@ function placeText({ boundary, time, x, y, strong }, taken, width) {
   const main = timeText(time);
   const doubt = isUnsure(boundary) ? ` ${boundary.confidence.toFixed(2)}` : "";
   const wide =
-    textWidth(main, strong ? "700 10.5px" : "500 10.5px") +
-    (doubt ? textWidth(doubt, "700 10.5px") : 0);
+    textWidth(main, strong ? "700 11px" : "500 11px") + (doubt ? textWidth(doubt, "700 11px") : 0);
   const sides = [
     { left: x + 11, right: x + 11 + wide, anchor: "start", at: x + 11 },
     { left: x - 10 - wide, right: x - 10, anchor: "end", at: x - 10 },

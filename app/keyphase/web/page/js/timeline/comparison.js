@@ -59,7 +59,7 @@ function drawOther({ label, fill }, from, to, scale, { top, height }) {
     class: "other-segment",
     style: { fill, stroke: fill },
   });
-  if (textWidth(label, "10.5px") > right - left - 12) return [box];
+  if (textWidth(label, "11px") > right - left - 12) return [box];
   return [
     box,
     svg("text", { x: left + 6, y: top + height / 2 + 3.6, class: "other-label", text: label }),

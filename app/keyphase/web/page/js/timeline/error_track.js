@@ -24,6 +24,7 @@ const REASONS = {
   "at an end": "at an end of the recording",
 };
 const identity = (value) => value;
+const NOTHING = { key: "median", times: [], values: [] };
 const logarithms = new Map();
 
 /** log10 clipped at a floor; one function per floor, so that curves can tell ranges apart. */
@@ -33,10 +34,10 @@ function logarithm(floor) {
 }
 
 /**
- * @param {{plot: HTMLElement, marks: SVGElement, gutter: HTMLElement}} parts
+ * @param {import("./gutter.js").TrackParts} parts
  * @param {import("../lib/store.js").Store} store
  */
-export function createErrorTrack({ plot, marks, gutter }, store) {
+export function createErrorTrack({ plot, marks, gutter, texts }, store) {
   const pens = [
     { color: "--origin-force", width: 1, dash: [1.5, 3] },
     { color: "--curve", width: 1.2 },
@@ -58,12 +59,12 @@ export function createErrorTrack({ plot, marks, gutter }, store) {
       legend.show(state, row);
       if (!series?.length) return marks.replaceChildren();
       const { document: doc, logarithmic } = state;
-      const ratio = doc.parameters.force_ratio ?? 1;
+      const ratio = decides(doc) ? (doc.parameters.force_ratio ?? 1) : 0;
       if (scaled.source !== series || scaled.ratio !== ratio) {
         scaled = {
           source: series,
           ratio,
-          series: [timesRatio(series[1] ?? series[0], ratio), series[0]],
+          series: [ratio ? timesRatio(series[1] ?? series[0], ratio) : NOTHING, series[0]],
         };
       }
       const whole = curvesOf({ ...state, fine: null }, "error")?.series ?? series;
@@ -77,7 +78,7 @@ export function createErrorTrack({ plot, marks, gutter }, store) {
       curves.resize(scale.width, row.height, false);
       curves.draw(scaled.series, range, state.view);
       return marks.replaceChildren(
-        ...tickLabels(range, curves.y),
+        ...tickLabels(range, curves.y, texts()),
         ...drawPeaks(state, scale, curves.y),
         ...drawThreshold(state, scale, curves.y, row.height),
       );
@@ -96,7 +97,12 @@ export function createErrorTrack({ plot, marks, gutter }, store) {
 
 /** The threshold as the person sees it: under the finger while dragging, else what is set. */
 export function thresholdOf({ document: doc, held }) {
-  return doc.parameters.variant === "paper" ? valueInForce(doc, held, "force_threshold") : null;
+  return decides(doc) ? valueInForce(doc, held, "force_threshold") : null;
+}
+
+/** Whether the error makes boundaries; beside the evidence it is only shown. */
+function decides(doc) {
+  return doc.parameters.variant === "paper";
 }
 
 function timesRatio({ times, values }, ratio) {
@@ -192,7 +198,7 @@ function peakText({ height, rejection }, x, level, width, small, taken) {
   const forms = rejection && !small ? [`${number}, ${reason}`, number] : [number];
   const y = level + (rejection ? -1 : 3);
   for (const text of forms) {
-    const wide = textWidth(text, rejection ? "10.5px" : "600 10.5px");
+    const wide = textWidth(text, rejection ? "11px" : "600 11px");
     const sides = rejection ? [x + 9, x - 9 - wide] : [x - 9 - wide, x + 9];
     for (const left of sides) {
       const box = { left: left - 3, right: left + wide + 3, y };
@@ -258,7 +264,7 @@ function createLegend(gutter, store) {
       channels.textContent = `${doc.force_channels} ${doc.force_channels > 3 ? "wrench" : "force"} channels`;
       channels.hidden = small || height < 60;
       median.textContent = `${doc.parameters.force_ratio} × running median`;
-      median.hidden = small || height < 90;
+      median.hidden = small || height < 90 || !decides(doc);
     },
     value(error) {
       now.textContent = Number.isNaN(error) ? "" : heightText(error);

@@ -3,6 +3,11 @@
 import { el, icon } from "../lib/dom.js";
 
 /**
+ * @typedef {{top: number, bottom: number, right: number}} TextBox  px, from the gutter's upper
+ *   right corner
+ * @typedef {{plot: HTMLElement, marks: SVGElement, gutter: HTMLElement, texts: () => TextBox[]}}
+ *   TrackParts  what a track draws on, and what is written beside it
+ *
  * @param {{key: string, title: string, unit?: string, foldable?: boolean}} row
  * @param {(key: string) => void} [fold]
  */
@@ -26,12 +31,17 @@ export function createGutter({ key, title, unit = "", foldable = true }, fold) {
   const body = el("div", { class: "gutter-body" });
   const node = el("div", { class: "gutter", data: { gutter: key } }, name, body);
   let wasFolded = null;
+  /** @type {TextBox[]|null} */
+  let texts = null;
   return {
     node,
     body,
     small,
+    /** What is written in it, measured once each time it is placed: ticks keep clear of it. */
+    texts: () => (texts ??= textBoxes(node)),
     /** @param {import("../model/rows.js").Row} row */
     place({ y, height, folded }) {
+      texts = null;
       node.style.setProperty("top", `${y}px`);
       node.style.setProperty("height", `${height}px`);
       node.classList.toggle("short", height <= 28);
@@ -42,6 +52,19 @@ export function createGutter({ key, title, unit = "", foldable = true }, fold) {
       chevron.replaceChildren(icon(folded ? "right" : "down", "small"));
     },
   };
+}
+
+/** @param {HTMLElement} node @returns {TextBox[]} */
+function textBoxes(node) {
+  const around = node.getBoundingClientRect();
+  const range = document.createRange();
+  return [...node.querySelectorAll(".gutter-name, .gutter-note, .switch, .readout-row b")]
+    .filter((one) => one.checkVisibility())
+    .map((one) => {
+      range.selectNodeContents(one);
+      const { top, bottom, right } = range.getBoundingClientRect();
+      return { top: top - around.top, bottom: bottom - around.top, right: right - around.right };
+    });
 }
 
 /**

@@ -1,7 +1,7 @@
 /** What stands left of the rows that never scroll: their names, counts and buttons. */
 
 import { el } from "../lib/dom.js";
-import { toggle } from "../model/rows.js";
+import { fold } from "../model/rows.js";
 import { createComparisonGutter } from "./comparison.js";
 import { createGutter } from "./gutter.js";
 
@@ -12,7 +12,6 @@ import { createGutter } from "./gutter.js";
  * @returns {Map<string, any>} by the row's key
  */
 export function createHeadGutters(pane, store, actions) {
-  const fold = (name) => toggle(store, "folded", name);
   const rows = [
     { key: "overview", title: "Whole recording", foldable: false },
     { key: "ruler", title: "Time, s", foldable: false },
@@ -20,7 +19,9 @@ export function createHeadGutters(pane, store, actions) {
     { key: "segments", title: "Segments" },
     { key: "comparison", title: "Compared", foldable: false },
   ];
-  const gutters = new Map(rows.map((row) => [row.key, createGutter(row, fold)]));
+  const gutters = new Map(
+    rows.map((row) => [row.key, createGutter(row, (key) => fold(store, key))]),
+  );
   for (const { node } of gutters.values()) pane.append(node);
   const segments = gutters.get("segments");
   const accept = el("button", {

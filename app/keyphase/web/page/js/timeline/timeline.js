@@ -14,7 +14,7 @@ import { evidenceOnSurface } from "./evidence/on_surface.js";
 import { createGutter } from "./gutter.js";
 import { createHeadGutters } from "./head_gutters.js";
 import { drawOverviewCurve, drawOverviewStrip, drawWindow } from "./overview.js";
-import { layOut, toggle, TRACKS, tracksOf } from "../model/rows.js";
+import { fold, layOut, TRACKS, tracksOf } from "../model/rows.js";
 import { createPlayhead, drawRuler } from "./ruler.js";
 import { createScale } from "../lib/scale.js";
 import { createTrack } from "./tracks.js";
@@ -84,13 +84,13 @@ export function createTimeline(pane, store, actions) {
   /** Creates a track the first time it is shown; hidden ones keep their chart. */
   function trackOf({ key, title, unit }) {
     if (tracks.has(key)) return tracks.get(key);
-    const gutter = createGutter({ key, title, unit }, (name) => toggle(store, "folded", name));
+    const gutter = createGutter({ key, title, unit }, (name) => fold(store, name));
     const plot = el("div", { class: "plot", data: { track: key } });
     const marks = svg("g", { data: { marks: key } });
     const holder = svg("svg", { class: "marks" }, marks);
     const row = el("div", { class: "track", data: { key } }, gutter.node, plot, holder);
     content.append(row);
-    const parts = { plot, marks, gutter: gutter.body };
+    const parts = { plot, marks, gutter: gutter.body, texts: gutter.texts };
     const drawn = LINED[key]?.(parts, store) ?? createTrack(key, parts);
     const track = { ...drawn, row, gutter, holder };
     tracks.set(key, track);

@@ -5,6 +5,7 @@ import { plain, signed } from "../lib/format.js";
 import { curvesOf, valueAt } from "../model/signals.js";
 import { createCurves, extent, normOf } from "./curves.js";
 import { createReadout } from "./gutter.js";
+import { textWidth } from "../lib/text_width.js";
 import { multiples, tickStep } from "../lib/scale.js";
 
 const AXES = [
@@ -20,6 +21,9 @@ const PENS = {
   orientation: { curves: AXES, width: 1.4, digits: 1 },
 };
 const TICK_EVERY_PX = 21;
+const TICK_PX = 7;
+/** Between a tick and what is written beside it. */
+const CLEAR_PX = 4;
 const identity = (value) => value;
 
 /** Decimals a track's values are written with. @param {string} key */
@@ -27,9 +31,9 @@ export const digitsOf = (key) => PENS[key]?.digits ?? 1;
 
 /**
  * @param {string} key
- * @param {{plot: HTMLElement, marks: SVGElement, gutter: HTMLElement}} parts
+ * @param {import("./gutter.js").TrackParts} parts
  */
-export function createTrack(key, { plot, marks, gutter }) {
+export function createTrack(key, { plot, marks, gutter, texts }) {
   const { curves, width, digits } = PENS[key];
   const open = createCurves(
     plot,
@@ -58,7 +62,7 @@ export function createTrack(key, { plot, marks, gutter }) {
         ...(row.folded
           ? []
           : [
-              ...tickLabels(range, active.y),
+              ...tickLabels(range, active.y, texts()),
               ...endLetters(series, curves, scale, active.y, row.height),
             ]),
       );
@@ -103,17 +107,24 @@ function rangeOf(series, height) {
   return { low: bottom, high: top, ticks: multiples(bottom, top, step), map: identity };
 }
 
-/** Tick labels stand in the gutter, at the right. */
-export function tickLabels({ ticks }, y) {
-  return ticks.map((tick) =>
-    svg("text", {
-      x: -7,
-      y: y(tick) + 3.5,
-      class: "tick",
-      "text-anchor": "end",
-      text: plain(tick),
-    }),
-  );
+/**
+ * Tick labels stand in the gutter, at the right, where nothing else is written.
+ * @param {{ticks: number[]}} range
+ * @param {(value: number) => number} y px from the track's top
+ * @param {import("./gutter.js").TextBox[]} texts
+ */
+export function tickLabels({ ticks }, y, texts) {
+  return ticks
+    .map((tick) => ({ text: plain(tick), level: y(tick) }))
+    .filter(({ text, level }) => {
+      const left = -TICK_PX - textWidth(text, "11px") - CLEAR_PX;
+      return texts.every(
+        ({ top, bottom, right }) => right < left || level + 4 < top || level - 4 > bottom,
+      );
+    })
+    .map(({ text, level }) =>
+      svg("text", { x: -TICK_PX, y: level + 3.5, class: "tick", "text-anchor": "end", text }),
+    );
 }
 
 const LETTER_PX = 10;

@@ -20,8 +20,8 @@ const LINE_PX = 4;
 const TAG_PX = 8;
 const NOTHING = { times: new Float64Array(), values: new Float64Array() };
 
-/** @param {{plot: HTMLElement, marks: SVGElement, gutter: HTMLElement}} parts */
-export function createEvidenceTrack({ plot, marks, gutter }) {
+/** @param {import("../gutter.js").TrackParts} parts */
+export function createEvidenceTrack({ plot, marks, gutter, texts }) {
   const pens = LINES.map(({ origin }) => ({ color: `--origin-${origin}`, width: 1.2 }));
   const folded = createCurves(plot, [{ color: "--text-3", width: 1 }]);
   const note = el("div", { class: "candidate-note", role: "tooltip", hidden: true });
@@ -65,7 +65,7 @@ export function createEvidenceTrack({ plot, marks, gutter }) {
       curves.draw(series, range, state.view);
       showNote(note, state, scale, curves.y, row.height);
       return marks.replaceChildren(
-        ...tickLabels(range, curves.y),
+        ...tickLabels(range, curves.y, texts()),
         ...drawCandidates(state, scale, curves.y),
         ...drawLines(lines, state, scale, curves.y, row.height),
       );
