@@ -91,6 +91,7 @@ def test_playing_moves_the_playhead_and_stops_at_the_end(editor: KeyphasePage) -
 
 
 def test_linear_and_logarithmic(timeline: KeyphasePage) -> None:
+    timeline.set_parameter("variant", "paper")
     logarithmic = timeline.picture("error_log")
     timeline.page.get_by_role("button", name="Linear", exact=True).click()
     timeline.settle()

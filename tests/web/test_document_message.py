@@ -81,6 +81,8 @@ def test_the_plan_says_how_far_apart_its_entries_are(labeling: Labeling) -> None
     [
         ("Slide left 54 mm until contact", "Slide until contact", "Slide…"),
         ("Move forward 171 mm", "Move forward", "Move…"),
+        ("Move left and down 56 mm", "Left and down", "Left…"),
+        ("Move left and down until contact", "Move until contact", "Move…"),
         ("Rotate about z 30°", "Rotate about z", "Rotate…"),
         ("insert", "insert", "insert"),
         ("42 mm", "42 mm", "42 mm"),
