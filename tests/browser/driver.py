@@ -25,6 +25,12 @@ _PATIENCE = 40
 _TIMEOUT_MS = 90_000
 """Of whatever is waited for: 3D is drawn in software, on cores that others use, too."""
 
+_DRAWN = """async () => {
+  for (let k = 0; k < 2; k++)
+    await new Promise(done => keyphase.store.afterFrame(() => setTimeout(done)));
+  await new Promise(requestAnimationFrame);
+}"""
+
 _SCENE_IDLE = """() => {
   const frame = window.__viserTestpoints?.rendererInfo.render.frame;
   if (frame === undefined) return false;
@@ -128,10 +134,8 @@ class KeyphasePage:
         self.page.wait_for_function(f"() => Boolean(window.keyphase && ({condition}))")
 
     def settle(self) -> None:
-        """Until what changed has been drawn."""
-        self.page.evaluate(
-            "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
-        )
+        """Until what changed has been drawn, and what is drawn later than the timeline, too."""
+        self.page.evaluate(_DRAWN)
 
     def change(self, act: Callable[[], object]) -> None:
         """Do something and wait until the server's answer is drawn."""

@@ -5,6 +5,8 @@ from pathlib import Path
 import pytest
 from driver import SEGMENT_COLORS, KeyphasePage, Serve, Visit
 
+from keyphase.web.scene.palette import DARK, LIGHT
+
 
 def span(page: KeyphasePage) -> float:
     view = page.state("view")
@@ -120,6 +122,8 @@ def test_both_themes_in_both_sizes(
     picture = page.picture(f"page_{'dark' if dark else 'light'}_{size[0]}")
     assert (picture.brightness(page.box("#plan")) < 100) == dark
     assert (picture.brightness(page.box("#viser")) < 110) == dark
+    sky = f"#{bytes((DARK if dark else LIGHT).sky).hex()}"
+    assert picture.count(sky, page.box("#viser"), tolerance=2) > 500
     assert picture.count(SEGMENT_COLORS[0], page.row("segments")) > 500
     plate = picture.brightness(page.box("#names .name"))
     assert plate < 90 if dark else plate > 180

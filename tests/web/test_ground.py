@@ -10,6 +10,7 @@ from keyphase.robot.pose import Placement
 from keyphase.web.scene.palette import DARK, LIGHT, Theme
 from keyphase.web.scene.recording.ground import Ground, covered
 from keyphase.web.scene.recording.ground_shadow import SUN_M, GroundShadow, shadow_of, thrown
+from keyphase.web.transport.viser_page import HEAD
 
 both_themes = pytest.mark.parametrize("theme", [LIGHT, DARK])
 
@@ -20,6 +21,11 @@ def _block() -> GroundShadow:
     shadow = thrown(np.stack([x, y, np.zeros_like(x)], axis=-1).reshape(-1, 3))
     assert shadow is not None
     return shadow
+
+
+@both_themes
+def test_behind_the_scene_is_the_sky_into_which_the_ground_fades(theme: Theme) -> None:
+    assert f"canvas {{ background: #{bytes(theme.sky).hex()}; }}" in HEAD
 
 
 @both_themes

@@ -29,6 +29,12 @@ class Dressing:
         self._client.gui.configure_theme(
             dark_mode=theme is DARK, show_logo=False, show_share_button=False
         )
+
+    def paint_sky(self, theme: Theme) -> None:
+        """For a page of viser's own, whose canvas has no colour of ours behind it.
+
+        Until an image is there all behind the scene is black, so our page does without.
+        """
         sky = np.full((4, 4, 3), theme.sky, np.uint8)
         self._client.scene.set_background_image(sky, format="png")
 

@@ -19,7 +19,9 @@ INDEX = Path("client", "build", "index.html")
 """Where viser keeps its client, below its package."""
 
 HEAD = """<style>[data-floating-window], [data-dock-region], .mantine-Paper-root,
-.mantine-Notifications-root, .mantine-Affix-root { display: none !important; }</style>
+.mantine-Notifications-root, .mantine-Affix-root { display: none !important; }
+canvas { background: #f1f3f5; }
+[data-mantine-color-scheme="dark"] canvas { background: #141414; }</style>
 <script>
 document.hasFocus = () => true;
 for (const kind of ["keydown", "keyup"]) window.addEventListener(kind, (event) => {
@@ -31,7 +33,8 @@ for (const kind of ["keydown", "keyup"]) window.addEventListener(kind, (event) =
 }, true);
 </script>
 """
-"""viser's own panel, hints and sheet are hidden: all that is offered is our page's. viser's client
+"""viser's own panel, hints and sheet are hidden: all that is offered is our page's. Behind the
+scene is the sky of its palette, from the first frame on. viser's client
 tries to connect again only while its frame has the focus, which the page has. And keys that are
 pressed in the frame are the page's, before viser takes them to move the camera."""
 

@@ -17,12 +17,14 @@ BESIDE_ROBOT_RAD = -0.75
 WITH_ROBOT_M = 0.34
 """With a robot so much is seen at least."""
 
-ABOVE_PATH = -0.03
+ABOVE_PATH = -0.05
 """With a robot the picture's middle lies so much higher than the path's, as a share of its size;
 lower, since the parts lie there."""
 
 _ELEVATION_RAD = 0.42
 _ROOM = 1.15
+_ROOM_WITH_ROBOT = 1.4
+"""How much more than what is looked at is seen; with a robot the parts around it, too."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,10 +50,10 @@ def viewpoint_of(path: Path, base: Placement | None = None) -> Viewpoint:
 def viewpoint_with_robot(middle_m: Array, size_m: float, base: Placement) -> Viewpoint:
     """Look at something of that size from the front of the robot at `base`, past its tool."""
     raised = middle_m + np.array([0.0, 0.0, ABOVE_PATH * size_m])
-    return _viewpoint(raised, _azimuth_of(base) + BESIDE_ROBOT_RAD, size_m)
+    return _viewpoint(raised, _azimuth_of(base) + BESIDE_ROBOT_RAD, size_m, _ROOM_WITH_ROBOT)
 
 
-def _viewpoint(middle: Array, azimuth: float, size_m: float) -> Viewpoint:
+def _viewpoint(middle: Array, azimuth: float, size_m: float, room: float = _ROOM) -> Viewpoint:
     towards = np.array(
         [
             np.cos(azimuth) * np.cos(_ELEVATION_RAD),
@@ -59,7 +61,7 @@ def _viewpoint(middle: Array, azimuth: float, size_m: float) -> Viewpoint:
             np.sin(_ELEVATION_RAD),
         ]
     )
-    distance = _ROOM * 0.5 * size_m / np.tan(0.5 * FIELD_OF_VIEW_RAD)
+    distance = room * 0.5 * size_m / np.tan(0.5 * FIELD_OF_VIEW_RAD)
     right = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
     return Viewpoint(middle + distance * towards, middle, np.cross(towards, right))
 

@@ -28,7 +28,9 @@ def film_of(server: viser.ViserServer, running: Running, shadow: GroundShadow | 
     result = running.result
     assert result is not None
     client, film = film_in(server)
-    Dressing(client).dress(LIGHT)
+    dressing = Dressing(client)
+    dressing.dress(LIGHT)
+    dressing.paint_sky(LIGHT)
     middle = middle_of(running)
     Floor(client, shadow).draw(LIGHT, middle * [1.0, 1.0, 0.0], SEEN_M, Placement())
     view = viewpoint_with_robot(middle, SEEN_M, Placement())

@@ -10,7 +10,7 @@ import { planned, slotsOf } from "./schedule.js";
 import { createReplayTrack } from "./tracks.js";
 import { attachReplayView, shownOf } from "./view.js";
 
-const MARGIN_PX = { large: 42, small: 34 };
+const MARGIN_PX = { large: 42, small: 40 };
 const GUTTER_PX = { large: 172, small: 132 };
 
 /** @param {import("../lib/store.js").Store} store */

@@ -219,7 +219,7 @@ function drawThreshold(state, scale, y, height) {
   if (threshold === null) return [];
   const level = Math.round(Math.min(Math.max(y(threshold), 2), height - 2)) + 0.5;
   const tagY = Math.min(Math.max(level, 9), height - 9);
-  const wide = state.small ? 24 : 32;
+  const wide = state.small ? 28 : 32;
   const left = scale.width + 2;
   return [
     svg("path", { d: `M0 ${level}H${scale.width}`, class: "threshold-line" }),

@@ -19,7 +19,7 @@ import { createPlayhead, drawRuler } from "./ruler.js";
 import { createScale } from "../lib/scale.js";
 import { createTrack } from "./tracks.js";
 
-const MARGIN_PX = { large: 42, small: 34 };
+const MARGIN_PX = { large: 42, small: 40 };
 const GUTTER_PX = { large: 172, small: 132 };
 /** @type {Object<string, (parts: any, store: any) => any>} tracks with lines that one can drag */
 const LINED = { error: createErrorTrack, evidence: createEvidenceTrack };

@@ -127,7 +127,7 @@ export function tickLabels({ ticks }, y, texts) {
     );
 }
 
-const LETTER_PX = 10;
+const LETTER_PX = 12;
 
 /** Every curve ends in its letter, so that colour never stands alone. */
 function endLetters(series, curves, scale, y, height) {

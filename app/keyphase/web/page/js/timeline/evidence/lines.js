@@ -53,7 +53,7 @@ function notch({ parameter, automatic }, held, color, width, level) {
 
 /** The value in the margin, joined to its line where it had to move aside. */
 function tag({ parameter, title, value }, color, width, level, tagY, small) {
-  const wide = small ? 24 : 32;
+  const wide = small ? 28 : 32;
   const left = width + 2;
   return svg(
     "g",
