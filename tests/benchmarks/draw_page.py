@@ -1,0 +1,135 @@
+"""Takes the pictures of the page in README and docs, in real Chromium, from the bundled recordings.
+
+python tests/benchmarks/draw_page.py --output docs/pictures
+python tests/benchmarks/draw_page.py --real FOLDER  also those of real recordings, one set a folder
+"""
+
+import argparse
+import shutil
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+
+from playwright.sync_api import Browser
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "browser"))
+from chromium import chromium_browser
+from driver import KeyphasePage
+
+from keyphase.files.shipped import shipped
+from keyphase.web.server import PageServer
+
+LARGE = (1920, 1080)
+SMALL = (1280, 720)
+WAIT_S = 120.0
+REAL = ("lund_yumi", "hiro_snap_assembly", "lasa_peeling")
+
+Take = Callable[[str], None]
+
+
+def main() -> None:
+    """Take them all."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--output", type=Path, default=Path("docs/pictures"))
+    parser.add_argument("--real", type=Path, help="the folder that holds the sets of recordings")
+    given = parser.parse_args()
+    with tempfile.TemporaryDirectory() as copies, chromium_browser() as browser:
+        folder = Path(copies) / "assembly"
+        folder.mkdir()
+        for name in ("setup1", "setup2", "wipe"):
+            shutil.copy(shipped("data") / f"{name}.npz", folder)
+        take = partial(_take, given.output)
+        for dark in (False, True):
+            with _opened(browser, folder, dark=dark) as (server, page):
+                _explained(server, page, partial(take, page), "dark" if dark else "light")
+        with _opened(browser, folder, SMALL) as (server, page):
+            _recorded(server, page, partial(take, page))
+        with _opened(browser, folder) as (server, page):
+            _replayed(server, page, partial(take, page))
+        for name in REAL if given.real else ():
+            with _opened(browser, _some(given.real / name, Path(copies))) as (server, page):
+                _at_rest(server, page)
+                take(page, f"real_{name}")
+
+
+@contextmanager
+def _opened(
+    browser: Browser, folder: Path, size: tuple[int, int] = LARGE, dark: bool = False
+) -> Iterator[tuple[PageServer, KeyphasePage]]:
+    server = PageServer(sorted(folder.glob("*.npz")), folder=folder)
+    page = KeyphasePage(
+        browser.new_page(
+            viewport={"width": size[0], "height": size[1]},
+            color_scheme="dark" if dark else "light",
+        )
+    )
+    try:
+        page.page.goto(server.link)
+        page.wait_for_document()
+        page.until("keyphase.state.recordings.items.every(one => one.strip.length || one.error)")
+        yield server, page
+    finally:
+        page.close()
+        server.stop()
+
+
+def _explained(server: PageServer, page: KeyphasePage, take: Take, theme: str) -> None:
+    """A segment selected, the playhead in it, and why the contact after it is there."""
+    contact = next(b for b in page.document["boundaries"] if b["contact_change"])
+    page.page.evaluate("() => keyphase.actions.label('Reach', 0)")
+    page.until("keyphase.state.document.edits === 1")
+    page.click(page.middle_of(2))
+    page.page.evaluate("() => keyphase.actions.seek(0.9)")
+    row = page.row("boundaries")
+    page.page.mouse.move(page.x(contact["time_s"]), row.y + row.height / 2)
+    page.page.locator("#why").wait_for()
+    _at_rest(server, page)
+    take(f"page_{theme}")
+    page.page.evaluate("() => keyphase.actions.undo()")
+    page.until("keyphase.state.document.edits === 0")
+
+
+def _recorded(server: PageServer, page: KeyphasePage, take: Take) -> None:
+    page.panel.get_by_role("tab", name="Record").click()
+    page.panel.get_by_role("button", name="Open workcell").click()
+    page.until("keyphase.state.workcell")
+    _at_rest(server, page)
+    take("page_record_setup1")
+
+
+def _replayed(server: PageServer, page: KeyphasePage, take: Take) -> None:
+    page.change(lambda: page.press("i"))
+    page.press("p")
+    page.until("keyphase.state.replay?.current === 2")
+    page.page.wait_for_timeout(1500)
+    page.press("Space")
+    page.until("keyphase.state.replay.phase === 'paused' || keyphase.state.replay.phase === 'over'")
+    _at_rest(server, page)
+    take("replay")
+
+
+def _at_rest(server: PageServer, page: KeyphasePage) -> None:
+    """Robot, path and names are all where they belong."""
+    assert server.scenes.wait_until_drawn(WAIT_S)
+    page.wait_for_scene()
+    page.settle()
+
+
+def _some(real: Path, copies: Path) -> Path:
+    """A copy of the first recordings of a set: what one does is kept beside them."""
+    folder = copies / real.name
+    folder.mkdir()
+    for recording in sorted(real.glob("*.npz"))[:4]:
+        shutil.copy(recording, folder)
+    return folder
+
+
+def _take(folder: Path, page: KeyphasePage, name: str) -> None:
+    page.page.screenshot(path=folder / f"{name}.png")
+
+
+if __name__ == "__main__":
+    main()
