@@ -1,9 +1,12 @@
 """A folder of recordings: its vocabulary, its parameters, its queue, by mouse and by keys."""
 
+import shutil
 from pathlib import Path
 
 import pytest
 from driver import KeyphasePage, Serve, Visit
+
+from keyphase.files.shipped import shipped
 
 
 @pytest.fixture
@@ -154,6 +157,30 @@ def test_next_and_previous_and_the_order_of_the_list_by_clicks(two: KeyphasePage
     two.settle()
     shown = two.page.locator(".queue-confidence").all_inner_texts()
     assert shown == sorted(shown)
+
+
+def test_doubts_are_settled_by_two_keys_from_one_recording_to_the_next(
+    tmp_path: Path, serve: Serve, visit: Visit
+) -> None:
+    for name in ("setup1.npz", "wipe.npz"):
+        shutil.copy(shipped("data") / name, tmp_path)
+    page = visit(serve(tmp_path), scene=False)
+    page.wait_for_document()
+    page.until("keyphase.state.recordings.items.every(item => item.confidence !== null)")
+    first, second = page.state("recordings")["items"]
+    assert first["unsure"] == 1
+    assert second["unsure"] > 0
+    page.press("n")
+    page.change(lambda: page.press("Enter"))
+    page.page.locator(".notice", has_text="N: the next doubt, in wipe").wait_for()
+
+    page.press("n")
+    page.until("keyphase.state.document.name === 'wipe' && keyphase.state.current !== null")
+    boundaries = page.document["boundaries"]
+    unsure = [k for k, one in enumerate(boundaries) if one["unsure"]]
+    least = min(unsure, key=lambda k: boundaries[k]["confidence"])
+    assert page.state("current") == least
+    assert f"{len(unsure)} unsure" in page.text("#transport .unsure")
 
 
 def test_next_and_previous_by_keys(two: KeyphasePage) -> None:

@@ -4,6 +4,8 @@ from pathlib import Path
 
 from driver import Serve, Visit
 
+from keyphase.files.shipped import shipped
+
 
 def test_without_a_recording_the_page_says_how_to_open_one(serve: Serve, visit: Visit) -> None:
     page = visit(serve(), scene=False)
@@ -11,6 +13,28 @@ def test_without_a_recording_the_page_says_how_to_open_one(serve: Serve, visit: 
     assert "keyphase my_folder" in page.text("#empty")
     assert page.page.locator(".gutter:visible").count() == 0
     page.picture("empty")
+
+
+def test_the_demonstration_is_opened_with_one_click(
+    tmp_path: Path, serve: Serve, visit: Visit
+) -> None:
+    page = visit(serve(folder=tmp_path), scene=False)
+    page.page.get_by_role("button", name="Open the demonstration").click()
+    page.wait_for_document()
+    assert page.page.locator("#empty").is_hidden()
+    assert page.segments.count() == len(page.document["segments"]) > 3
+    shown = shipped("data") / "setup1.npz"
+    assert (tmp_path / "setup1.npz").read_bytes() == shown.read_bytes()
+
+
+def test_without_a_recording_files_are_chosen_or_one_is_recorded(
+    tmp_path: Path, serve: Serve, visit: Visit
+) -> None:
+    page = visit(serve(folder=tmp_path), scene=False)
+    with page.page.expect_file_chooser():
+        page.page.get_by_role("button", name="Choose files…").click()
+    page.page.get_by_role("button", name="Record one").click()
+    page.panel.get_by_role("button", name="Record", exact=True).wait_for()
 
 
 def test_an_unreadable_recording_says_why(tmp_path: Path, serve: Serve, visit: Visit) -> None:

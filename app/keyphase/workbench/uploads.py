@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from keyphase.errors import KeyphaseError, RequestError
+from keyphase.files.shipped import shipped
 from keyphase.labeling.segment_file import SUFFIX as SEGMENTS
 from keyphase.labeling.segment_file import read_segment_file
 from keyphase.readers import Recipe, read
@@ -22,6 +23,9 @@ DEFAULT_LIMIT_BYTES = 2 << 30
 
 SUFFIXES = frozenset({".npz", ".csv", ".tsv", ".txt", ".dat", ".log", ".asc"})
 """How recordings end; a segment file ends as it always does."""
+
+DEMONSTRATION = "setup1.npz"
+"""The recording one is shown who has none yet."""
 
 _MAX_NAME_LENGTH = 80
 _UNSAFE = re.compile(r"[^A-Za-z0-9._-]+")
@@ -120,6 +124,21 @@ class Upload:
             self._part.replace(path)
             return path
         raise AssertionError("names never end")
+
+
+def copy_of_shipped(folder: Path) -> Path:
+    """A copy of the demonstration that comes with keyphase; the same one where it is there already.
+
+    Raises RequestError where nothing can be written into the folder.
+    """
+    source = shipped("data") / DEMONSTRATION
+    data = source.read_bytes()
+    present = folder / source.name
+    if present.is_file() and present.read_bytes() == data:
+        return present
+    copy = Upload(folder, source.name, len(data))
+    copy.write(data)
+    return copy.finish()
 
 
 def safe_name(name: str) -> str:

@@ -14,6 +14,7 @@ from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.desks.parameters import with_parameter
 from keyphase.workbench.showing.signals import signals_frame
+from keyphase.workbench.uploads import copy_of_shipped
 
 if TYPE_CHECKING:
     from keyphase.web.protocol.conversation import Conversation
@@ -124,6 +125,9 @@ def _look(page: "Conversation", request: ask.Request) -> None:
     match request:
         case ask.Open():
             view.open(request.id)
+        case ask.OpenDemonstration():
+            folder = page.workbench.settings.folder
+            view.errands.submit(lambda: view.add(copy_of_shipped(folder)))
         case ask.Follow():
             view.follow(request.page)
         case ask.Seek():

@@ -45,6 +45,10 @@ class Open(_Request, tag="open", frozen=True):
     id: _Id
 
 
+class OpenDemonstration(_Request, tag="open_demonstration", frozen=True):
+    """Look at a copy of the recording that comes with keyphase."""
+
+
 class Follow(_Request, tag="follow", frozen=True):
     """See what another page sees; null: no more."""
 
@@ -242,6 +246,7 @@ class Latency(_Request, tag="latency", frozen=True):
 
 Request = (
     Open
+    | OpenDemonstration
     | Follow
     | Set
     | Reset

@@ -117,7 +117,7 @@ createAnnouncer(store);
 createOutline(byId("timeline"), store, actions, { segment: segmentText, boundary: boundaryText });
 createSceneTools(store, actions);
 const replay = createReplay(store, replayActions);
-createEmpty(store, actions);
+createEmpty(store, actions, dialogs);
 createSpread(store, actions);
 createExplain(store, timeline, actions);
 createRename(store, timeline, actions);

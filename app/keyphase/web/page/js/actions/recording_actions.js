@@ -65,6 +65,10 @@ export function createRecordingActions(store, send, actions) {
     },
     keepLabels: () => send({ type: "keep_labels" }),
 
+    openDemonstration: () => send({ type: "open_demonstration" }),
+    /** To where a first one can be recorded. */
+    recordFirst: () => store.set({ tab: "record" }),
+
     nextRecording(direction) {
       const next = recordingBeside(state, direction);
       if (next) actions.open(next.id);

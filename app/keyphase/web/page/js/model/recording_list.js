@@ -44,6 +44,22 @@ export function nextUndone(state) {
   );
 }
 
+/** The next one that nobody has finished and that has a doubt left, in the order shown. */
+export function nextDoubtful(state) {
+  const shown = shownRecordings(state);
+  const at = shown.findIndex(({ id }) => id === state.recording);
+  return [...shown.slice(at + 1), ...shown.slice(0, Math.max(at, 0))].find(isDoubtful);
+}
+
+/** How many doubts are left in all recordings but the open one. */
+export function doubtsElsewhere({ recordings, recording }) {
+  return recordings.items
+    .filter((item) => item.id !== recording && isDoubtful(item))
+    .reduce((sum, { unsure }) => sum + unsure, 0);
+}
+
+const isDoubtful = (item) => item.state !== "done" && !item.error && item.unsure > 0;
+
 /**
  * How much of the beginning all names have in common, up to a place where a word begins; 0 where
  * cutting it would not help.

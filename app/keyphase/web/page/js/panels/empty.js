@@ -6,16 +6,15 @@ import { byId, el } from "../lib/dom.js";
 /**
  * @param {import("../lib/store.js").Store} store
  * @param {any} actions
+ * @param {{chooseFiles: () => void}} dialogs
  */
-export function createEmpty(store, actions) {
+export function createEmpty(store, actions, dialogs) {
   const node = byId("empty");
   store.later(
     ["document", "recordings", "connected", "progress", "greeted", "workcell"],
-    ({ document: doc, recordings, connected, progress, greeted, workcell }) => {
+    ({ document: doc, connected, workcell }) => {
       const content =
-        doc || (workcell && connected)
-          ? null
-          : contentFor(recordings, connected, progress, greeted, actions);
+        doc || (workcell && connected) ? null : contentFor(store.state, actions, dialogs);
       node.hidden = !content;
       byId("timeline").classList.toggle("vacant", !doc);
       node.classList.toggle("bad", Boolean(content?.bad));
@@ -24,11 +23,12 @@ export function createEmpty(store, actions) {
   );
 }
 
-function contentFor({ items }, connected, progress, greeted, actions) {
+function contentFor({ recordings, connected, progress, greeted, lookingOnly }, actions, dialogs) {
+  const { items } = recordings;
   if (!greeted) return connected ? null : notConnected();
   if (progress && !progress.done)
     return { nodes: [el("h2", { text: "Opening" }), el("p", { text: progress.what })] };
-  if (!items.length) return noRecording();
+  if (!items.length) return noRecording(lookingOnly ? [] : firstSteps(actions, dialogs));
   const broken = items.find(({ error }) => error);
   if (broken) return unreadable(broken, items, actions);
   return { nodes: [el("h2", { text: "Opening" }), el("p", { text: items[0].name })] };
@@ -46,22 +46,34 @@ function notConnected() {
   };
 }
 
-function noRecording() {
+/** What can be done without a recording, the likeliest first. */
+function firstSteps(actions, { chooseFiles }) {
+  const steps = [
+    ["Open the demonstration", "primary", actions.openDemonstration],
+    ["Choose files…", "", chooseFiles],
+    ["Record one", "", actions.recordFirst],
+  ];
+  return steps.map(([text, look, run]) =>
+    el("button", { type: "button", class: `button ${look}`, text, on: { click: run } }),
+  );
+}
+
+function noRecording(buttons) {
   return {
     nodes: [
       el("h2", { text: "No recording is open" }),
+      el("p", {
+        text: "Drop recordings here: NPZ or CSV files with time and position, and force, torque, orientation or joint angles where you have them. Other tables open with a recipe beside them.",
+      }),
       el(
         "p",
         {},
-        "Open one from a terminal: ",
+        "From a terminal: ",
         el("code", { text: "keyphase my_demonstration.npz" }),
         " or ",
         el("code", { text: "keyphase my_folder" }),
-        ", or drop a file here.",
       ),
-      el("p", {
-        text: "A recording is an NPZ or CSV file with time and position, and force, torque, orientation or joint angles where you have them. Other tables open with a recipe beside them.",
-      }),
+      el("div", { class: "buttons" }, ...buttons),
     ],
   };
 }

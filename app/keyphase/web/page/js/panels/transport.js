@@ -1,5 +1,6 @@
 /** Playback and the edits one makes most, between scene and timeline. */
 
+import { doubtsElsewhere } from "../model/recording_list.js";
 import { unsureBoundaries } from "../model/unsure.js";
 import { byId, el, icon } from "../lib/dom.js";
 import { moment, time as timeText } from "../lib/format.js";
@@ -136,7 +137,7 @@ export function createTransport(store, actions, menus) {
     snap.classList.toggle("on", on);
     snap.setAttribute("aria-pressed", String(on));
   });
-  store.later(["document", "current"], unsure.draw);
+  store.later(["document", "current", "recordings"], unsure.draw);
 }
 
 /** How many boundaries are unsure, which is the least certain, and the way through them. */
@@ -165,13 +166,18 @@ function createUnsure(actions) {
   );
   return {
     node,
-    draw({ document: doc, current }) {
+    draw(state) {
+      const { document: doc, current } = state;
       const unsure = unsureBoundaries(doc);
-      node.hidden = unsure.length === 0;
-      if (!unsure.length) return;
+      const elsewhere = doubtsElsewhere(state);
+      node.hidden = !doc || unsure.length + elsewhere === 0;
+      if (node.hidden) return;
+      count.textContent = unsure.length ? `${unsure.length} unsure` : `${elsewhere} elsewhere`;
       const index = unsure.includes(current) ? current : unsure[0];
-      count.textContent = `${unsure.length} unsure`;
-      which.textContent = `boundary ${index + 1}, ${doc.boundaries[index].confidence.toFixed(2)}`;
+      which.textContent = unsure.length
+        ? `boundary ${index + 1}, ${doc.boundaries[index].confidence.toFixed(2)}`
+        : "unsure";
+      node.title = elsewhere ? `${elsewhere} more in other recordings` : "";
     },
   };
 }
