@@ -40,7 +40,7 @@ SEGMENT_COLORS: NDArray[np.uint8] = np.array(
 )
 """Colours of segments in both themes; they repeat, and the number tells segments apart."""
 
-IDLE = _rgb("#9aa3ad")
+IDLE = _rgb("#6f7780")
 """The path of idle and dropped segments."""
 
 LIGHT = Theme(
