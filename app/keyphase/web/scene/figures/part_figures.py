@@ -18,6 +18,9 @@ UNSEEN = 1e-6
 GREYER = 0.25
 """How far the colours of parts are from what they are to grey."""
 
+LEAST_BRIGHT = 0.68
+"""The brightest of red, green and blue; what is darker is lost on the ground of the dark theme."""
+
 
 class PartFigures:
     """One frame for each part, its shapes below it; not for several threads at once."""
@@ -65,5 +68,6 @@ def _rgb(rgba: tuple[float, float, float, float]) -> Rgb:
     """The colour of a part, a little greyer, so that the path and the forces stand out."""
     color = np.array(rgba[:3])
     muted = color + GREYER * (color.mean() - color)
+    muted = muted * max(1.0, LEAST_BRIGHT / max(float(muted.max()), 0.01))
     red, green, blue = np.round(255.0 * muted).astype(int).tolist()
     return painted((red, green, blue), PART_GAMMA)
