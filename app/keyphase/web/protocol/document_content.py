@@ -14,6 +14,7 @@ from keyphase.web.protocol import document_messages as say
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.recordings import printable
 from keyphase.workbench.showing.doubts import is_unsure
+from keyphase.workbench.showing.force_steps import greatest_step
 from keyphase.workbench.showing.reasons import Meeting, sentences
 from keyphase.workbench.showing.short_labels import short_labels
 from keyphase.workbench.showing.thresholds import (
@@ -71,6 +72,7 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         undo=state.document.undo_name,
         redo=state.document.redo_name,
         saved_at=state.saved_at,
+        greatest_step_N=greatest_step(labeling),
         state=state.state,
         locked=state.locked,
         changed=state.changed,

@@ -156,6 +156,7 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     threshold     the force threshold in force; null without force
     unlike        over 0.2: unlike anything the weights were fitted on
     candidates    where boundaries could be, and what became of each
+    greatest_step_N  the change of force that the longest arrow of the scene stands for
     locked        why nothing can be changed; null where it can
     changed       the file is no longer the one that was labeled
     labels        the folder's vocabulary, in the order of the number keys
@@ -192,6 +193,7 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     undo: str | None
     redo: str | None
     saved_at: str | None
+    greatest_step_N: float | None
     state: State
     locked: str | None
     changed: bool

@@ -17,9 +17,7 @@ from keyphase.web.scene.recording.path_geometry import (
     ellipsoids,
     heaviest,
 )
-
-_NEAR_S = 0.1
-"""A boundary's change of force is that of evidence no further from its interval than this."""
+from keyphase.workbench.showing.force_steps import force_step
 
 
 def draw_gaussians(client: viser.ClientHandle, labeling: Labeling, path: Path) -> None:
@@ -64,7 +62,7 @@ def draw_forces(
 
     With a segment selected only those at its ends; of very many the greatest only.
     """
-    found = [(one, _force_step(one, labeling)) for one in labeling.boundaries]
+    found = [(one, force_step(one, labeling)) for one in labeling.boundaries]
     steps = [(hypot(*step), one, step) for one, step in found if step is not None]
     steps = sorted(steps, key=lambda one: -one[0])[:MAX_ARROWS]
     scale = MAX_ARROW * path.size_m / max(steps[0][0] if steps else 0.0, 1e-9)
@@ -94,24 +92,6 @@ def _ends(boundary: LabeledBoundary, labeling: Labeling, segment: int) -> bool:
         return False
     one = labeling.segments[segment]
     return boundary.time_s in (one.start_s, one.end_s)
-
-
-def _force_step(boundary: LabeledBoundary, labeling: Labeling) -> tuple[float, float, float] | None:
-    """The change of force (3,) [N] at a contact change; None where there is none to show."""
-    if not boundary.contact_change or boundary.automatic is None:
-        return None
-    if boundary.automatic.peak is not None:
-        return boundary.automatic.peak.force_step_N
-    given = [
-        one
-        for one in labeling.segmentation.candidates
-        if one.given and one.force_step_N is not None
-    ]
-    nearest = min(given, key=lambda one: abs(one.time_s - boundary.automatic.time_s), default=None)
-    low, high = boundary.automatic.interval_s
-    if nearest is None or not low - _NEAR_S <= nearest.time_s <= high + _NEAR_S:
-        return None
-    return nearest.force_step_N
 
 
 def _position_m(labeling: Labeling, time_s: float) -> Array:

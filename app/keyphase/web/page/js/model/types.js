@@ -24,6 +24,7 @@
  *   segments: Segment[], peaks: Peak[], candidates?: Candidate[], gaussians: Object[], plan: PlanEntry[],
  *   proposed_drops: number[], inapplicable: {edit: Object, text: string}[],
  *   selected: number|null, undo: string|null, redo: string|null, saved_at: string|null,
+ *   greatest_step_N?: number|null,
  *   labels: {name: string, color: string}[],
  *   state: "automatic"|"touched"|"done", locked: string|null, changed: boolean}} Doc
  *

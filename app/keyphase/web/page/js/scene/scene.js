@@ -73,7 +73,7 @@ function legend(doc) {
       ),
     );
   }
-  if (doc.channels.includes("force")) {
+  if (doc.greatest_step_N) {
     parts.push(
       el(
         "span",
@@ -88,7 +88,7 @@ function legend(doc) {
           }),
           svg("path", { d: "M18 0l8 4-8 4z", style: { fill: "var(--origin-force)" } }),
         ),
-        "force, 5 N",
+        `force changes, the longest by ${doc.greatest_step_N.toFixed(1)} N`,
       ),
     );
   }
