@@ -4,11 +4,11 @@
  */
 
 import { middle, segmentAt } from "../model/segments.js";
-import { nextDoubtful, nextUndone } from "../model/recording_list.js";
-import { isUnsure, unsureBoundaries } from "../model/unsure.js";
+import { isUnsure } from "../model/unsure.js";
 import { SPEEDS } from "../model/playback.js";
 import { createPanelActions } from "./panel_actions.js";
 import { createPlanActions } from "./plan_actions.js";
+import { createDoubtActions } from "./doubt_actions.js";
 import { createViewActions } from "./view_actions.js";
 import { createRecordingActions } from "./recording_actions.js";
 import { nearestEvidence, REACH_PX } from "../model/snapping.js";
@@ -78,13 +78,6 @@ export function createActions(store, send, latency, own) {
   });
   store.on(["connected", "recording"], () => (asked = null));
 
-  /** The recording that is on its way so that its doubts are visited. @type {string|null} */
-  let doubtIn = null;
-  store.on(["recording"], ({ recording }) => {
-    if (recording === doubtIn) actions.visitUnsure(1);
-    doubtIn = null;
-  });
-
   const actions = {
     send,
     open: (id) => send({ type: "open", id }),
@@ -133,13 +126,6 @@ export function createActions(store, send, latency, own) {
       store.set({ current: index, explained: index });
       actions.goTo(doc().boundaries[index].time_s);
     },
-    visitUnsure(direction) {
-      const unsure = unsureBoundaries(doc());
-      if (!unsure.length) return actions.doubtElsewhere();
-      const at = unsure.indexOf(state.current);
-      const next = at < 0 ? (direction > 0 ? 0 : unsure.length - 1) : at + direction;
-      return actions.visit(unsure.at(next % unsure.length));
-    },
 
     /** @param {number|null} index */
     select(index) {
@@ -176,24 +162,6 @@ export function createActions(store, send, latency, own) {
       store.set({ current: null, explained: null });
       edit({ kind: "remove", time_s: boundary.time_s });
       if (wasUnsure) actions.nextDoubt();
-    },
-    /** Goes to the next recording with an unsure boundary, and there to the least certain one. */
-    doubtElsewhere() {
-      const next = nextDoubtful(state);
-      if (!next) return store.set({ notice: { level: "info", text: "No boundary is unsure." } });
-      doubtIn = next.id;
-      return actions.open(next.id);
-    },
-    /** The next unsure boundary; where none is left, what can be done now is told. */
-    nextDoubt() {
-      const unsure = unsureBoundaries(doc());
-      if (unsure.length) return actions.visit(unsure[0]);
-      store.set({ current: null, explained: null });
-      const next = nextUndone(state);
-      const on = next && next.id !== state.recording ? `, on to ${next.name}` : "";
-      const doubtful = nextDoubtful(state);
-      const other = doubtful ? ` N: the next doubt, in ${doubtful.name}.` : "";
-      return store.set({ notice: { level: "info", text: `No doubt left. K: done${on}.${other}` } });
     },
     moveBoundary(from, to) {
       if (Math.abs(to - from) > 1e-6) edit({ kind: "move", from_s: from, to_s: to });
@@ -297,6 +265,7 @@ export function createActions(store, send, latency, own) {
   return Object.assign(
     actions,
     createPlanActions(store, { edit, onSegment }),
+    createDoubtActions(store, actions),
     createViewActions(store),
     createRecordingActions(store, send, actions),
     createPanelActions(store, send),

@@ -1,0 +1,49 @@
+/** From one unsure boundary to the next, in this recording and then in the others. */
+
+import { nextDoubtful, nextUndone } from "../model/recording_list.js";
+import { unsureBoundaries } from "../model/unsure.js";
+
+/**
+ * @param {import("../lib/store.js").Store} store
+ * @param {any} actions those these build on
+ */
+export function createDoubtActions(store, actions) {
+  const { state } = store;
+  /** The recording that is on its way so that its doubts are visited. @type {string|null} */
+  let wanted = null;
+  store.on(["recording"], ({ recording }) => {
+    if (recording === wanted) own.visitUnsure(1);
+    wanted = null;
+  });
+  const tell = (text) => store.set({ notice: { level: "info", text } });
+
+  /** Goes to the next recording with an unsure boundary, and there to the least certain one. */
+  function goOn() {
+    const next = nextDoubtful(state);
+    if (!next) return tell("No boundary is unsure.");
+    wanted = next.id;
+    return actions.open(next.id);
+  }
+
+  const own = {
+    visitUnsure(direction) {
+      const unsure = unsureBoundaries(state.document);
+      if (!unsure.length) return goOn();
+      const at = unsure.indexOf(state.current);
+      const next = at < 0 ? (direction > 0 ? 0 : unsure.length - 1) : at + direction;
+      return actions.visit(unsure.at(next % unsure.length));
+    },
+    /** The next unsure boundary; where none is left, what can be done now is told. */
+    nextDoubt() {
+      const unsure = unsureBoundaries(state.document);
+      if (unsure.length) return actions.visit(unsure[0]);
+      store.set({ current: null, explained: null });
+      const next = nextUndone(state);
+      const on = next && next.id !== state.recording ? `, on to ${next.name}` : "";
+      const doubtful = nextDoubtful(state);
+      const other = doubtful ? ` N: the next doubt, in ${doubtful.name}.` : "";
+      return tell(`No doubt left. K: done${on}.${other}`);
+    },
+  };
+  return own;
+}
