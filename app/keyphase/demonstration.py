@@ -12,11 +12,11 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from keyphase.arrays import Array as Array
 from keyphase.errors import DemonstrationError
-
-Array = NDArray[np.float64]
+from keyphase.rotations.courses import continued
 
 UNIT_TOLERANCE = 1e-3
 """How far a quaternion's norm may be from one before it is refused rather than normalised."""
@@ -240,6 +240,4 @@ def _unit_and_continuous(wxyz: Array, name: str) -> Array:
     # Dividing a unit quaternion by its rounded norm would change its last digit on every reading.
     exact = np.abs(norms - 1.0) <= 4 * np.finfo(np.float64).eps
     unit = wxyz / np.where(exact, 1.0, norms)[:, None]
-    turns = np.sum(unit[1:] * unit[:-1], axis=1) < 0
-    signs = np.where(np.concatenate([[False], np.cumsum(turns) % 2 == 1]), -1.0, 1.0)
-    return _frozen(unit * signs[:, None])
+    return _frozen(continued(unit))

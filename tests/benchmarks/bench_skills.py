@@ -16,8 +16,8 @@ from movement_primitives import dmp
 sys.path.insert(0, str(Path(__file__).parents[1] / "skills"))
 from strokes import DURATION_S, TIME_S, H, lowered, segment, stroke, turn
 
+from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ContactEnd, end_condition_at
-from keyphase.skills import quaternions
 from keyphase.skills.coupling import Measured, start, step
 from keyphase.skills.end_monitor import start_monitor
 from keyphase.skills.fitting import fit_primitive

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from keyphase.skills import Sensed, quaternions
+from keyphase.rotations import quaternions
+from keyphase.skills import Sensed
 
 MASS_KG, STIFFNESS, DAMPING = 2.0, 2000.0, 180.0
 FLOOR_N_M, SUBSTEPS, H = 2e4, 40, 0.004

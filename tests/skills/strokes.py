@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 
 from keyphase.demonstration import Demonstration
+from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ConfigurationEnd
-from keyphase.skills import quaternions
 from keyphase.skills.connecting import minimum_jerk
 
 H = 0.004

@@ -11,7 +11,7 @@ from movement_primitives import dmp
 from numpy.testing import assert_allclose
 from strokes import DURATION_S, TIME_S, H, stroke, turn
 
-from keyphase.skills import quaternions
+from keyphase.rotations import quaternions
 from keyphase.skills.fitting import least_squares_weights
 from keyphase.skills.primitive import (
     PHASE_SPAN,

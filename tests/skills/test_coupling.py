@@ -16,7 +16,7 @@ from strokes import (
     turn,
 )
 
-from keyphase.skills import quaternions
+from keyphase.rotations import quaternions
 from keyphase.skills.coupling import REFERENCE_REACH, Measured, start, step
 from keyphase.skills.fitting import fit_primitive
 from keyphase.skills.rollout import rollout

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from strokes import H, lowered, segment, turn
 
+from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ContactEnd
-from keyphase.skills import quaternions
 from keyphase.skills.end_monitor import start_monitor
 from keyphase.skills.library import skill_of
 from keyphase.skills.rollout import rollout

@@ -8,9 +8,9 @@ from strokes import H, degrees_between, lowered, millimetres_between, segment, t
 from keyphase.demonstration import Demonstration
 from keyphase.errors import ParameterError, SkillError
 from keyphase.readers import read
+from keyphase.rotations import quaternions
 from keyphase.segmentation import segment as segment_demonstration
 from keyphase.segmentation.end_condition import ContactEnd
-from keyphase.skills import quaternions
 from keyphase.skills.connecting import PEAK_SPEED_M_S, PEAK_TURN_RAD_S, connecting_skill
 from keyphase.skills.execution.shift import shift_after
 from keyphase.skills.fitting import angular_velocity_of

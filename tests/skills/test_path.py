@@ -7,8 +7,8 @@ from strokes import H, lowered, millimetres_between, segment, stroke
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import SkillError
+from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ContactEnd
-from keyphase.skills import quaternions
 from keyphase.skills.library import skill_of
 from keyphase.skills.path import Path, direction_of_travel, extended, path_of
 from keyphase.skills.rollout import rollout

@@ -17,7 +17,7 @@ from strokes import (
 )
 
 from keyphase.errors import ParameterError, SkillError
-from keyphase.skills import quaternions
+from keyphase.rotations import quaternions
 from keyphase.skills.fitting import fit_primitive
 from keyphase.skills.primitive import Constants
 from keyphase.skills.rollout import rollout

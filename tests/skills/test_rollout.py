@@ -6,7 +6,7 @@ from numpy.testing import assert_allclose
 from strokes import TIME_S, H, stroke, turn
 
 from keyphase.errors import SkillError
-from keyphase.skills import quaternions
+from keyphase.rotations import quaternions
 from keyphase.skills.coupling import Measured, start, step
 from keyphase.skills.fitting import fit_primitive
 from keyphase.skills.rollout import rollout

@@ -11,9 +11,9 @@ from jsonschema import Draft202012Validator
 from strokes import lowered, segment
 
 from keyphase.errors import SkillError
+from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
 from keyphase.segmentation.end_condition.watch import Arming
-from keyphase.skills import quaternions
 from keyphase.skills.exports.skill_file import (
     library_of_text,
     read_skills,

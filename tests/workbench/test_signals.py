@@ -93,3 +93,13 @@ def test_a_track_that_was_not_recorded_has_no_curves(turning: Demonstration) -> 
     assert tracks.names == ("position", "speed", "orientation")
     assert tracks.track("force") == ()
     assert tracks.track("nonsense") == ()
+
+
+def test_the_rotation_is_followed_past_half_a_turn_and_past_a_whole_one() -> None:
+    time_s = np.linspace(0.0, 6.0, 301)
+    degrees = 120.0 * time_s
+    wxyz = np.column_stack(
+        [np.cos(np.radians(degrees / 2)), 0 * time_s, 0 * time_s, np.sin(np.radians(degrees / 2))]
+    )
+    turning = Demonstration("spun", time_s, np.zeros((301, 3)), -wxyz)
+    assert rotation_from_start_deg(turning)[:, 2] == pytest.approx(degrees, abs=1e-6)

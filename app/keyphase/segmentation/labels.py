@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.rotations.quaternions import difference, from_rotation_vector
 from keyphase.segmentation.contact import ContactForce, contact_force_of
 from keyphase.segmentation.motion import METRES_PER_RADIAN, Motion, motion_of
 from keyphase.segmentation.paper.strokes import idle_speed, mean_velocity
@@ -182,15 +183,8 @@ def _rotation(turn_rad: Array) -> tuple[str, str]:
 def _rotation_between(motion: Motion, first: int, last: int) -> Array:
     """Rotation vector (3,) from one bin to another, base frame, not folded at 180°."""
     assert motion.rotation_rad is not None
-    from scipy.spatial.transform import Rotation
-
-    start, end = Rotation.from_rotvec(motion.rotation_rad[[first, last]])
-    short = (end * start.inv()).as_rotvec()
-    coarse = motion.rotation_rad[last] - motion.rotation_rad[first]
-    angle = float(np.linalg.norm(short))
-    if angle > 1e-9 and short @ coarse < 0 and np.linalg.norm(coarse) > np.pi:
-        return short * (1.0 - 2.0 * np.pi / angle)
-    return short
+    start, end = from_rotation_vector(motion.rotation_rad[[first, last]])
+    return difference(end, start)
 
 
 def _length(metres: float) -> str:

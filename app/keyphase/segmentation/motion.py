@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.rotations.courses import from_first
 from keyphase.segmentation.bins import bin_means, bin_starts, typical_step_s
 
 METRES_PER_RADIAN = 0.2
@@ -44,23 +45,9 @@ def motion_of(demonstration: Demonstration) -> Motion:
     time = bin_means(demonstration.time_s, starts)
     position = bin_means(demonstration.position_m, starts)
     wxyz = demonstration.orientation_wxyz
-    rotation = None if wxyz is None else rotation_vectors(bin_means(wxyz, starts))
+    rotation = None if wxyz is None else from_first(bin_means(wxyz, starts))
     pose = _pose(position, rotation)
     return Motion(time, position, rotation, pose, _speed(time, pose))
-
-
-def rotation_vectors(wxyz: Array) -> Array:
-    """Rotation vectors (n, 3) [rad] of sign-continuous quaternions (n, 4) from the first one.
-
-    The logarithm is taken without folding to the shortest arc, so that it goes on past 180°.
-    """
-    w0, v0 = wxyz[0, 0], wxyz[0, 1:]
-    w = wxyz[:, 0] * w0 + wxyz[:, 1:] @ v0
-    v = w0 * wxyz[:, 1:] - wxyz[:, :1] * v0 - np.cross(wxyz[:, 1:], v0)
-    sine = np.linalg.norm(v, axis=1)
-    small = sine < 1e-9
-    scale = np.where(small, 2.0, 2.0 * np.arctan2(sine, w) / np.where(small, 1.0, sine))
-    return scale[:, None] * v
 
 
 def _pose(position: Array, rotation: Array | None) -> Array:

@@ -3,10 +3,10 @@
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.segmentation.end_condition.agreement import WITHIN_S
 from keyphase.segmentation.end_condition.travel import RATE_HZ, sampled
-from keyphase.skills import quaternions
 from keyphase.skills.end_monitor import Outcome, start_monitor
 from keyphase.skills.primitive import PHASE_SPAN
 from keyphase.skills.skill import Skill

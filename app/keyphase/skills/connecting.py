@@ -5,8 +5,8 @@ from math import ceil
 import numpy as np
 
 from keyphase.demonstration import Array
+from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ConfigurationEnd
-from keyphase.skills import quaternions
 from keyphase.skills.fitting import fit_primitive
 from keyphase.skills.path import RATE_HZ
 from keyphase.skills.skill import Skill

@@ -24,9 +24,8 @@ from numpy.typing import ArrayLike
 
 from keyphase.demonstration import Array
 from keyphase.errors import SkillError
-from keyphase.skills import quaternions, turns
-from keyphase.skills.changed import changed
-from keyphase.skills.components import (
+from keyphase.rotations import quaternions, turns
+from keyphase.rotations.components import (
     Components,
     chosen,
     components,
@@ -36,6 +35,7 @@ from keyphase.skills.components import (
     larger,
     number,
 )
+from keyphase.skills.changed import changed
 from keyphase.skills.primitive import (
     Primitive,
     forces,

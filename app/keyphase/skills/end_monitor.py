@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from keyphase.demonstration import Array
+from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
 from keyphase.segmentation.end_condition.watch import Arming
-from keyphase.skills import quaternions
 from keyphase.skills.changed import changed
 from keyphase.skills.primitive import progress
 from keyphase.skills.skill import Skill

@@ -7,7 +7,8 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.errors import ParameterError, SkillError
-from keyphase.skills import quaternions
+from keyphase.rotations import quaternions
+from keyphase.rotations.courses import angular_velocity
 from keyphase.skills.primitive import (
     PHASE_SPAN,
     Constants,
@@ -112,20 +113,10 @@ def locally_weighted_weights(
 def _forcing_of_path(
     time_s: Array, position_m: Array, wxyz: Array, left: Array, tau: float, constants: Constants
 ) -> Array:
-    velocity = np.hstack(
-        [np.gradient(position_m, time_s, axis=0), angular_velocity_of(time_s, wxyz)]
-    )
+    velocity = np.hstack([np.gradient(position_m, time_s, axis=0), angular_velocity(time_s, wxyz)])
     acceleration = np.gradient(velocity, time_s, axis=0)
     spring = constants.alpha_z * (constants.beta_z * left - tau * velocity)
     return tau**2 * acceleration - spring
-
-
-def angular_velocity_of(time_s: Array, wxyz: Array) -> Array:
-    """Angular velocity (M, 3) in the base frame, by central differences [rad/s]."""
-    after = np.minimum(np.arange(len(time_s)) + 1, len(time_s) - 1)
-    before = np.maximum(np.arange(len(time_s)) - 1, 0)
-    turn = quaternions.difference(wxyz[after], wxyz[before])
-    return turn / (time_s[after] - time_s[before])[:, None]
 
 
 def _scaled_axes(left: Array) -> Array:

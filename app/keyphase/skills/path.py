@@ -9,10 +9,10 @@ from scipy.signal import savgol_filter
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import SkillError
+from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.segmentation.end_condition.travel import last_way
-from keyphase.skills import quaternions
-from keyphase.skills.fitting import MIN_SAMPLES, angular_velocity_of
+from keyphase.skills.fitting import MIN_SAMPLES, angular_velocity
 
 RATE_HZ = 250.0
 """Samples per second of a path; demonstrations come at any rate, even or not."""
@@ -118,7 +118,7 @@ def _turned_on(path: Path, time: Array, brake_s: float) -> Array | None:
     if wxyz is None:
         return None
     window = max(round(END_WINDOW_S * RATE_HZ), 1)
-    velocity = angular_velocity_of(path.time_s, wxyz)[-window:].mean(axis=0)
+    velocity = angular_velocity(path.time_s, wxyz)[-window:].mean(axis=0)
     angle = brake_s * _braked(time / brake_s)
     turn = quaternions.from_rotation_vector(angle[:, None] * velocity)
     return np.concatenate([wxyz, quaternions.product(turn, wxyz[-1])])

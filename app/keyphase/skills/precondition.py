@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import radians
 
 from keyphase.demonstration import Array
-from keyphase.skills import quaternions
+from keyphase.rotations import quaternions
 from keyphase.skills.coupling import Measured
 from keyphase.skills.pressed import KeptForce
 from keyphase.skills.primitive import Primitive

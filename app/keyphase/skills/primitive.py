@@ -22,8 +22,8 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.errors import ParameterError
-from keyphase.skills import turns
-from keyphase.skills.components import Components, components, joined, number
+from keyphase.rotations import turns
+from keyphase.rotations.components import Components, components, joined, number
 
 PHASE_SPAN = 3.0
 """The duration in units of tau: the phase falls from 1 to exp(-3 alpha_x)."""

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 from scipy.signal import lfilter
 
 from keyphase.demonstration import Array
-from keyphase.skills import quaternions
+from keyphase.rotations import quaternions
 from keyphase.skills.coupling import goal_pose, refuse_not_positive, start_pose, substeps
 from keyphase.skills.primitive import (
     Constants,

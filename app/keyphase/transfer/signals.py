@@ -8,9 +8,9 @@ opening over its range. A recording of another operator, another place or anothe
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.rotations.courses import from_first
 
 RATE_HZ = 25.0
 """Enough for phases; an alignment costs its square."""
@@ -67,8 +67,7 @@ def _force(force: Array) -> dict[str, Array]:
 def _turn(time_s: Array, wxyz: Array, grid: Array) -> Array:
     """Rotation vector (M, 3) from the first orientation."""
     nearest = np.clip(np.searchsorted(time_s, grid), 0, len(time_s) - 1)
-    rotations = Rotation.from_quat(wxyz[nearest], scalar_first=True)
-    return (rotations * rotations[0].inv()).as_rotvec()
+    return from_first(wxyz[nearest])
 
 
 def _at(time_s: Array, values: Array, grid: Array) -> Array:

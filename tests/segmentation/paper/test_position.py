@@ -8,8 +8,9 @@ from scipy.spatial.transform import Rotation
 
 import synthetic
 from keyphase.demonstration import Demonstration
+from keyphase.rotations.courses import from_first
 from keyphase.segmentation import Parameters, segment
-from keyphase.segmentation.motion import motion_of, rotation_vectors
+from keyphase.segmentation.motion import motion_of
 from keyphase.segmentation.paper.position import (
     WINDOW_S,
     PositionFit,
@@ -206,5 +207,5 @@ def test_rotation_vectors_go_on_past_half_a_turn():
     wxyz = Rotation.from_rotvec(angle[:, None] * [0, 0.6, 0.8]).as_quat(scalar_first=True)
     continuous = Demonstration("turn", np.arange(200.0), np.zeros((200, 3)), wxyz)
     assert continuous.orientation_wxyz is not None
-    vectors = rotation_vectors(continuous.orientation_wxyz)
+    vectors = from_first(continuous.orientation_wxyz)
     np.testing.assert_allclose(vectors, angle[:, None] * [0, 0.6, 0.8], atol=1e-9)

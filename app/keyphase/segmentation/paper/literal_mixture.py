@@ -9,7 +9,8 @@ import warnings
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.segmentation.motion import METRES_PER_RADIAN, rotation_vectors
+from keyphase.rotations.courses import from_first
+from keyphase.segmentation.motion import METRES_PER_RADIAN
 from keyphase.segmentation.paper.position import PositionFit
 
 MAX_GAUSSIANS = 15
@@ -32,7 +33,7 @@ def fit_literal(demonstration: Demonstration, count: int | None, seed: int) -> P
 def _samples(demonstration: Demonstration) -> Array:
     columns = [demonstration.time_s[:, None], demonstration.position_m]
     if demonstration.orientation_wxyz is not None:
-        columns.append(METRES_PER_RADIAN * rotation_vectors(demonstration.orientation_wxyz))
+        columns.append(METRES_PER_RADIAN * from_first(demonstration.orientation_wxyz))
     return np.hstack(columns)[:: -(-len(demonstration) // MAX_SAMPLES)]
 
 

@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from keyphase.demonstration import Array
-from keyphase.skills import coupling, quaternions
+from keyphase.rotations import quaternions
+from keyphase.skills import coupling
 from keyphase.skills.coupling import Reference
 from keyphase.skills.end_monitor import Outcome, start_monitor
 from keyphase.skills.execution.guard import guard_of

@@ -3,7 +3,7 @@
 import numpy as np
 
 from keyphase.demonstration import Array
-from keyphase.skills import quaternions
+from keyphase.rotations import quaternions
 from keyphase.skills.changed import changed
 from keyphase.skills.coupling import Reference
 from keyphase.skills.execution.sensed import Sensed

@@ -11,8 +11,8 @@ from itertools import pairwise
 import numpy as np
 
 from keyphase.demonstration import Array
+from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ContactEnd
-from keyphase.skills import quaternions
 from keyphase.skills.execution.guard import SPEED_M_S, guarded_speed
 from keyphase.skills.skill import Skill, drawn
 

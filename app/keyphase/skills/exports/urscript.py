@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from keyphase.demonstration import Array
-from keyphase.skills import quaternions
+from keyphase.rotations import quaternions
 from keyphase.skills.exports.robot_moves import RobotMove, UntilContact, robot_moves
 from keyphase.skills.skill import Skill
 

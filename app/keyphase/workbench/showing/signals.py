@@ -8,10 +8,10 @@ from functools import cached_property
 from types import MappingProxyType
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 from tsdownsample import MinMaxDownsampler
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.rotations.courses import from_first
 from keyphase.segmentation.segmentation import ErrorCurve, EvidenceTrack
 
 POINTS_PER_PIXEL = 2
@@ -124,10 +124,9 @@ def speed_mm_s(demonstration: Demonstration) -> Array:
 
 
 def rotation_from_start_deg(demonstration: Demonstration) -> Array:
-    """(N, 3) rotation vector relative to the first sample, in the base frame [deg]."""
+    """(N, 3) rotation vector from the first sample, base frame, however far it turns [deg]."""
     assert demonstration.orientation_wxyz is not None
-    turns = Rotation.from_quat(demonstration.orientation_wxyz, scalar_first=True)
-    return np.rad2deg((turns * turns[0].inv()).as_rotvec())
+    return np.rad2deg(from_first(demonstration.orientation_wxyz))
 
 
 def signals_frame(

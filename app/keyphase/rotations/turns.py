@@ -1,10 +1,10 @@
 """Rotations by component: unit quaternions w x y z and rotation vectors as sequences of parts.
 
-What `keyphase.skills.quaternions` does to arrays, for formulae that are themselves written by
-component (`keyphase.skills.components`) and would take arrays apart again.
+What `keyphase.rotations.quaternions` does to arrays, for formulae that are themselves written by
+component (`keyphase.rotations.components`) and would take arrays apart again.
 """
 
-from keyphase.skills.components import Components, functions
+from keyphase.rotations.components import Components, functions
 
 _TINY = 1e-300
 """Added to divisors, so that a zero rotation gives zero."""

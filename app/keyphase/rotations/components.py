@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from keyphase.demonstration import Array
+from keyphase.arrays import Array
 
 Components = Sequence[Any]
 """The entries of the last axis, each a plain number or an array over the batch."""

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
-from keyphase.skills import quaternions
+from keyphase.rotations import quaternions
 
 vectors = st.tuples(*[st.floats(-3.0, 3.0, allow_nan=False)] * 3).map(np.array)
 

@@ -6,9 +6,9 @@ sign-continuous quaternions a rotation is followed past 180 degrees.
 
 import numpy as np
 
-from keyphase.demonstration import Array
-from keyphase.skills import turns
-from keyphase.skills.components import components, joined
+from keyphase.arrays import Array
+from keyphase.rotations import turns
+from keyphase.rotations.components import components, joined
 
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
 

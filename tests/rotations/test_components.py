@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
 
+from keyphase.rotations.components import chosen, components, dot, functions, joined, larger, number
 from keyphase.skills.changed import changed
-from keyphase.skills.components import chosen, components, dot, functions, joined, larger, number
 
 BATCH = np.random.default_rng(0).normal(size=(5, 3))
 
