@@ -150,3 +150,16 @@ def test_steps_of_half_a_newton_beside_a_press_of_nine_are_less_likely():
     assert contacts[14] > 0.9
     assert contacts[19] > 0.9
     assert all(chance < 0.6 for time_s, chance in contacts.items() if time_s not in (14, 19))
+
+
+def test_a_stop_too_short_for_two_boundaries_has_one_in_its_middle():
+    strokes, stop_s = 6, 0.14
+    phase = synthetic.minimum_jerk(np.linspace(0.0, 1.0, 50))
+    still = np.zeros(round(50 * stop_s))
+    out, back = (np.concatenate([p, still + p[-1]]) for p in (phase, 1.0 - phase))
+    way = np.concatenate([back if stroke % 2 else out for stroke in range(strokes)])
+    time = np.arange(len(way)) / 50.0
+    recording = Demonstration("swings", time, np.outer(way, [0.4, 0.0, 0.0]))
+    boundaries = [b.time_s for b in segment(recording).boundaries]
+    stops = (np.arange(strokes - 1) + 1) * (1.0 + stop_s) - 0.5 * stop_s
+    np.testing.assert_allclose(boundaries, stops, atol=0.1)

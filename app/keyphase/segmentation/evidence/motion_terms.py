@@ -176,9 +176,11 @@ def _stops(grid: Grid, speed: Speed, coarse: _Valleys) -> Indices:
         span = float(np.linalg.norm(np.ptp(pose[:, :3], axis=0)))
         place = min(max(_PLACE_SHARE * span, _PLACE_M[0]), _PLACE_M[1])
         margin = round(_SAME_S * grid.rate_hz)
+        # A shorter valley has one candidate, in its middle, which must not be taken for a swing.
+        shortest = max(LONG_DWELL_S * grid.rate_hz, 2 * margin)
         edges = zip(*coarse.edges(s[coarse.valley]), strict=True)
         for early, late in edges:
-            if late - early <= 2 * margin:
+            if late - early <= shortest:
                 continue
             stretch = pose[early + margin : late - margin]
             if float(np.linalg.norm(np.ptp(stretch, axis=0))) < place:
