@@ -179,7 +179,7 @@ def _spaced(side: Side, odds: Array) -> Array:
 def scores_left_out(
     recordings: Sequence[Taught], say: Callable[[str], None] = lambda _: None
 ) -> list[tuple[Taught, tuple[Array, Array]]]:
-    """Every recording with scores from lines that have not seen its family, a few left out at once."""
+    """Every recording with scores from lines that have not seen its family, nor a few others."""
     found = []
     names = sorted({t.family for t in recordings})
     for first in range(min(FOLDS, len(names))):
