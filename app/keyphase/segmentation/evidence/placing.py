@@ -26,9 +26,10 @@ def placed(
     ramp = tops[1] < 0.5 * np.maximum(tops[3], tops[4])
     slow = ramp & (tops[1] < 0.5 * tops[4]) & (tops[3] < 0.85 * tops[4])
     cell = _steepest(curves.step[0], at, int(_STEP_REACH_S * grid.rate_hz))
-    for index in np.flatnonzero(ramp):
-        place = _leaving_core(grid, view, int(at[index])) if slow[index] else None
-        cell[index] = _ramp(grid, int(at[index])) if place is None else place
+    cell[ramp] = _ramps(grid, at[ramp])
+    for index in np.flatnonzero(slow):
+        place = _leaving_core(grid, view, int(at[index]))
+        cell[index] = cell[index] if place is None else place
     reach = np.where(slow, 0.5, np.where(ramp, 0.25, 0.04)) * grid.rate_hz
     reach = np.maximum(reach, np.abs(cell - at)).astype(np.intp)
     last = len(grid) - 1
@@ -42,37 +43,43 @@ def _steepest(row: Array, at: Indices, reach: int) -> Indices:
     return cells[np.arange(len(at)), row[cells].argmax(axis=1)]
 
 
-def _ramp(grid: Grid, at: int) -> int:
-    """Where the force leaves a quiet level, or has come to rest on one; else the candidate.
+def _ramps(grid: Grid, at: Indices) -> Indices:
+    """Where the force leaves a quiet level, or has come to rest on one (C,); else the candidate.
 
-    Levels are the medians of 0.3 s on both ends of the two seconds around it.
+    Levels are the medians of 0.3 s on both ends of the two seconds around it; where the recording
+    is not that long around a candidate, it stays.
     """
     assert grid.wrench is not None
+    wrench, cell = grid.wrench, at.copy()
     reach, level = int(_RAMP_REACH_S * grid.rate_hz), max(3, int(_LEVEL_S * grid.rate_hz))
-    first, last = max(0, at - reach), min(len(grid), at + reach)
-    before = grid.wrench[max(0, first - level) : first]
-    after = grid.wrench[last : last + level]
-    if min(len(before), len(after)) < max(3, level // 2):
-        return at
-    (low, low_scatter), (high, high_scatter) = _level(before), _level(after)
-    jump = float(np.linalg.norm(high - low))
-    quieter, busier = sorted((low_scatter, high_scatter))
-    if quieter > 0.15 * jump or busier < 2.0 * quieter:
-        return at
-    if low_scatter < high_scatter:
-        distance = np.linalg.norm(grid.wrench[first : at + 1] - low, axis=1)
-        level_cells = np.flatnonzero(distance <= max(0.03 * jump, 3.0 * low_scatter))
-        return min(at, first + int(level_cells[-1]) + 1) if len(level_cells) else at
-    if high_scatter > 0.03:
-        return at
-    distance = np.linalg.norm(grid.wrench[at:last] - high, axis=1)
-    level_cells = np.flatnonzero(distance <= max(0.03 * jump, 3.0 * high_scatter))
-    return min(len(grid) - 1, at + int(level_cells[0])) if len(level_cells) else at
+    whole = np.flatnonzero((at >= reach + level) & (at <= len(grid) - reach - level))
+    low, low_scatter = _levels(wrench, at[whole] - reach - level, level)
+    high, high_scatter = _levels(wrench, at[whole] + reach, level)
+    jump = np.linalg.norm(high - low, axis=1)
+    quieter, busier = np.minimum(low_scatter, high_scatter), np.maximum(low_scatter, high_scatter)
+    tells = (quieter <= 0.15 * jump) & (busier >= 2.0 * quieter)
+    rises = tells & (low_scatter < high_scatter)
+    falls = tells & ~rises & (high_scatter <= 0.03)
+    beside = np.arange(reach + 1)
+    edge = np.maximum(0.03 * jump, 3.0 * quieter)[:, None]
+    if rises.any():
+        cells = at[whole[rises], None] - beside
+        near = np.linalg.norm(wrench[cells] - low[rises, None], axis=2) <= edge[rises]
+        # Backwards from the candidate: the first cell that is still on the level.
+        cell[whole[rises]] -= np.where(near.any(axis=1), np.maximum(near.argmax(axis=1) - 1, 0), 0)
+    if falls.any():
+        cells = np.minimum(at[whole[falls], None] + beside[:-1], len(grid) - 1)
+        near = np.linalg.norm(wrench[cells] - high[falls, None], axis=2) <= edge[falls]
+        cell[whole[falls]] += np.where(near.any(axis=1), near.argmax(axis=1), 0)
+    return cell
 
 
-def _level(wrench: Array) -> tuple[Array, float]:
-    level = np.median(wrench, axis=0)
-    return level, float(np.quantile(np.linalg.norm(wrench - level, axis=1), 0.9))
+def _levels(wrench: Array, first: Indices, length: int) -> tuple[Array, Array]:
+    """Medians (C, D) of the windows that begin at `first` (C,), and their scatter (C,)."""
+    windows = wrench[first[:, None] + np.arange(length)]
+    level = np.median(windows, axis=1)
+    distance = np.linalg.norm(windows - level[:, None], axis=2)
+    return level, np.quantile(distance, 0.9, axis=1)
 
 
 def _leaving_core(grid: Grid, view: StateView, at: int) -> int | None:
