@@ -40,3 +40,17 @@ def test_read_with_a_recipe_says_what_was_done(tmp_path: Path) -> None:
 
 def test_an_own_method_segments(tmp_path: Path) -> None:
     assert run("own_method.py", cwd=tmp_path).count(" s  ") > 2
+
+
+# A replay whole, in a process of its own.
+@pytest.mark.slow
+def test_an_own_workcell_is_replayed(tmp_path: Path) -> None:
+    assert "success" in run("own_workcell.py", cwd=tmp_path)
+
+
+@pytest.mark.slow
+def test_skills_drive_a_robot_to_their_ends(tmp_path: Path) -> None:
+    ended = run("skills_to_a_robot.py", cwd=tmp_path).splitlines()
+    assert len(ended) > 2
+    assert all(line.endswith((": contact", ": reached")) for line in ended)
+    assert (tmp_path / "setup1.skills.json").is_file()

@@ -9,11 +9,11 @@ from keyphase.demonstration import Demonstration
 from keyphase.errors import ParameterError, SkillError
 from keyphase.readers import read
 from keyphase.rotations import quaternions
+from keyphase.rotations.courses import angular_velocity
 from keyphase.segmentation import segment as segment_demonstration
 from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.skills.connecting import PEAK_SPEED_M_S, PEAK_TURN_RAD_S, connecting_skill
 from keyphase.skills.execution.shift import shift_after
-from keyphase.skills.fitting import angular_velocity_of
 from keyphase.skills.library import skill_of, skills_of
 from keyphase.skills.path import path_of
 from keyphase.skills.rollout import rollout
@@ -51,7 +51,7 @@ def test_a_connecting_move_is_minimum_jerk_and_keeps_its_speeds():
     move = connecting_skill(np.zeros(3), UPRIGHT, np.array([0.1, 0.2, 0.0]), there)
     motion = rollout(move.primitive, H)
     speed = np.linalg.norm(np.diff(motion.position_m, axis=0), axis=1) / H
-    turning = np.linalg.norm(angular_velocity_of(motion.time_s, motion.orientation_wxyz), axis=1)
+    turning = np.linalg.norm(angular_velocity(motion.time_s, motion.orientation_wxyz), axis=1)
     assert speed.max() < 1.01 * PEAK_SPEED_M_S
     assert turning.max() < 1.01 * PEAK_TURN_RAD_S
     assert max(speed[0], speed[-1]) < 2e-3

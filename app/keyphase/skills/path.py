@@ -10,9 +10,10 @@ from scipy.signal import savgol_filter
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import SkillError
 from keyphase.rotations import quaternions
+from keyphase.rotations.courses import angular_velocity
 from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.segmentation.end_condition.travel import last_way
-from keyphase.skills.fitting import MIN_SAMPLES, angular_velocity
+from keyphase.skills.fitting import MIN_SAMPLES
 
 RATE_HZ = 250.0
 """Samples per second of a path; demonstrations come at any rate, even or not."""
