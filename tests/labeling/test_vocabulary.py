@@ -42,13 +42,6 @@ def test_a_vocabulary_has_an_end():
     assert words.with_label("one more") is words
 
 
-def test_completion_puts_beginnings_first():
-    words = vocabulary("Move down", "move up", "remove", "insert")
-    assert words.completions("MOVE") == ("Move down", "move up", "remove")
-    assert words.completions("") == ("Move down", "move up", "remove", "insert")
-    assert words.completions("x") == ()
-
-
 @pytest.mark.parametrize(
     ("name", "color"),
     [("", "#000000"), ("a\nb", "#000000"), (" a", "#000000"), ("a", "red;}</style>"), ("a", "")],

@@ -65,14 +65,6 @@ class Vocabulary:
         """Without a label; segments that have it keep it."""
         return replace(self, labels=tuple(label for label in self.labels if label.name != name))
 
-    def completions(self, beginning: str) -> tuple[str, ...]:
-        """Labels that begin with what was typed, then those that hold it elsewhere."""
-        typed = beginning.strip().casefold()
-        names = [label.name for label in self.labels]
-        first = [name for name in names if name.casefold().startswith(typed)]
-        later = [name for name in names if typed in name.casefold() and name not in first]
-        return (*first, *later)
-
     def as_json(self) -> list[dict[str, Any]]:
         """As JSON values."""
         return [{"name": label.name, "color": label.color} for label in self.labels]

@@ -16,7 +16,7 @@ et al. (2009), so that a moved goal is approached without a jump.
 
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from math import exp, log
+from math import log
 
 import numpy as np
 
@@ -170,11 +170,6 @@ def forces(primitive: Primitive, phase: Array, scale: Array, hold: Array) -> Com
 def transformation(constants: Constants, left: Array, z: Array, force: Array) -> Array:
     """tau z' (..., 6): the right-hand side of the transformation system, axis by axis."""
     return constants.alpha_z * (constants.beta_z * left - z) + force
-
-
-def last_phase(constants: Constants) -> float:
-    """The phase at the end of the demonstrated duration."""
-    return exp(-PHASE_SPAN * constants.alpha_x)
 
 
 def progress(primitive: Primitive, phase: float) -> float:

@@ -3,7 +3,7 @@
 import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from keyphase.errors import DemonstrationError
 from keyphase.readers.table import TableForm, split_cells
@@ -26,7 +26,6 @@ class Layout:
     form: TableForm
     encoding: str
     evidence: dict[str, str]
-    first_rows: tuple[tuple[str, ...], ...] = field(default=())
 
     @property
     def separator(self) -> str:
@@ -53,13 +52,12 @@ def layout_of(data: bytes) -> Layout:
     header = best.header is not None
     skip = best.header if best.header is not None else best.body
     form = TableForm(best.separator, skip, header, codec, best.decimal)
-    rows = [_cells(line, best.separator) for line in lines[best.body :] if line.strip()]
     evidence |= {
         "separator": f"{best.width} cells in {best.rows} of {best.rows} rows",
         "decimal": best.decimal_evidence,
         "header": f"line {skip + 1} names the columns" if header else "numbers from the first line",
     }
-    return Layout(form, encoding, evidence, tuple(tuple(row) for row in rows[:20]))
+    return Layout(form, encoding, evidence)
 
 
 @dataclass(frozen=True)

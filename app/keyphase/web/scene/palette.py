@@ -11,7 +11,6 @@ Rgb = tuple[int, int, int]
 class Theme(NamedTuple):
     """What differs between light and dark; `shade` is how dark a shadow on the ground is, to 1."""
 
-    accent: Rgb
     sky: Rgb
     ground: Rgb
     cell: Rgb
@@ -44,7 +43,6 @@ IDLE = _rgb("#6f7780")
 """The path of idle and dropped segments."""
 
 LIGHT = Theme(
-    accent=_rgb("#1c7ed6"),
     sky=_rgb("#f1f3f5"),
     ground=_rgb("#d9dcdf"),
     cell=_rgb("#cbcfd3"),
@@ -59,7 +57,6 @@ LIGHT = Theme(
 )
 
 DARK = Theme(
-    accent=_rgb("#4dabf7"),
     sky=_rgb("#141414"),
     ground=_rgb("#24272b"),
     cell=_rgb("#3a3e43"),

@@ -53,11 +53,6 @@ class ForceArrow:
                 self._size.position, self._size.text = tip, f"{size:.1f} N"
 
 
-def force_arrow_message() -> dict[str, object]:
-    """What a page needs to know to put the force's size at the arrow's tip."""
-    return {"beside_m": BESIDE_M, "metres_per_N": METRES_PER_NEWTON, "least_N": MIN_FORCE_N}
-
-
 def _put(handle: viser.ArrowsHandle | viser.LabelHandle, visible: bool) -> None:
     if handle.visible != visible:
         handle.visible = visible

@@ -48,11 +48,6 @@ class ReplayPaths:
         if len(self._run_m) > 1:
             self._draw_run()
 
-    def forget_run(self) -> None:
-        """Draw what was run no more."""
-        self._scene.remove_by_name(f"{self._root}/done")
-        self._run_m, self._run, self._skill = [], None, None
-
     def _draw_run(self) -> None:
         points = np.array(self._run_m, np.float32)
         pieces = np.stack([points[:-1], points[1:]], axis=1)
