@@ -13,11 +13,14 @@ KeyphaseError
 ├── ScoreError              a reference that cannot be scored against
 ├── ExportError             segments that a format cannot hold as asked
 ├── MakingError             demonstrations that cannot be made as asked
+├── FileInTheWayError       a file that would be replaced, and is not keyphase's own
 ├── MissingPackageError     a package that only this needs is not installed
 └── RequestError            a message from a browser that is refused
 
 Each message says what was expected, what came, and how to mend it, in one sentence.
 """
+
+from pathlib import Path
 
 
 class KeyphaseError(Exception):
@@ -70,6 +73,21 @@ class ExportError(KeyphaseError):
 
 class MakingError(KeyphaseError):
     """Demonstrations that cannot be made as asked."""
+
+
+class FileInTheWayError(KeyphaseError):
+    """A file that would be replaced, and that keyphase did not write as it is.
+
+    path   the file
+    whose  what it is, as in "keyphase did not write it"
+    """
+
+    def __init__(self, path: Path, whose: str) -> None:
+        super().__init__(
+            f"{path} is in the way ({whose}), so it was not replaced; choose another name, move it "
+            "away, or ask for it to be replaced (--replace)."
+        )
+        self.path, self.whose = path, whose
 
 
 class MissingPackageError(KeyphaseError):

@@ -128,7 +128,7 @@ def test_the_plan_and_the_replay_are_carried_elsewhere(
     phase(page, "over")
     page.panel.get_by_role("tab", name="Export").click()
     for kind, file in (
-        ("behavior tree", "setup1.xml"),
+        ("behavior tree", "setup1.tree.xml"),
         ("program", "setup1.program.txt"),
         ("skills", "setup1.skills.json"),
         ("page", "setup1.replay.html"),
@@ -138,6 +138,6 @@ def test_the_plan_and_the_replay_are_carried_elsewhere(
             timeout=30_000
         )
         assert (folder / file).stat().st_size > 100
-    assert "BTCPP_format" in (folder / "setup1.xml").read_text()
+    assert "BTCPP_format" in (folder / "setup1.tree.xml").read_text()
     assert json.loads((folder / "setup1.skills.json").read_text())["skills"]
     plays_without_a_server(page.page.context.browser, folder / "setup1.replay.html")

@@ -1,6 +1,7 @@
 """Segmenting many recordings at once and writing a segment file for each."""
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -15,7 +16,7 @@ from keyphase.batch.tasks import (
     shard_of,
     tasks_of,
 )
-from keyphase.errors import KeyphaseError, ParameterError
+from keyphase.errors import KeyphaseError, ParameterError, SegmentFileError
 from keyphase.readers import find_recordings
 from keyphase.segmentation.parameters import Parameters
 
@@ -32,6 +33,7 @@ def segment_all(
     backend: Backend = "cores",
     address: str | None = None,
     again: bool = False,
+    replace: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> BatchReport:
     """Segment recordings and write a segment file for each below `output`.
@@ -40,6 +42,7 @@ def segment_all(
     recording's path relative to the folder given, or by the file's own name, without suffix. `jobs`
     run at once, -1 on all cores, or on a cluster (`backend`, `address`); of sixteen machines the
     third does `shard` 3/16. What an earlier run has done is left as it is, unless `again`.
+    A file in the way that keyphase did not write as it is refuses its recording, unless `replace`.
     `progress` is told how many are done and how many there are. A recording that is refused is
     reported and the others go on.
 
@@ -58,7 +61,9 @@ def segment_all(
     tell = progress or (lambda _done, _total: None)
     tell(len(became), len(tasks))
     with running_on(backend, address):
-        for task, result in zip(todo, _results(todo, recipe, chosen, csv, jobs), strict=True):
+        for task, result in zip(
+            todo, _results(todo, _How(recipe, chosen, csv, replace), jobs), strict=True
+        ):
             became[task] = result
             manifest.keep(result) if isinstance(result, Written) else manifest.keep_refusal(result)
             tell(len(became), len(tasks))
@@ -75,13 +80,19 @@ def _found(paths: Sequence[Path], output: Path, recipe: Path | None) -> list[Wri
     return tasks
 
 
-def _results(
-    todo: Sequence[Written], recipe: Path | None, parameters: Parameters, csv: bool, jobs: int
-) -> Iterator[Written | Refusal]:
+@dataclass(frozen=True)
+class _How:
+    recipe: Path | None
+    parameters: Parameters
+    csv: bool
+    replace: bool
+
+
+def _results(todo: Sequence[Written], how: _How, jobs: int) -> Iterator[Written | Refusal]:
     """What becomes of each, in order; workers get paths, never arrays."""
     from joblib import Parallel, delayed
 
-    calls = (delayed(_segment_one)(task, recipe, parameters, csv) for task in todo)
+    calls = (delayed(_segment_one)(task, how) for task in todo)
     running: Any = Parallel(n_jobs=jobs, return_as="generator")(calls)
     return iter(running)
 
@@ -90,11 +101,9 @@ def _before(task: Written) -> Written:
     return Written(task.recording, task.segment_file, went_before=True)
 
 
-def _segment_one(
-    task: Written, recipe: Path | None, parameters: Parameters, csv: bool
-) -> Written | Refusal:
+def _segment_one(task: Written, how: _How) -> Written | Refusal:
     try:
-        return _segmented(task, recipe, parameters, csv)
+        return _segmented(task, how)
     except KeyphaseError as error:
         return Refusal(task.recording, str(error))
     except OSError as error:
@@ -107,18 +116,25 @@ def _segment_one(
         )
 
 
-def _segmented(task: Written, recipe: Path | None, parameters: Parameters, csv: bool) -> Written:
+def _segmented(task: Written, how: _How) -> Written:
     from keyphase.labeling.label import label
-    from keyphase.labeling.segment_file import write_segment_file
+    from keyphase.labeling.segment_file import segment_file_data
+    from keyphase.labeling.storage.written_files import write_unasked
     from keyphase.readers import read
     from keyphase.segmentation import segment
 
     begun = perf_counter()
-    demonstration = read(task.recording, recipe)
-    labeling = label(segment(demonstration, parameters))
+    demonstration = read(task.recording, how.recipe)
+    labeling = label(segment(demonstration, how.parameters))
     task.segment_file.parent.mkdir(parents=True, exist_ok=True)
-    write_segment_file(labeling, task.segment_file)
-    if csv:
-        write_segment_file(labeling, task.segment_file.with_suffix(".csv"))
+    csv = [task.segment_file.with_suffix(".csv")] if how.csv else []
+    for path in (task.segment_file, *csv):
+        write_unasked(
+            path,
+            segment_file_data(labeling, path),
+            task.recording.name,
+            SegmentFileError,
+            if_there="replace" if how.replace else "ask",
+        )
     seconds = perf_counter() - begun
     return Written(task.recording, task.segment_file, demonstration.notices, seconds)

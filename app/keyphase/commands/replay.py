@@ -65,6 +65,8 @@ class ReplaySegments:
     """Write the plan as a URScript program with contact moves."""
     rapid: Path | None = None
     """Write the plan as an ABB RAPID module with contact moves."""
+    replace: bool = False
+    """Replace files in the way that keyphase did not write, or that were changed since."""
     json: bool = False
     """Print for machines."""
 
@@ -102,29 +104,38 @@ class ReplaySegments:
             raise ParameterError("--plot is the picture of trials or of a margin; add --trials.")
 
     def _write_program(self, demonstration: "Demonstration", skills: "tuple[Skill, ...]") -> None:
-        from keyphase.files.writing import write_whole
         from keyphase.skills.exports.behavior_tree import behavior_tree
         from keyphase.skills.exports.program import program_listing
         from keyphase.skills.exports.rapid import rapid
-        from keyphase.skills.exports.skill_file import write_skills
+        from keyphase.skills.exports.skill_file import skill_text
         from keyphase.skills.exports.skill_library import library_of
         from keyphase.skills.exports.urscript import urscript
 
         library = f"{demonstration.name}.skills.json"
         if self.skills:
             library = self.skills.name
-            write_skills(self.skills, library_of(demonstration, skills))
+            self._write(self.skills, skill_text(library_of(demonstration, skills)))
         if self.behavior_tree:
-            tree = behavior_tree(skills, library)
-            write_whole(self.behavior_tree, tree.encode(), refusal=SimulationError)
+            self._write(self.behavior_tree, behavior_tree(skills, library))
         for path, written in (
             (self.program, program_listing),
             (self.urscript, urscript),
             (self.rapid, rapid),
         ):
             if path:
-                text = written(skills, demonstration.name)
-                write_whole(path, text.encode(), refusal=SimulationError)
+                self._write(path, written(skills, demonstration.name))
+
+    def _write(self, path: Path, text: str) -> None:
+        """Raises FileInTheWayError where somebody else's file would be replaced unasked."""
+        from keyphase.labeling.storage.written_files import write_unasked
+
+        write_unasked(
+            path,
+            text.encode(),
+            self.segments.name,
+            SimulationError,
+            if_there="replace" if self.replace else "ask",
+        )
 
     def _run_once(
         self, cell: "Cell", demonstration: "Demonstration", skills: "tuple[Skill, ...]"
@@ -145,7 +156,6 @@ class ReplaySegments:
     ) -> int:
         from tqdm import tqdm
 
-        from keyphase.files.writing import write_whole
         from keyphase.simulation.replay.report import as_json, trials_text, trials_values
         from keyphase.simulation.replay.trials import drawn_worlds, run_trials
         from keyphase.simulation.replay.trials_picture import trials_svg
@@ -168,14 +178,13 @@ class ReplaySegments:
             )
         if self.plot:
             title = f"{cell.name}, {self.end_conditions} end conditions"
-            write_whole(self.plot, trials_svg(trials, title).encode(), refusal=SimulationError)
+            self._write(self.plot, trials_svg(trials, title))
         print(as_json(trials_values(trials)) if self.json else trials_text(trials))
         return 0 if trials.successes == len(trials.trials) else 1
 
     def _run_margin(self, cell: "Cell", planned: "PlannedReplay") -> int:
         from tqdm import tqdm
 
-        from keyphase.files.writing import write_whole
         from keyphase.simulation.replay.margin import margin_of
         from keyphase.simulation.replay.margin_plans import margin_plans
         from keyphase.simulation.replay.margin_report import margin_svg, margin_text, margin_values
@@ -198,6 +207,6 @@ class ReplaySegments:
             )
         if self.plot:
             title = f"{planned.demonstration.name} in {cell.name}"
-            write_whole(self.plot, margin_svg(margin, title).encode(), refusal=SimulationError)
+            self._write(self.plot, margin_svg(margin, title))
         print(as_json(margin_values(margin)) if self.json else margin_text(margin))
         return 0 if margin.plans[0].nominal == "success" else 1

@@ -37,6 +37,8 @@ class SegmentRecordings:
     """Address of the cluster's scheduler; without, a cluster of this machine is started."""
     again: bool = False
     """Do again what an earlier run into the same folder has done."""
+    replace: bool = False
+    """Replace files in the way that keyphase did not write, or that were changed since."""
     report: Path | None = None
     """Write what became of every recording (JSON)."""
     parameters: tyro.conf.OmitArgPrefixes[Parameters] = field(default_factory=Parameters)
@@ -68,6 +70,7 @@ class SegmentRecordings:
                 backend=self.backend,
                 address=self.address,
                 again=self.again,
+                replace=self.replace,
                 progress=progress,
             )
         if self.report:

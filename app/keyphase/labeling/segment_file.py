@@ -97,13 +97,17 @@ def schema() -> dict[str, Any]:
 def write_segment_file(labeling: Labeling, path: Path | str) -> None:
     """Write the segment file of `labeling` to `path`, as CSV where the name ends in .csv.
 
-    A crash leaves either the old file or the new one. Raises SegmentFileError where the
-    demonstration has no file, or the folder takes none.
+    A crash leaves either the old file or the new one; one that is there is replaced. Raises
+    SegmentFileError where the demonstration has no file, or the folder takes none.
     """
     path = Path(path)
+    write_whole(path, segment_file_data(labeling, path), refusal=SegmentFileError)
+
+
+def segment_file_data(labeling: Labeling, path: Path) -> bytes:
+    """What the segment file of `labeling` at `path` holds. Raises SegmentFileError likewise."""
     content = segment_file_content(labeling, path)
-    data = as_csv(content) if path.suffix.lower() == ".csv" else as_json(content)
-    write_whole(path, data, refusal=SegmentFileError)
+    return as_csv(content) if path.suffix.lower() == ".csv" else as_json(content)
 
 
 def segment_file_of(labeling: Labeling, path: Path) -> SegmentFile:

@@ -1,25 +1,24 @@
 """Segment files written from the page, beside the recordings or where there is room for them."""
 
-import os
 from pathlib import Path
 
-from keyphase.errors import RequestError
-from keyphase.files.parts import stem_of
+from keyphase.errors import RequestError, SegmentFileError
 from keyphase.labeling.labeling import Labeling
-from keyphase.labeling.segment_file import SUFFIX, write_segment_file
+from keyphase.labeling.segment_file import SUFFIX, segment_file_data
+from keyphase.labeling.storage.written_files import IfThere
+from keyphase.workbench.beside import Beside
+
+_ENDINGS = {"json": SUFFIX, "csv": str(Path(SUFFIX).with_suffix(".csv"))}
 
 
-def export(labeling: Labeling, recording: Path, kind: str) -> Path:
+def export(labeling: Labeling, recording: Path, kind: str, if_there: IfThere = "ask") -> Path:
     """Write the segment file of a recording; the path it was written to.
 
-    It stands beside the recording, or, where nothing may be written there, in the current folder.
-    Raises RequestError for another kind than json or csv, SegmentFileError where neither folder
-    can be written.
+    Raises RequestError for another kind than json or csv, FileInTheWayError where somebody else's
+    file would be replaced, SegmentFileError where the folder takes none.
     """
-    if kind not in ("json", "csv"):
+    if kind not in _ENDINGS:
         raise RequestError(f"A segment file is json or csv, but not {kind!r}.")
-    name = stem_of(recording) + SUFFIX
-    folder = recording.parent if os.access(recording.parent, os.W_OK) else Path.cwd()
-    path = folder / (name if kind == "json" else Path(name).with_suffix(".csv"))
-    write_segment_file(labeling, path)
-    return path
+    return Beside(recording, if_there).write(
+        _ENDINGS[kind], lambda path: segment_file_data(labeling, path), SegmentFileError
+    )

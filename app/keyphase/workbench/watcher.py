@@ -1,8 +1,11 @@
 """What watches a view: the page's socket, and the 3D scene of that page."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
+from keyphase.labeling.storage.written_files import IfThere
 from keyphase.simulation.shapes import Shape
+from keyphase.workbench.beside import InTheWay
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.leading.status import LeadThroughStatus
 from keyphase.workbench.placing.robot_choice import RobotChoice
@@ -74,7 +77,7 @@ class Watcher:
     def show_push(self, offered: bool) -> None:
         """Whether the gizmo that pushes the tool is offered."""
 
-    def write_replay(self, running: Running) -> None:
+    def write_replay(self, running: Running, if_there: IfThere) -> None:
         """The replay that is over is to be written as a page of its own."""
 
     def show_trials(self, trials: TrialsRun) -> None:
@@ -101,6 +104,9 @@ class Watcher:
 
     def show_saved(self, path: Path, kind: str) -> None:
         """A file was written."""
+
+    def show_in_the_way(self, recording: str, kind: str, files: Sequence[InTheWay]) -> None:
+        """Nothing was written there, for somebody else's files would have been replaced."""
 
     def show_task(self, task: TaskState) -> None:
         """Something that takes long has begun, is so far, or is over."""

@@ -6,15 +6,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from keyphase.errors import KeyphaseError, RequestError
+from keyphase.errors import RequestError
+from keyphase.labeling.storage.written_files import IfThere
+from keyphase.workbench.beside import require_own_names
 from keyphase.workbench.desks.asked import Asked
 from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.library import Library
-from keyphase.workbench.exports import export
+from keyphase.workbench.exporting import export_all
 from keyphase.workbench.leading.takes import Takes
 from keyphase.workbench.looking import Looking
 from keyphase.workbench.playback import Clock
 from keyphase.workbench.recording_list import Listing, RecordingList
+from keyphase.workbench.recordings import Recording
 from keyphase.workbench.spread import Spread, beside, look_into
 from keyphase.workbench.tasks import Tasks, TaskState
 from keyphase.workbench.uploads import DEFAULT_LIMIT_BYTES, Upload
@@ -172,20 +175,21 @@ class Workbench:
         with self.tasks.begin(f"{upload.name}: reading"):
             return self.library.take_in(upload, beside_sha256)
 
-    def export_all(self, view: View) -> None:
-        """Write a segment file for every recording; what cannot be opened says so in its line."""
-        recordings, written = self.recordings.recordings, 0
-        with self.tasks.begin("Writing segment files") as task:
-            for number, recording in enumerate(recordings):
-                task.at(number / len(recordings), f"{recording.name}: writing")
-                try:
-                    opened = self.library.look(recording)
-                    opened.close()
-                    export(opened.kept_labeling, recording.path, "json")
-                    written += 1
-                except KeyphaseError as error:
-                    view.tell("warning", f"{recording.name}: {error}")
-        view.tell("info", f"{written} of {len(recordings)} segment files were written.")
+    def export_all(self, view: View, if_there: IfThere = "ask") -> None:
+        """Write a segment file for every recording, and tell a page what became of it."""
+        recordings = self.recordings.recordings
+        exported = export_all(recordings, self.library, self.tasks, if_there)
+        for reason in exported.refused:
+            view.tell("warning", reason)
+        view.tell("info", f"{exported.written} of {len(recordings)} segment files were written.")
+        files = exported.in_the_way
+        if files:
+            at = view.recording or ""
+            view.each(lambda watcher: watcher.show_in_the_way(at, "all", files))
+
+    def require_own_names(self, recording: Recording) -> None:
+        """Raise RequestError where another of the list would be written to the same files."""
+        require_own_names(recording.path, [one.path for one in self.recordings.recordings])
 
     # -- parameters for a whole folder
 

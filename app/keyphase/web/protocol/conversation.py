@@ -8,12 +8,13 @@ from dataclasses import asdict
 import msgspec
 
 from keyphase import __version__
-from keyphase.errors import KeyphaseError, RequestError
+from keyphase.errors import FileInTheWayError, KeyphaseError, RequestError
 from keyphase.segmentation.parameters import RANGES, Parameters
 from keyphase.web.protocol import list_messages as say
 from keyphase.web.protocol import requests as ask
 from keyphase.web.protocol.dispatch import do
 from keyphase.web.protocol.voice import Send, Voice
+from keyphase.workbench.beside import InTheWay
 from keyphase.workbench.desks.asked import Asked
 from keyphase.workbench.telling import in_words
 from keyphase.workbench.uploads import Upload, upload_folder
@@ -74,6 +75,10 @@ class Conversation:
 
     def refuse(self, request: ask.Request | ask.OnDocument, error: Exception) -> None:
         """Tell this page alone that a request was not done, and give an edit back."""
+        if isinstance(error, FileInTheWayError) and isinstance(request, ask.Export):
+            files = (InTheWay.of(error),)
+            self._voice.show_in_the_way(request.recording, request.kind, files)
+            return
         _, text = in_words(error)
         about = request if isinstance(request, ask.OnDocument) else None
         self.send(

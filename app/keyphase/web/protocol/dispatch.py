@@ -1,6 +1,7 @@
 """What a page's requests do: those about a document to its desk, the rest to the page's view."""
 
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -77,16 +78,19 @@ def _set(page: "Conversation", desk: Desk, request: ask.Set) -> None:
 
 
 def _export(page: "Conversation", desk: Desk, request: ask.Export) -> None:
-    view, kind = page.view, request.kind
+    view, kind, if_there = page.view, request.kind, request.if_there
     if kind == "all":
-        view.errands.submit(lambda: page.workbench.export_all(view))
-    elif kind in ("json", "csv"):
-        asked = page.asked(request)
-        page.wait_for(
-            desk.export(kind, asked, lambda path: view.each(lambda one: one.show_saved(path, kind)))
-        )
+        view.errands.submit(lambda: page.workbench.export_all(view, if_there))
+        return
+    page.workbench.require_own_names(desk.recording)
+    if kind in ("json", "csv"):
+
+        def saved(path: Path) -> None:
+            view.each(lambda watcher: watcher.show_saved(path, kind))
+
+        page.wait_for(desk.export(kind, page.asked(request), saved, if_there))
     else:
-        view.replay.export(_state(desk), kind)
+        view.replay.export(_state(desk), kind, if_there)
 
 
 def _spread(page: "Conversation", desk: Desk, request: ask.Spread) -> None:

@@ -4,6 +4,7 @@ from typing import Any, Literal
 
 from msgspec import UNSET, Struct, UnsetType, field
 
+from keyphase.workbench.beside import InTheWay
 from keyphase.workbench.recording_list import Listing
 from keyphase.workbench.recordings import Recording, State, folder_name, printable
 from keyphase.workbench.showing.doubts import UNSURE_BELOW, Piece
@@ -104,6 +105,17 @@ class Saved(Struct, frozen=True, tag_field="type", tag="saved"):
 
     path: str
     kind: str
+
+
+class InTheWayMessage(Struct, frozen=True, tag_field="type", tag="in_the_way"):
+    """Files that were not replaced, since keyphase did not write them as they are.
+
+    kind  of the export that met them; ask again with `if_there` "replace" or "keep both"
+    """
+
+    recording: str
+    kind: str
+    files: tuple[InTheWay, ...]
 
 
 class UploadReady(Struct, frozen=True, tag_field="type", tag="upload_ready"):

@@ -11,6 +11,7 @@ from msgspec import UNSET, Meta, Struct, UnsetType
 
 from keyphase.errors import RequestError
 from keyphase.labeling import edits as labeling
+from keyphase.labeling.storage.written_files import IfThere
 from keyphase.workbench.replaying.settings import SPEEDS, Action, EndBy
 
 _Time = Annotated[float, Meta(ge=-1e9, le=1e10)]
@@ -162,12 +163,14 @@ class Export(OnDocument, tag="export", frozen=True):
 
     The segment file as `json` or `csv`, or those of `all` recordings; the plan as `skills`,
     `behavior tree`, `program`, `urscript` or `rapid`; the replay that is over as a `page` that
-    needs no server.
+    needs no server. `if_there` says what becomes of files that keyphase did not write as they are;
+    without, `in_the_way` tells which there are.
     """
 
     kind: Literal[
         "json", "csv", "all", "skills", "behavior tree", "program", "urscript", "rapid", "page"
     ]
+    if_there: IfThere = "ask"
 
 
 class Show(_Request, tag="show", frozen=True):

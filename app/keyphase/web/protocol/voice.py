@@ -2,7 +2,7 @@
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Protocol
@@ -16,6 +16,7 @@ from keyphase.web.protocol import document_messages as documents
 from keyphase.web.protocol import list_messages as lists
 from keyphase.web.protocol.document_content import document_message, ghosts
 from keyphase.web.protocol.replay_messages import ReplayClosed, Streamed, replay_message
+from keyphase.workbench.beside import InTheWay
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.leading.status import LeadThroughStatus
 from keyphase.workbench.placing.robot_choice import RobotChoice
@@ -163,6 +164,10 @@ class Voice(Watcher):
     def show_saved(self, path: Path, kind: str) -> None:
         """A file was written."""
         self._send(lists.Saved(printable(str(path)), kind))
+
+    def show_in_the_way(self, recording: str, kind: str, files: Sequence[InTheWay]) -> None:
+        """Files that were not replaced."""
+        self._send(lists.InTheWayMessage(recording, kind, tuple(files)))
 
     def show_task(self, task: TaskState) -> None:
         """How far something is."""

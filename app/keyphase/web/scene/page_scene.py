@@ -10,6 +10,8 @@ from collections.abc import Callable
 
 import viser
 
+from keyphase.errors import FileInTheWayError
+from keyphase.labeling.storage.written_files import IfThere
 from keyphase.robot.pose import Placement
 from keyphase.simulation.shapes import Shape
 from keyphase.web.scene.camera import Camera, LastCamera
@@ -20,6 +22,7 @@ from keyphase.web.scene.replaying.replay_scene import ReplayScene
 from keyphase.web.scene.replaying.workcell_scene import WorkcellScene
 from keyphase.web.scene.shared import Shared
 from keyphase.web.scene.stage import Stage
+from keyphase.workbench.beside import InTheWay
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.leading.status import LeadThroughStatus
 from keyphase.workbench.placing.robot_choice import RobotChoice
@@ -139,9 +142,9 @@ class PageScene(Watcher):
         """Give the scene back."""
         self._later(lambda: self.replay.end())
 
-    def write_replay(self, running: Running) -> None:
+    def write_replay(self, running: Running, if_there: IfThere) -> None:
         """The replay that is over is to be written as a page of its own."""
-        self._view.errands.submit(lambda: self._write(running))
+        self._view.errands.submit(lambda: self._write(running, if_there))
 
     def _replay_is_due(self) -> bool:
         """Whether the next pose of a replay is to be drawn, however fast it runs."""
@@ -201,11 +204,17 @@ class PageScene(Watcher):
         self.robot.use_arm(choice.arm)
         self.robot.offer_moving(choice.moving)
 
-    def _write(self, running: Running) -> None:
+    def _write(self, running: Running, if_there: IfThere) -> None:
         """Runs in a thread of the view's."""
         html = film_of(self._server, running, self._shared.shadow)
-        path = write_page(html, running.opened.recording.path)
-        self._view.each(lambda watcher: watcher.show_saved(path, "page"))
+        recording = running.opened.recording
+        try:
+            path = write_page(html, recording.path, if_there)
+        except FileInTheWayError as error:
+            files = (InTheWay.of(error),)
+            self._view.each(lambda one: one.show_in_the_way(recording.id, "page", files))
+        else:
+            self._view.each(lambda watcher: watcher.show_saved(path, "page"))
 
     def _show_playhead(self, playhead: Playhead) -> None:
         with self.client.atomic():

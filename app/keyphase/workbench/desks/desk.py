@@ -10,6 +10,7 @@ from pathlib import Path
 
 from keyphase.errors import KeyphaseError, RequestError
 from keyphase.labeling.edits import Edit
+from keyphase.labeling.storage.written_files import IfThere
 from keyphase.segmentation import Parameters
 from keyphase.workbench.desks.asked import Asked
 from keyphase.workbench.desks.desk_state import DeskState
@@ -156,11 +157,13 @@ class Desk:
             kind = f"parameters of {asked.page} after {self._asked}"
         return self._worker.submit(lambda: self._run(self._preview, asked), kind)
 
-    def export(self, kind: str, asked: Asked, saved: Callable[[Path], None]) -> threading.Event:
+    def export(
+        self, kind: str, asked: Asked, saved: Callable[[Path], None], if_there: IfThere = "ask"
+    ) -> threading.Event:
         """Write the segment file as `json` or `csv`; `saved` is told where it was written."""
 
         def write(opened: OpenRecording) -> None:
-            saved(export(opened.kept_labeling, opened.recording.path, kind))
+            saved(export(opened.kept_labeling, opened.recording.path, kind, if_there))
 
         return self.change(write, asked)
 

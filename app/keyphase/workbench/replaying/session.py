@@ -7,6 +7,7 @@ from pathlib import Path
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import RequestError, SimulationError
+from keyphase.labeling.storage.written_files import IfThere
 from keyphase.readers import save_npz
 from keyphase.simulation.choosing import RECORDING, cell_for, recorded_in
 from keyphase.simulation.replay.replay import Replay
@@ -164,19 +165,20 @@ class ReplaySession:
         self._add(path)
         self.leave()
 
-    def export(self, state: DeskState, kind: str) -> None:
+    def export(self, state: DeskState, kind: str, if_there: IfThere = "ask") -> None:
         """Write the plan of a recording: its `skills`, a `behavior tree`, or a `program`.
 
-        Or the replay that is over, as a `page`. Raises SkillError for what cannot be executed.
+        Or the replay that is over, as a `page`. Raises SkillError for what cannot be executed,
+        FileInTheWayError where somebody else's file would be replaced.
         """
         if kind == "page":
             running = self.over()
             if running.opened.recording.id != state.recording.id:
                 raise RequestError("The replay that is over is of another recording.")
-            self._each(lambda watcher: watcher.write_replay(running))
+            self._each(lambda watcher: watcher.write_replay(running, if_there))
             return
         plan = plan_of(state.labeling, self.settings.end_by)
-        path = export_plan(plan, state.recording.path, kind)
+        path = export_plan(plan, state.recording.path, kind, if_there)
         self._each(lambda watcher: watcher.show_saved(path, kind))
 
     def run_trials(self, count: int) -> None:

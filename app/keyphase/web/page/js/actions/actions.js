@@ -82,6 +82,9 @@ export function createActions(store, send, latency, own) {
     send,
     open: (id) => send({ type: "open", id }),
     exportAs: (kind) => doc() && send({ type: "export", kind }),
+    /** Once more, after files were in the way: "replace" them or "keep both". */
+    exportAgain: ({ recording, kind }, ifThere) =>
+      send({ type: "export", recording, kind, if_there: ifThere }),
 
     seek(time) {
       if (!doc()) return;

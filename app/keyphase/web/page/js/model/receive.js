@@ -93,6 +93,7 @@ export function createReceiver(
       if (message.level !== "info") own.refused(null);
       notices.show(message);
     },
+    in_the_way: (message) => store.set({ inTheWay: message }),
     saved(message) {
       store.set({ saved: { path: message.path, recording: state.recording } });
       notices.show({ level: "info", text: `Written to ${message.path}` });

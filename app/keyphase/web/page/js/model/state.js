@@ -16,6 +16,7 @@ import { firstChoice } from "./rows.js";
  *   replay: any, samples: any, replayShown: boolean, defaults: Object<string, *>,
  *   record: any, replaySettings: any, robot: any, pushOffered: boolean, trials: any,
  *   shown: Object<string, boolean>, saved: ?{path: string, recording: string},
+ *   inTheWay: ?{recording: string, kind: string, files: {name: string, whose: string}[]},
  *   following: string|null, lostAt: Date|null, command: string|null}} Told
  *
  * What a person looks at and holds; `hovered`, `current` and `explained` are numbers of boundaries,
@@ -67,6 +68,7 @@ export function firstState(small) {
     trials: null,
     shown: {},
     saved: null,
+    inTheWay: null,
     following: null,
     lostAt: null,
     command: null,
