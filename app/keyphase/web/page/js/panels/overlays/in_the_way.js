@@ -37,7 +37,9 @@ export function createInTheWay(store, actions) {
     if (!inTheWay) return dialog.open && dialog.close();
     const { files } = inTheWay;
     title.textContent =
-      files.length === 1 ? "A file is in the way" : `${plural(files.length, "file")} are in the way`;
+      files.length === 1
+        ? "A file is in the way"
+        : `${plural(files.length, "file")} are in the way`;
     rows.replaceChildren(
       ...files.map(({ name, whose }) =>
         el(

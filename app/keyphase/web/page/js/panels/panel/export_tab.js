@@ -11,7 +11,12 @@ const SEGMENTS = [
 ];
 const SKILLS = [
   ["skills", "Skills", ".skills.json", "The skills as data."],
-  ["behavior tree", "Behaviour tree", ".tree.xml", "For BehaviorTree.CPP, with its skills beside it."],
+  [
+    "behavior tree",
+    "Behaviour tree",
+    ".tree.xml",
+    "For BehaviorTree.CPP, with its skills beside it.",
+  ],
   ["program", "Program listing", ".program.txt", "The plan as text that people read."],
   ["urscript", "URScript", ".script", "Moves and contact moves for Universal Robots."],
   ["rapid", "RAPID", ".mod", "Moves and contact moves for ABB robots."],
