@@ -13,7 +13,7 @@ from file_alone import both
 from replaying import NAMES, bundled, plan
 
 from keyphase.simulation import workcell
-from keyphase.simulation.replay.spread import spread_of
+from keyphase.simulation.replay.ranges import range_of
 from keyphase.simulation.replay.trials import Worlds, drawn_worlds
 from keyphase.skills.library import skills_of
 
@@ -24,10 +24,10 @@ def main() -> None:
     parser.add_argument("--worlds", type=int, default=50)
     count = parser.parse_args().worlds
     worlds = Worlds(
-        part_height_m=spread_of("10mm", "height", symmetric=True),
-        part_offset_m=spread_of("5mm", "offset", symmetric=True),
-        friction=spread_of("0.2..0.6", "friction"),
-        sensor_noise=spread_of("2", "noise"),
+        part_height_m=range_of("10mm", "height", symmetric=True),
+        part_offset_m=range_of("5mm", "offset", symmetric=True),
+        friction=range_of("0.2..0.6", "friction"),
+        sensor_noise=range_of("2", "noise"),
     )
     for name in NAMES:
         demonstration = bundled(name)[0]

@@ -4,7 +4,7 @@ import pytest
 from handmade import Person, kept, labels, segmentation
 
 from keyphase.errors import LabelingError
-from keyphase.labeling.colors import PALETTE_SIZE
+from keyphase.labeling.colors import SEGMENT_COLORS
 from keyphase.labeling.edits import (
     AcceptLabels,
     Add,
@@ -166,7 +166,7 @@ def test_edits_leave_the_colours_of_other_segments_alone():
     after = [s.color for s in person.makes(Add(5.0)).segments]
     assert after[:3] + after[4:] == before
     assert len(set(after)) == 6
-    assert after[3] % PALETTE_SIZE != after[2] % PALETTE_SIZE
+    assert after[3] % len(SEGMENT_COLORS) != after[2] % len(SEGMENT_COLORS)
 
 
 @pytest.mark.parametrize(

@@ -3,8 +3,8 @@
 import pytest
 
 from keyphase.errors import LabelingError
+from keyphase.labeling.colors import SEGMENT_COLORS
 from keyphase.labeling.vocabulary import (
-    COLORS,
     MAX_LABELS,
     Vocabulary,
     VocabularyLabel,
@@ -25,8 +25,8 @@ def vocabulary(*names):
 
 def test_each_new_label_takes_the_colour_least_used():
     words = vocabulary(*"abcdefgh")
-    assert [label.color for label in words.labels] == [*COLORS, COLORS[0]]
-    assert words.without_label("b").with_label("i").color("i") == COLORS[1]
+    assert [label.color for label in words.labels] == [*SEGMENT_COLORS, SEGMENT_COLORS[0]]
+    assert words.without_label("b").with_label("i").color("i") == SEGMENT_COLORS[1]
 
 
 def test_a_label_stands_in_the_vocabulary_once():
@@ -34,7 +34,9 @@ def test_a_label_stands_in_the_vocabulary_once():
     assert words.with_label("  insert ") is words
     assert words.with_label("") is words
     with pytest.raises(LabelingError, match="once"):
-        Vocabulary((VocabularyLabel("a", COLORS[0]), VocabularyLabel("a", COLORS[1])))
+        Vocabulary(
+            (VocabularyLabel("a", SEGMENT_COLORS[0]), VocabularyLabel("a", SEGMENT_COLORS[1]))
+        )
 
 
 def test_a_vocabulary_has_an_end():

@@ -5,7 +5,7 @@ import pytest
 
 from keyphase.errors import SimulationError
 from keyphase.simulation import Gains, Reference, Simulation
-from keyphase.simulation.demonstrating.follow import MAX_AHEAD_M, Follower
+from keyphase.simulation.demonstrating.follower import MAX_AHEAD_M, Follower
 from keyphase.simulation.impedance import CartesianImpedance
 from keyphase.simulation.workcells.setup1 import SETUP1
 

@@ -8,7 +8,7 @@ from replaying import NAMES, bundled, plan
 
 from keyphase.errors import ParameterError, SimulationError
 from keyphase.simulation import Disturbance
-from keyphase.simulation.replay.spread import Spread, spread_of
+from keyphase.simulation.replay.ranges import Range, range_of
 from keyphase.simulation.replay.trials import (
     Trial,
     Trials,
@@ -22,10 +22,10 @@ from keyphase.simulation.replay.trials_picture import trials_svg
 from keyphase.skills.library import skills_of
 
 DISTURBED = Worlds(
-    part_height_m=Spread(-0.01, 0.01),
-    part_offset_m=Spread(-0.005, 0.005),
-    friction=Spread(0.2, 0.6),
-    sensor_noise=Spread(2.0, 2.0),
+    part_height_m=Range(-0.01, 0.01),
+    part_offset_m=Range(-0.005, 0.005),
+    friction=Range(0.2, 0.6),
+    sensor_noise=Range(2.0, 2.0),
 )
 
 
@@ -99,18 +99,18 @@ def test_a_simulation_that_diverged_is_a_failure() -> None:
     [("10mm", 0.01, 0.01), ("-1cm..2cm", -0.01, 0.02), ("0.2..0.6", 0.2, 0.6), ("3", 3.0, 3.0)],
 )
 def test_spreads_are_read_as_people_write_them(text, low, high) -> None:
-    spread = spread_of(text, "--part-height")
+    spread = range_of(text, "--part-height")
     assert (spread.low, spread.high) == pytest.approx((low, high))
 
 
 def test_a_single_value_may_stand_for_plus_or_minus() -> None:
-    assert spread_of("10mm", "--part-height", symmetric=True) == Spread(-0.01, 0.01)
+    assert range_of("10mm", "--part-height", symmetric=True) == Range(-0.01, 0.01)
 
 
 @pytest.mark.parametrize("text", ["", "ten", "5 miles", "0.6..0.2", "1..", "nan", "1..2..3"])
 def test_what_is_no_spread_is_refused(text) -> None:
     with pytest.raises(ParameterError, match="--friction"):
-        spread_of(text, "--friction")
+        range_of(text, "--friction")
 
 
 def test_an_unknown_workcell_is_refused_before_any_work() -> None:

@@ -8,7 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 import keyphase.web
-from keyphase.web.scene.palette import IDLE, SEGMENT_COLORS
+from keyphase.web.scene.palette import IDLE, SEGMENT_RGB
 
 Array = NDArray[np.float64]
 
@@ -65,9 +65,9 @@ def _oklab(rgb: Array, seen: Array) -> Array:
 
 
 @pytest.mark.parametrize("seen", SEEN)
-@pytest.mark.parametrize("number", range(len(SEGMENT_COLORS)))
+@pytest.mark.parametrize("number", range(len(SEGMENT_RGB)))
 def test_a_segment_is_told_from_what_is_idle(number: int, seen: str) -> None:
-    segment = _oklab(SEGMENT_COLORS[number].astype(float), SEEN[seen])
+    segment = _oklab(SEGMENT_RGB[number].astype(float), SEEN[seen])
     idle = _oklab(np.array(IDLE, dtype=float), SEEN[seen])
 
     assert 100.0 * np.linalg.norm(segment - idle) >= APART
@@ -80,4 +80,4 @@ def test_the_page_has_the_same_colours() -> None:
     segments = re.findall(r"--segment-\d: #(\w+);", theme)
 
     assert {bytes.fromhex(code) for code in idle} == {bytes(IDLE)}
-    assert [bytes.fromhex(code) for code in segments] == [bytes(one) for one in SEGMENT_COLORS]
+    assert [bytes.fromhex(code) for code in segments] == [bytes(one) for one in SEGMENT_RGB]

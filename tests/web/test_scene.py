@@ -8,7 +8,7 @@ import pytest
 from framing import Frame, frame
 from talking import CAMERA, Message, PageClient, wait_until
 
-from keyphase.web.scene.palette import SEGMENT_COLORS, painted
+from keyphase.web.scene.palette import SEGMENT_RGB, painted
 from keyphase.web.scene.recording.path import FAINT
 
 
@@ -29,7 +29,7 @@ def _colors(framed: Frame) -> set[tuple[int, ...]]:
 
 
 def _paint(color: int) -> tuple[int, int, int]:
-    red, green, blue = SEGMENT_COLORS[color % len(SEGMENT_COLORS)].tolist()
+    red, green, blue = SEGMENT_RGB[color % len(SEGMENT_RGB)].tolist()
     return painted((red, green, blue))
 
 

@@ -7,7 +7,7 @@ from keyphase.errors import ParameterError
 
 if TYPE_CHECKING:
     from keyphase.simulation.disturbance import Disturbance
-    from keyphase.simulation.replay.spread import Spread
+    from keyphase.simulation.replay.ranges import Range
     from keyphase.simulation.replay.trials import Worlds
 
 
@@ -39,15 +39,15 @@ class WorldOptions:
         from keyphase.simulation.replay.trials import Worlds
 
         return Worlds(
-            part_height_m=self._spread("part_height", symmetric=True),
-            part_offset_m=self._spread("part_offset", symmetric=True),
-            part_turn_rad=self._spread("part_turn", symmetric=True),
-            tilt_rad=self._spread("tilt", symmetric=True),
-            friction=self._spread("friction"),
-            mass=self._spread("mass"),
-            sensor_noise=self._spread("sensor_noise"),
-            sensor_bias_N=self._spread("sensor_bias"),
-            sensor_drift=self._spread("sensor_drift"),
+            part_height_m=self._range("part_height", symmetric=True),
+            part_offset_m=self._range("part_offset", symmetric=True),
+            part_turn_rad=self._range("part_turn", symmetric=True),
+            tilt_rad=self._range("tilt", symmetric=True),
+            friction=self._range("friction"),
+            mass=self._range("mass"),
+            sensor_noise=self._range("sensor_noise"),
+            sensor_bias_N=self._range("sensor_bias"),
+            sensor_drift=self._range("sensor_drift"),
         )
 
     def disturbance(self) -> "Disturbance":
@@ -66,13 +66,13 @@ class WorldOptions:
             sensor_drift=self._single("sensor_drift"),
         )
 
-    def _spread(self, name: str, *, symmetric: bool = False) -> "Spread":
-        from keyphase.simulation.replay.spread import spread_of
+    def _range(self, name: str, *, symmetric: bool = False) -> "Range":
+        from keyphase.simulation.replay.ranges import range_of
 
-        return spread_of(getattr(self, name), f"--{name.replace('_', '-')}", symmetric=symmetric)
+        return range_of(getattr(self, name), f"--{name.replace('_', '-')}", symmetric=symmetric)
 
     def _single(self, name: str) -> float:
-        spread = self._spread(name)
+        spread = self._range(name)
         if spread.single is None:
             raise ParameterError(
                 f"One replay takes one value, but {spread.low:g}..{spread.high:g} is a range; "

@@ -1,11 +1,12 @@
-"""Numbers of the segments' colours, such that an edit leaves the other segments' colours alone."""
+"""The colours of segments, and their numbers: an edit leaves the other segments' colours alone."""
 
 from collections.abc import Sequence
 
 from keyphase.segmentation.segmentation import Segment
 
-PALETTE_SIZE = 7
-"""Colours repeat after this many, so neighbours must differ in the rest of division by it."""
+SEGMENT_COLORS = ("#58A2F2", "#EFB63A", "#26C397", "#CA71B6", "#A7A425", "#8FDDE8", "#B98A63")
+"""In the order in which they are given out, the same in light and dark. They repeat, so neighbours
+must differ in the rest of division by their count."""
 
 
 def ranked_colors(automatic: Sequence[Segment]) -> tuple[int, ...]:
@@ -39,6 +40,6 @@ def colors_of(
 
 
 def _new(neighbour: int, used: set[int], color: int) -> int:
-    while color in used or color % PALETTE_SIZE == neighbour % PALETTE_SIZE:
+    while color in used or color % len(SEGMENT_COLORS) == neighbour % len(SEGMENT_COLORS):
         color += 1
     return color

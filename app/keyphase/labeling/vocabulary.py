@@ -5,10 +5,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from keyphase.errors import LabelingError
+from keyphase.labeling.colors import SEGMENT_COLORS
 from keyphase.labeling.edits import check_label
-
-COLORS = ("#58A2F2", "#EFB63A", "#26C397", "#CA71B6", "#A7A425", "#8FDDE8", "#B98A63")
-"""The colours of segments, in the order in which they are given out."""
 
 MAX_LABELS = 500
 
@@ -27,7 +25,7 @@ class VocabularyLabel:
             raise LabelingError("A label of the vocabulary must not be empty or padded.")
         if not _COLOR.fullmatch(self.color):
             raise LabelingError(
-                f"Expected a colour such as {COLORS[0]} for “{self.name}”, "
+                f"Expected a colour such as {SEGMENT_COLORS[0]} for “{self.name}”, "
                 f"but got {self.color[:20]!r}."
             )
 
@@ -58,7 +56,7 @@ class Vocabulary:
             return self
         used = [label.color.upper() for label in self.labels]
         if color is None or color.upper() in used:
-            color = min(COLORS, key=used.count)
+            color = min(SEGMENT_COLORS, key=used.count)
         return replace(self, labels=(*self.labels, VocabularyLabel(name, color)))
 
     def without_label(self, name: str) -> "Vocabulary":

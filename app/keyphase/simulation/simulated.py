@@ -9,7 +9,7 @@ from typing import Any, Protocol
 from keyphase.demonstration import Array
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.impedance import Gains, Reference
-from keyphase.simulation.shapes import Shape
+from keyphase.simulation.part_shapes import Shape
 from keyphase.simulation.simulation import Sample
 
 Poses = Mapping[str, tuple[Array, Array]]

@@ -16,8 +16,8 @@ from keyphase.errors import SimulationError
 from keyphase.simulation.contacts import Contacts
 from keyphase.simulation.disturbance import Disturbance
 from keyphase.simulation.impedance import RATE_HZ, CartesianImpedance, Gains, Reference
+from keyphase.simulation.part_shapes import Shape, shapes_in
 from keyphase.simulation.robot_scene import ARM_JOINTS, SENSOR_SITE, TOOL_BODY, TOOL_SITE
-from keyphase.simulation.shapes import Shape, shapes_in
 from keyphase.simulation.wrist_sensor import (
     Load,
     SensorModel,

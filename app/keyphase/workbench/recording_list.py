@@ -8,7 +8,7 @@ from pathlib import Path
 from keyphase.errors import RequestError
 from keyphase.workbench.recordings import Recording, recording_at
 
-COLORS = 8
+PAGE_COLORS = 8
 """So many colours tell pages apart."""
 
 

@@ -10,7 +10,7 @@ from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.leading.session import LeadThroughSession
 from keyphase.workbench.playback import Playhead
-from keyphase.workbench.recording_list import COLORS, Presence
+from keyphase.workbench.recording_list import PAGE_COLORS, Presence
 from keyphase.workbench.recordings import Recording
 from keyphase.workbench.replaying.session import ReplaySession
 from keyphase.workbench.scene_choices import SceneChoices
@@ -35,16 +35,14 @@ class View:
 
     def __init__(self, id: str, number: int, around: Surroundings) -> None:
         self.id, self.number = id, number
-        self._watchers = Watchers()
+        self._watchers, self._selection = Watchers(), Selection()
         self.playhead = Playhead()
         self.scene = SceneChoices(around.arms, self.each)
         self.following: str | None = None
-        self._around = around
-        self._lock = threading.RLock()
+        self._around, self._lock = around, threading.RLock()
         self._desk: Desk | None = None
         self._coming: Desk | None = None
         self._state: DeskState | None = None
-        self._selection = Selection()
         self.telling = Telling(self.tell, around.tasks)
         self.errands = Worker(self.telling.report)
         self.replay = ReplaySession(self.current, self.add, self.telling, self.each)
@@ -68,7 +66,9 @@ class View:
     @property
     def presence(self) -> Presence:
         """This page as others see it."""
-        return Presence(self.id, f"Page {self.number}", (self.number - 1) % COLORS, self.recording)
+        return Presence(
+            self.id, f"Page {self.number}", (self.number - 1) % PAGE_COLORS, self.recording
+        )
 
     def current(self) -> DeskState:
         """What is looked at. Raises RequestError where nothing is."""

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from keyphase.labeling.storage.written_files import IfThere
-from keyphase.simulation.shapes import Shape
+from keyphase.simulation.part_shapes import Shape
 from keyphase.workbench.beside import InTheWay
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.leading.status import LeadThroughStatus

@@ -6,8 +6,9 @@ from dataclasses import dataclass, field, fields
 from typing import Any
 
 from keyphase.errors import KeyphaseError
+from keyphase.labeling.colors import SEGMENT_COLORS
 from keyphase.labeling.earlier import parameters_as_meant
-from keyphase.labeling.vocabulary import COLORS, MAX_LABELS, Vocabulary, VocabularyLabel
+from keyphase.labeling.vocabulary import MAX_LABELS, Vocabulary, VocabularyLabel
 from keyphase.segmentation.parameters import Parameters
 
 VERSION = 1
@@ -70,7 +71,7 @@ def _label(item: Any, number: int, left_out: list[str]) -> VocabularyLabel | Non
     except KeyphaseError:
         pass
     try:
-        label = VocabularyLabel(name, COLORS[(number - 1) % len(COLORS)])
+        label = VocabularyLabel(name, SEGMENT_COLORS[(number - 1) % len(SEGMENT_COLORS)])
     except KeyphaseError:
         left_out.append(f"label {number}")
         return None

@@ -155,7 +155,7 @@ class Journal:
             if followed and (followed.path != self._path or _needs_rewriting(followed)):
                 self._rewrite(keep_old=followed.path != self._path or not _is_sound(followed))
             else:
-                self._file.follow(followed.data if followed else b"")
+                self._file.expect(followed.data if followed else b"")
         except (JournalError, OSError) as error:
             self._look_only(str(error))
 
@@ -192,7 +192,7 @@ class Journal:
             if old is not None:
                 put_back(old, self._path)
             raise
-        self._file.follow(data)
+        self._file.expect(data)
         return old
 
     def _append(self, records: list[Record]) -> None:

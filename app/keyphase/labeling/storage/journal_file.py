@@ -31,7 +31,7 @@ class JournalFile:
         self._size = 0
         self._tail = b""
 
-    def follow(self, data: bytes) -> None:
+    def expect(self, data: bytes) -> None:
         """The file holds `data`, as was just read or written; b"" where there is none."""
         self.close()
         self._size, self._tail = len(data), data[-_TAIL_BYTES:]

@@ -39,8 +39,8 @@ class Journaled:
     refused: int = 0
 
 
-def replay(records: Iterable[Record]) -> Journaled:
-    """Follow records in order.
+def state_after(records: Iterable[Record]) -> Journaled:
+    """The state that records, in order, lead to.
 
     Steps name the step they followed and undo and redo the step they led to, always as the
     number of that step, so a record that is lost costs no other. Raises JournalError for records

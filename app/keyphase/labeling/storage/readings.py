@@ -6,7 +6,7 @@ from pathlib import Path
 
 from keyphase.errors import JournalError
 from keyphase.files.reading import read_regular
-from keyphase.labeling.storage.journaled import Journaled, replay
+from keyphase.labeling.storage.journaled import Journaled, state_after
 from keyphase.labeling.storage.records import ReadRecords, decode
 from keyphase.labeling.storage.state_folder import StateFolder
 
@@ -44,7 +44,7 @@ def read_journal(path: Path) -> Reading:
             f"{path}: the journal cannot be read ({reason}); check its kind and permissions."
         ) from error
     read = decode(data)
-    return Reading(path, data, read, replay(read.records))
+    return Reading(path, data, read, state_after(read.records))
 
 
 def longest_journal(folder: StateFolder, name: str) -> tuple[Reading | None, list[Reading]]:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import SimulationError
-from keyphase.simulation.demonstrating.follow import Follower
+from keyphase.simulation.demonstrating.follower import Follower
 from keyphase.simulation.demonstrating.recorder import Recorder
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.impedance import RATE_HZ, Reference

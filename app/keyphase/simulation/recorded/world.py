@@ -10,9 +10,9 @@ from keyphase.demonstration import Array
 from keyphase.errors import SimulationError
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.impedance import RATE_HZ, Gains, Reference
+from keyphase.simulation.part_shapes import Shape
 from keyphase.simulation.recorded.body import ToolBody
 from keyphase.simulation.recorded.surfaces import STIFFNESS_N_M, Surface
-from keyphase.simulation.shapes import Shape
 from keyphase.simulation.simulation import Sample
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from keyphase.simulation.replay.margin import Margin, PlanMargin, Reach
 OPPOSITE = {"higher": "lower", "towards the tool": "away from it"}
 """Axes that are told as one range."""
 
-COLORS = ("#1098ad", "#f08c00", "#868e96")
+_LINE_COLORS = ("#1098ad", "#f08c00", "#868e96")
 WIDTH, ROW, LEFT, SCALE = 960, 30, 330, 9.0
 _INK, _FAINT = "#343a40", "#dee2e6"
 
@@ -84,7 +84,7 @@ def _axis(plans: Sequence[PlanMargin], index: int, top: float) -> Iterator[str]:
     for row, plan in enumerate(plans):
         reach, y = plan.reaches[index], top + row * ROW * 0.5
         long = _length(reach)
-        color = COLORS[row % len(COLORS)]
+        color = _LINE_COLORS[row % len(_LINE_COLORS)]
         yield _text(150, y + 11, plan.plan, size=11)
         yield _bar(LEFT, y + 2, max(long, 1.5), color)
         yield _text(LEFT + long + 10, y + 11, _value(reach), size=11)

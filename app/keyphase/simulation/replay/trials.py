@@ -11,8 +11,8 @@ import numpy as np
 from keyphase.demonstration import Demonstration
 from keyphase.errors import ParameterError, SimulationError
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
+from keyphase.simulation.replay.ranges import Range
 from keyphase.simulation.replay.replay import ReplayOptions, run
-from keyphase.simulation.replay.spread import Spread
 from keyphase.simulation.simulated import Cell
 from keyphase.simulation.workcells.registry import workcell
 from keyphase.skills.skill import Skill
@@ -20,10 +20,10 @@ from keyphase.skills.skill import Skill
 CONFIDENCE_Z = 1.959964
 """Of a two-sided 95 % interval."""
 
-_ONLY_NOMINAL_PLACE = Spread(0.0, 0.0)
-_ONLY_NOMINAL_FRICTION = Spread(NOMINAL.friction, NOMINAL.friction)
-_ONE = Spread(1.0, 1.0)
-_ONLY_NOMINAL_NOISE = Spread(NOMINAL.sensor_noise, NOMINAL.sensor_noise)
+_ONLY_NOMINAL_PLACE = Range(0.0, 0.0)
+_ONLY_NOMINAL_FRICTION = Range(NOMINAL.friction, NOMINAL.friction)
+_ONE = Range(1.0, 1.0)
+_ONLY_NOMINAL_NOISE = Range(NOMINAL.sensor_noise, NOMINAL.sensor_noise)
 
 
 @dataclass(frozen=True)
@@ -41,15 +41,15 @@ class Worlds:
     sensor_drift   factor on how fast its bias wanders
     """
 
-    part_height_m: Spread = _ONLY_NOMINAL_PLACE
-    part_offset_m: Spread = _ONLY_NOMINAL_PLACE
-    friction: Spread = _ONLY_NOMINAL_FRICTION
-    sensor_noise: Spread = _ONLY_NOMINAL_NOISE
-    tilt_rad: Spread = _ONLY_NOMINAL_PLACE
-    part_turn_rad: Spread = _ONLY_NOMINAL_PLACE
-    mass: Spread = _ONE
-    sensor_bias_N: Spread = _ONLY_NOMINAL_PLACE
-    sensor_drift: Spread = _ONE
+    part_height_m: Range = _ONLY_NOMINAL_PLACE
+    part_offset_m: Range = _ONLY_NOMINAL_PLACE
+    friction: Range = _ONLY_NOMINAL_FRICTION
+    sensor_noise: Range = _ONLY_NOMINAL_NOISE
+    tilt_rad: Range = _ONLY_NOMINAL_PLACE
+    part_turn_rad: Range = _ONLY_NOMINAL_PLACE
+    mass: Range = _ONE
+    sensor_bias_N: Range = _ONLY_NOMINAL_PLACE
+    sensor_drift: Range = _ONE
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,8 @@ from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import SimulationError
 from keyphase.simulation.disturbance import Disturbance
 from keyphase.simulation.impedance import RATE_HZ, Gains, Reference
+from keyphase.simulation.part_shapes import Shape
 from keyphase.simulation.robot_scene import ARM_JOINTS
-from keyphase.simulation.shapes import Shape
 from keyphase.simulation.simulation import Simulation
 from keyphase.simulation.workcells.registry import workcell
 

@@ -10,7 +10,7 @@ from typing import Protocol
 import msgspec
 from msgspec import Struct
 
-from keyphase.simulation.shapes import Shape
+from keyphase.simulation.part_shapes import Shape
 from keyphase.web.protocol import control_messages as controls
 from keyphase.web.protocol import document_messages as documents
 from keyphase.web.protocol import list_messages as lists

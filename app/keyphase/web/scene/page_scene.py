@@ -13,7 +13,7 @@ import viser
 from keyphase.errors import FileInTheWayError
 from keyphase.labeling.storage.written_files import IfThere
 from keyphase.robot.pose import Placement
-from keyphase.simulation.shapes import Shape
+from keyphase.simulation.part_shapes import Shape
 from keyphase.web.scene.camera import Camera, LastCamera
 from keyphase.web.scene.page_parts import PageParts
 from keyphase.web.scene.page_robot import PageRobot

@@ -5,6 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from keyphase.labeling.colors import SEGMENT_COLORS
+
 Rgb = tuple[int, int, int]
 
 
@@ -30,14 +32,7 @@ def _rgb(code: str) -> Rgb:
     return int(code[1:3], 16), int(code[3:5], 16), int(code[5:7], 16)
 
 
-SEGMENT_COLORS: NDArray[np.uint8] = np.array(
-    [
-        _rgb(code)
-        for code in ("#58A2F2", "#EFB63A", "#26C397", "#CA71B6", "#A7A425", "#8FDDE8", "#B98A63")
-    ],
-    np.uint8,
-)
-"""Colours of segments in both themes; they repeat, and the number tells segments apart."""
+SEGMENT_RGB: NDArray[np.uint8] = np.array([_rgb(code) for code in SEGMENT_COLORS], np.uint8)
 
 IDLE = _rgb("#6f7780")
 """The path of idle and dropped segments."""
@@ -75,7 +70,7 @@ def segment_color(color: int, kept: bool) -> Rgb:
     """Colour of a segment by its number, as it is to be seen."""
     if not kept:
         return IDLE
-    red, green, blue = SEGMENT_COLORS[color % len(SEGMENT_COLORS)].tolist()
+    red, green, blue = SEGMENT_RGB[color % len(SEGMENT_RGB)].tolist()
     return red, green, blue
 
 

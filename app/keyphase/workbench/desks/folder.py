@@ -5,13 +5,14 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from keyphase.labeling.colors import SEGMENT_COLORS
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.storage.folder_settings import (
     FolderSettings,
     change_folder_settings,
     read_folder_settings,
 )
-from keyphase.labeling.vocabulary import COLORS, Vocabulary
+from keyphase.labeling.vocabulary import Vocabulary
 from keyphase.segmentation import Parameters
 
 
@@ -33,7 +34,7 @@ class Folder:
 
         Raises JournalError where it cannot be kept.
         """
-        preferred = COLORS[color % len(COLORS)]
+        preferred = SEGMENT_COLORS[color % len(SEGMENT_COLORS)]
         self._change_vocabulary(lambda vocabulary: vocabulary.with_label(label, preferred))
 
     def forget(self, label: str) -> None:
@@ -47,9 +48,9 @@ class Folder:
     def colored(self, labeling: Labeling) -> Labeling:
         """The labeling with segments named by the vocabulary in the colours of their names."""
         colors = {
-            label.name: COLORS.index(label.color.upper())
+            label.name: SEGMENT_COLORS.index(label.color.upper())
             for label in self._settings.vocabulary.labels
-            if label.color.upper() in COLORS
+            if label.color.upper() in SEGMENT_COLORS
         }
         segments = tuple(
             segment

@@ -11,7 +11,7 @@ from typing import Protocol
 
 from keyphase.demonstration import Array
 from keyphase.errors import SimulationError
-from keyphase.simulation.demonstrating.follow import MAX_AHEAD_M
+from keyphase.simulation.demonstrating.follower import MAX_AHEAD_M
 from keyphase.simulation.demonstrating.lead_through import LeadThrough
 from keyphase.simulation.workcells.registry import workcell
 from keyphase.workbench.leading.status import LeadThroughStatus

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
+from keyphase.simulation.part_shapes import Shape
 from keyphase.simulation.replay.result import ReplayResult
-from keyphase.simulation.shapes import Shape
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.replaying.plan import ReplayPlan
 from keyphase.workbench.replaying.run import Phase, ReplayRun

@@ -5,8 +5,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from keyphase.simulation.choosing import cell_for
+from keyphase.simulation.replay.ranges import Range
 from keyphase.simulation.replay.report import trials_outcome
-from keyphase.simulation.replay.spread import Spread
 from keyphase.simulation.replay.trials import Worlds, drawn_worlds, run_trials
 from keyphase.simulation.replay.trials_picture import trials_svg
 from keyphase.workbench.desks.desk_state import DeskState
@@ -17,10 +17,10 @@ from keyphase.workbench.telling import Telling
 from keyphase.workbench.worker import Worker
 
 WORLDS = Worlds(
-    part_height_m=Spread(-0.01, 0.01),
-    part_offset_m=Spread(-0.005, 0.005),
-    friction=Spread(0.2, 0.6),
-    sensor_noise=Spread(2.0, 2.0),
+    part_height_m=Range(-0.01, 0.01),
+    part_offset_m=Range(-0.005, 0.005),
+    friction=Range(0.2, 0.6),
+    sensor_noise=Range(2.0, 2.0),
 )
 """Parts ±10 mm in height and ±5 mm aside, friction 0.2 to 0.6, sensor noise doubled."""
 

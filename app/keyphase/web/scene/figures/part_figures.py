@@ -6,7 +6,7 @@ import numpy as np
 import viser
 
 from keyphase.demonstration import Array
-from keyphase.simulation.shapes import Shape
+from keyphase.simulation.part_shapes import Shape
 from keyphase.web.scene.palette import PART_GAMMA, Rgb, painted
 
 TABLE_TOP = "table"

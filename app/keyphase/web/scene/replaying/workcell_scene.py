@@ -4,7 +4,7 @@ import numpy as np
 import viser
 
 from keyphase.simulation.demonstrating.lead_through import LeadThroughState
-from keyphase.simulation.shapes import Shape
+from keyphase.simulation.part_shapes import Shape
 from keyphase.web.scene.figures.force_arrow import ForceArrow
 from keyphase.web.scene.figures.part_figures import PartFigures
 from keyphase.web.scene.page_robot import PageRobot

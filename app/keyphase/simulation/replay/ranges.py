@@ -13,7 +13,7 @@ _NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([a-z]*)")
 
 
 @dataclass(frozen=True)
-class Spread:
+class Range:
     """Uniform from `low` to `high`; both ends may be equal."""
 
     low: float
@@ -29,8 +29,8 @@ class Spread:
         return self.low if self.low == self.high else None
 
 
-def spread_of(text: str, name: str, *, symmetric: bool = False) -> Spread:
-    """The spread in a text: `0.2..0.6` a range, `0.3` that value.
+def range_of(text: str, name: str, *, symmetric: bool = False) -> Range:
+    """The range in a text: `0.2..0.6` a range, `0.3` that value.
 
     Where `symmetric`, a single value a is the range from -a to a. Lengths take m, cm or mm and are
     in metres without, angles take deg and are in radians without. `name` is what messages call it.
@@ -39,11 +39,11 @@ def spread_of(text: str, name: str, *, symmetric: bool = False) -> Spread:
     low, dots, high = text.partition("..")
     first = _value(low, text, name)
     if not dots:
-        return Spread(-abs(first), abs(first)) if symmetric else Spread(first, first)
+        return Range(-abs(first), abs(first)) if symmetric else Range(first, first)
     last = _value(high, text, name)
     if last < first:
         raise ParameterError(f"{name} must ascend from a to b in a..b, but is '{text}'.")
-    return Spread(first, last)
+    return Range(first, last)
 
 
 def _value(text: str, whole: str, name: str) -> float:
