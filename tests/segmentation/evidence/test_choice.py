@@ -47,3 +47,9 @@ def test_a_weaker_candidate_loses_the_nearer_a_likelier_one_is():
     assert beside(0.2) < beside(0.4) < beside(CROWDED_S)
     assert beside(CROWDED_S) == pytest.approx(2.0)
     assert beside(0.05) == -np.inf
+
+
+def test_what_is_seen_at_one_place_and_put_at_two_is_one_change():
+    put, odds = np.array([1.0, 1.3]), np.array([3.0, 2.0])
+    assert np.isfinite(spaced_scores(put, odds, 0.25)).all()
+    assert spaced_scores(put, odds, 0.25, np.array([1.2, 1.3])).tolist() == [3.0, -np.inf]

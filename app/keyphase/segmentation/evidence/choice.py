@@ -21,11 +21,19 @@ MIN_ODDS = -9.0
 """Candidates less likely than this (one in ten thousand) are never boundaries."""
 
 
-def spaced_scores(time_s: Array, odds: Array, min_distance_s: float) -> Array:
-    """Log-odds (C,) of candidates in time order beside likelier ones; -inf where too close."""
+def spaced_scores(
+    time_s: Array, odds: Array, min_distance_s: float, seen_s: Array | None = None
+) -> Array:
+    """Log-odds (C,) of candidates beside likelier ones; -inf where too close.
+
+    `seen_s` (C,) is where each was seen, if that is not where it is put: one rise, seen at its
+    steepest and put where it begins, is not two changes. Two candidates are as far apart as they
+    are in the nearer of both.
+    """
     scores = np.full(len(odds), -np.inf)
     use = np.flatnonzero(odds >= MIN_ODDS)
-    times, own = time_s[use].tolist(), odds[use].tolist()
+    own = odds[use].tolist()
+    places = [_Places(time_s[use])] + ([] if seen_s is None else [_Places(seen_s[use])])
     current, taken = list(own), [False] * len(own)
     queue = [(-z, index) for index, z in enumerate(own)]
     heapq.heapify(queue)
@@ -36,11 +44,10 @@ def spaced_scores(time_s: Array, odds: Array, min_distance_s: float) -> Array:
             continue
         taken[index] = True
         scores[use[index]] = current[index]
-        at = times[index]
-        for other in range(bisect_left(times, at - reach), bisect_right(times, at + reach)):
+        for other in {other for each in places for other in each.near(index, reach)}:
             if taken[other]:
                 continue
-            gap = abs(times[other] - at)
+            gap = min(each.between(index, other) for each in places)
             if gap < min_distance_s:
                 taken[other] = True
                 continue
@@ -52,6 +59,28 @@ def spaced_scores(time_s: Array, odds: Array, min_distance_s: float) -> Array:
                 else:
                     taken[other] = True
     return scores
+
+
+class _Places:
+    """Where candidates lie in time; those near one are found by bisection."""
+
+    def __init__(self, time_s: Array) -> None:
+        order = np.argsort(time_s, kind="stable")
+        self._own, self._order = time_s.tolist(), order.tolist()
+        self._sorted = time_s[order].tolist()
+
+    def near(self, index: int, reach_s: float) -> list[int]:
+        """Candidates at most this far from one, itself among them."""
+        at = self._own[index]
+        first, last = (
+            bisect_left(self._sorted, at - reach_s),
+            bisect_right(self._sorted, at + reach_s),
+        )
+        return self._order[first:last]
+
+    def between(self, one: int, other: int) -> float:
+        """Time from one candidate to another."""
+        return abs(self._own[one] - self._own[other])
 
 
 def distance_to(times_s: Array, places_s: Array) -> Array:

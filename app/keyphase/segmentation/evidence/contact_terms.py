@@ -59,12 +59,14 @@ class ContactCandidates:
     """Where contact may have changed, C places in time order.
 
     cell (C,)       where the change is put
+    seen (C,)       where it was seen: at a peak of a force curve, or a change of state
     interval (C, 2) first and last cell of the rise or fall
     terms (C, T)    one column per CONTACT_TERMS
     step (C, 3)     mean force after minus before, in sizes of the wrench
     """
 
     cell: Indices
+    seen: Indices
     interval: Indices
     terms: Array
     step: Array
@@ -84,12 +86,14 @@ def contact_candidates(grid: Grid, speed: Speed) -> ContactCandidates:
     table = np.column_stack([terms[name] for name in CONTACT_TERMS])
     gap, length = round(_STEP_GAP_S * grid.rate_hz), grid.cells(_STEP_LENGTH_S)
     step = Sides(look.windows, cell, gap, length).jump[:, :3]
-    return ContactCandidates(cell, interval, table, step)
+    return ContactCandidates(cell, at, interval, table, step)
 
 
 def _none() -> ContactCandidates:
     cells, pairs = np.zeros(0, dtype=np.intp), np.zeros((0, 2), dtype=np.intp)
-    return ContactCandidates(cells, pairs, np.zeros((0, len(CONTACT_TERMS))), np.zeros((0, 3)))
+    return ContactCandidates(
+        cells, cells, pairs, np.zeros((0, len(CONTACT_TERMS))), np.zeros((0, 3))
+    )
 
 
 def _cells(grid: Grid, curves: ForceCurves, view: StateView) -> Indices:

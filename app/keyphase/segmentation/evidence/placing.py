@@ -13,6 +13,8 @@ _RAMP_REACH_S = 1.0
 _LEVEL_S = 0.3
 _STATE_REACH_S = 1.5
 _STATE_NEAR_S = 0.5
+_SHARP = 0.6
+_SHARE_OF_RAMP = 0.3
 
 
 def placed(
@@ -21,9 +23,11 @@ def placed(
     """The cell (C,) of each change, and the first and last (C, 2) it may have been.
 
     tops (5, C) are the largest steps near each at every scale: one that is much smaller at the
-    fine scales is a ramp.
+    fine scales is a ramp, unless it is sharp itself: then it is a step on the way of a ramp.
     """
-    ramp = tops[1] < 0.5 * np.maximum(tops[3], tops[4])
+    slowest = np.maximum(tops[3], tops[4])
+    sharp = (tops[0] >= _SHARP * tops[2]) & (tops[1] >= _SHARE_OF_RAMP * slowest)
+    ramp = (tops[1] < 0.5 * slowest) & ~sharp
     slow = ramp & (tops[1] < 0.5 * tops[4]) & (tops[3] < 0.85 * tops[4])
     cell = _steepest(curves.step[0], at, int(_STEP_REACH_S * grid.rate_hz))
     cell[ramp] = _ramps(grid, at[ramp])

@@ -58,7 +58,7 @@ def scores_of(evidence: Evidence, weights: Weights, parameters: Parameters) -> S
     small = step < parameters.least_step_N
     touch = np.where(small, -np.inf, evidence.contact_odds)
     distance = parameters.min_distance_s
-    contact = spaced_scores(evidence.contact_s, touch, distance)
+    contact = spaced_scores(evidence.contact_s, touch, distance, evidence.seen_s)
     motion = spaced_scores(evidence.motion_s, evidence.motion_odds, distance)
     return Scores(
         _calibrated(contact, weights, evidence, "contact"),

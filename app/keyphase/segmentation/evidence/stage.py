@@ -19,6 +19,7 @@ class Evidence:
     """Candidates of both kinds with their log-odds before calibration and before the choice.
 
     contact_s (C,), motion_s (M,)       their times, ascending
+    seen_s (C,)                         where contact changes were seen, see `ContactCandidates`
     contact_odds (C,), motion_odds (M,)
     force_step_N (C, 3)                 mean force after minus before each contact candidate
     unlike                              distance from all that was fitted on, see `probability`
@@ -28,6 +29,7 @@ class Evidence:
     contact: ContactCandidates
     motion: MotionCandidates
     contact_s: Array
+    seen_s: Array
     motion_s: Array
     contact_odds: Array
     motion_odds: Array
@@ -48,6 +50,7 @@ def evidence_of(demonstration: Demonstration, motion: Motion, weights: Weights) 
         contact,
         moves,
         grid.time_s[contact.cell],
+        grid.time_s[contact.seen],
         np.interp(moves.cell, cells, grid.time_s),
         touch_odds,
         motion_odds(moves.terms, weights),
@@ -59,5 +62,5 @@ def evidence_of(demonstration: Demonstration, motion: Motion, weights: Weights) 
 def _in_order(found: ContactCandidates) -> ContactCandidates:
     order = np.argsort(found.cell, kind="stable")
     return ContactCandidates(
-        found.cell[order], found.interval[order], found.terms[order], found.step[order]
+        *(part[order] for part in (found.cell, found.seen, found.interval, found.terms, found.step))
     )

@@ -170,10 +170,7 @@ def chosen_scores(recording: Taught, weights: Weights) -> tuple[Array, Array]:
 
 
 def _spaced(side: Side, odds: Array) -> Array:
-    order = np.argsort(side.time_s, kind="stable")
-    scores = np.full(len(odds), -np.inf)
-    scores[order] = spaced_scores(side.time_s[order], odds[order], MIN_DISTANCE_S)
-    return scores
+    return spaced_scores(side.time_s, odds, MIN_DISTANCE_S, side.seen_s)
 
 
 def scores_left_out(

@@ -38,9 +38,11 @@ class Truth:
 
 @dataclass(frozen=True, eq=False)
 class Side:
-    """One kind of candidates of one recording: times (C,), terms (C, T), and its events."""
+    """One kind of candidates of one recording: times (C,), where they were seen (C,), terms
+    (C, T), and its events."""
 
     time_s: Array
+    seen_s: Array
     terms: Array
     event_s: Array
     window_s: Array
@@ -68,18 +70,25 @@ def taught(family: str, demonstration: Demonstration, truth: Truth) -> Taught:
     both = np.vstack([truth.ignore, truth.ignore_motion])
     return Taught(
         family,
-        _side(touch_s, touches.terms, truth, truth.contact, truth.ignore),
-        _side(move_s, moves.terms, truth, ~truth.contact, both),
+        _side(
+            touch_s, grid.time_s[touches.seen], touches.terms, truth, truth.contact, truth.ignore
+        ),
+        _side(move_s, move_s, moves.terms, truth, ~truth.contact, both),
     )
 
 
 def _side(
-    time_s: Array, terms: Array, truth: Truth, chosen: NDArray[np.bool_], ignore: Array
+    time_s: Array,
+    seen_s: Array,
+    terms: Array,
+    truth: Truth,
+    chosen: NDArray[np.bool_],
+    ignore: Array,
 ) -> Side:
     unknown = np.zeros(len(time_s), dtype=bool)
     for low, high in ignore:
         unknown |= (time_s >= low) & (time_s <= high)
-    return Side(time_s, terms, truth.time_s[chosen], truth.window_s[chosen], unknown)
+    return Side(time_s, seen_s, terms, truth.time_s[chosen], truth.window_s[chosen], unknown)
 
 
 def labels(side: Side, odds: Array) -> Labels:

@@ -1,0 +1,30 @@
+"""When a contact change is said to have happened: rises of several shapes."""
+
+import numpy as np
+import pytest
+
+from keyphase.demonstration import Demonstration
+from keyphase.segmentation import segment
+
+TIME_S = np.arange(0.0, 12.0, 0.01)
+
+
+def contacts(force_N: np.ndarray) -> list[float]:
+    rng = np.random.default_rng(0)
+    force = np.outer(force_N, [0.0, 0.0, 1.0]) + rng.normal(0.0, 0.03, (len(TIME_S), 3))
+    swing = np.outer(0.05 * np.sin(2.0 * TIME_S), [1.0, 0.0, 0.0])
+    found = segment(Demonstration("rise", TIME_S, swing, force_N=force))
+    return [b.time_s for b in found.boundaries if b.contact_change]
+
+
+def test_a_rise_in_a_third_of_a_second_that_ends_with_a_click_is_one_change():
+    rise = np.clip((TIME_S - 5.0) / 0.3, 0.0, 1.0)
+    click = 1.0 - np.exp(-np.maximum(TIME_S - 5.28, 0.0) / 0.02)
+    assert contacts(6.0 * rise**2 + 4.0 * click) == [pytest.approx(5.15, abs=0.2)]
+
+
+def test_a_step_after_a_light_touch_lies_where_it_is_and_not_at_the_touch():
+    light = 2.0 * np.clip((TIME_S - 4.0) / 0.4, 0.0, 1.0)
+    firm = 5.0 * (1.0 - np.exp(-np.maximum(TIME_S - 5.2, 0.0) / 0.03))
+    found = contacts(light + firm)
+    assert min(abs(time - 5.2) for time in found) < 0.06
