@@ -8,6 +8,7 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.rotations.courses import from_first
 from keyphase.segmentation.bins import bin_means, bin_starts, typical_step_s
+from keyphase.segmentation.filters import smoothed
 
 METRES_PER_RADIAN = 0.2
 """How far a rotation counts as a movement: about the reach of a hand around its wrist."""
@@ -63,9 +64,7 @@ def _pose(position: Array, rotation: Array | None) -> Array:
 def _speed(time: Array, pose: Array) -> Array:
     if len(time) < 2:
         return np.zeros(len(time))
-    from scipy.signal import butter, sosfiltfilt
-
     rate = 1.0 / typical_step_s(time)
     if len(time) > 20 and rate > 2.5 * _SMOOTHING_HZ:
-        pose = sosfiltfilt(butter(2, _SMOOTHING_HZ, fs=rate, output="sos"), pose, axis=0)
+        pose = smoothed(pose, _SMOOTHING_HZ, rate)
     return np.linalg.norm(np.gradient(pose, time, axis=0), axis=1)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
 from keyphase.errors import ParameterError
-from keyphase.segmentation.own_methods import METHODS
+from keyphase.segmentation.own_methods import METHODS, OWN_VARIANTS
 
 Mixture = Literal["keyphase", "scikit-learn"]
 Turns = Literal["none", "clear", "all"]
@@ -24,8 +24,9 @@ class Parameters:
     variant: str = "evidence"
     """The method: a probability for every boundary, the paper's ("paper"), or a registered one."""
     force_threshold: float | None = None
-    """Normalized error a peak must exceed; None: the chi-square level of one false alarm in a
-    hundred demonstrations."""
+    """Probability a contact change must reach, None: automatic. In variant paper the normalized
+    error a peak must exceed, None: the chi-square level of one false alarm in a hundred
+    demonstrations."""
     force_ratio: float = 20.0
     """How many times its running 2 s median a peak must exceed."""
     min_distance_s: float = 0.25
@@ -60,7 +61,8 @@ class Parameters:
             _check_number(name, getattr(self, name), low, high)
         _check_choice("engine", self.engine, get_args(Engine))
         _check_choice("mixture", self.mixture, get_args(Mixture))
-        _check_choice("variant", self.variant, METHODS.names)
+        if self.variant not in OWN_VARIANTS:
+            _check_choice("variant", self.variant, METHODS.names)
         _check_choice("turns", self.turns, get_args(Turns))
         _check_choice("estimator", self.estimator, get_args(Estimator))
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.bins import BIN_S, bin_means, bin_starts, typical_step_s
+from keyphase.segmentation.filters import fast_part
 from keyphase.segmentation.motion import METRES_PER_RADIAN, Motion
 
 LEVER_M = METRES_PER_RADIAN
@@ -88,8 +89,6 @@ def _wrench(demonstration: Demonstration, cells: Array, even: Array) -> tuple[Ar
 
 def _vibration(demonstration: Demonstration, time_s: Array) -> Array | None:
     """Mean square of the force above 10 Hz around each cell."""
-    from scipy.signal import butter, sosfiltfilt
-
     step = typical_step_s(demonstration.time_s)
     if step * _MIN_FOR_VIBRATION_HZ > 1.0 or demonstration.force_N is None:
         return None
@@ -99,8 +98,7 @@ def _vibration(demonstration: Demonstration, time_s: Array) -> Array | None:
         time, force, step = bin_means(time, starts), bin_means(force, starts), _VIBRATION_STEP_S
     if len(time) < 2 * MIN_CELLS:
         return None
-    high = butter(2, _VIBRATION_HZ, "highpass", fs=1.0 / step, output="sos")
-    energy = np.square(sosfiltfilt(high, force.T)).sum(axis=0)
+    energy = np.square(fast_part(force, _VIBRATION_HZ, 1.0 / step)).sum(axis=1)
     sums = np.concatenate([[0.0], np.cumsum(energy)])
     edges = np.searchsorted(time, np.append(time_s - 0.5 * BIN_S, time_s[-1] + 0.5 * BIN_S))
     first = np.minimum(edges[:-1], len(energy) - 1)

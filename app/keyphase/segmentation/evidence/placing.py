@@ -31,9 +31,7 @@ def placed(
     slow = ramp & (tops[1] < 0.5 * tops[4]) & (tops[3] < 0.85 * tops[4])
     cell = _steepest(curves.step[0], at, int(_STEP_REACH_S * grid.rate_hz))
     cell[ramp] = _ramps(grid, at[ramp])
-    for index in np.flatnonzero(slow):
-        place = _leaving_core(grid, view, int(at[index]))
-        cell[index] = cell[index] if place is None else place
+    cell[slow] = _leaving_core(grid, view, at[slow], cell[slow])
     reach = np.where(slow, 0.5, np.where(ramp, 0.25, 0.04)) * grid.rate_hz
     reach = np.maximum(reach, np.abs(cell - at)).astype(np.intp)
     last = len(grid) - 1
@@ -86,21 +84,22 @@ def _levels(wrench: Array, first: Indices, length: int) -> tuple[Array, Array]:
     return level, np.quantile(distance, 0.9, axis=1)
 
 
-def _leaving_core(grid: Grid, view: StateView, at: int) -> int | None:
-    """Where a slow ramp leaves free space, or is back in it; None where neither side is free."""
+def _leaving_core(grid: Grid, view: StateView, at: Indices, else_: Indices) -> Indices:
+    """Where slow ramps leave free space, or are back in it (C,); `else_` where no side is free."""
     far, near = int(_STATE_REACH_S * grid.rate_hz), int(_STATE_NEAR_S * grid.rate_hz)
-    distance = view.distance
-    first, last = max(0, at - far), min(len(grid), at + far)
-    before, after = distance[first : max(first + 1, at - near)], distance[at + near : last]
-    if not len(after):
-        after = distance[-1:]
-    low, high = float(np.median(before)), float(np.median(after))
-    edge = max(2.5 * view.core_spread, 0.1 * max(low, high))
-    if not min(low, high) < edge < 0.7 * max(low, high):
-        return None
-    if low < high:
-        inside = np.flatnonzero(distance[first : min(at + near + 1, last)] <= edge)
-        return min(first + int(inside[-1]) + 1, len(grid) - 1) if len(inside) else None
-    start = max(first, at - near)
-    inside = np.flatnonzero(distance[start:last] <= edge)
-    return start + int(inside[0]) if len(inside) else None
+    cell, last = else_.copy(), len(grid) - 1
+    away = np.arange(near, max(far, near + 1))
+    distance = view.distance[np.clip(at[:, None] + np.arange(-far, far + 1), 0, last)]
+    low = np.median(view.distance[np.maximum(at[:, None] - away, 0)], axis=1)
+    high = np.median(view.distance[np.minimum(at[:, None] + away, last)], axis=1)
+    edge = np.maximum(2.5 * view.core_spread, 0.1 * np.maximum(low, high))
+    free_side = (np.minimum(low, high) < edge) & (edge < 0.7 * np.maximum(low, high))
+    inside = distance <= edge[:, None]
+    # A rise begins after the last free cell up to `near` after it, a fall ends at the first one.
+    before, after = inside[:, : far + near + 1], inside[:, far - near :]
+    rises = free_side & (low < high) & before.any(axis=1)
+    falls = free_side & (low >= high) & after.any(axis=1)
+    begun = at + near - before[:, ::-1].argmax(axis=1) + 1
+    cell[rises] = np.clip(begun, 0, last)[rises]
+    cell[falls] = np.clip(at - near + after.argmax(axis=1), 0, last)[falls]
+    return cell

@@ -8,6 +8,7 @@ from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.grid import MIN_CELLS, Grid
 from keyphase.segmentation.evidence.windows import Windows
+from keyphase.segmentation.filters import smoothed
 
 SMOOTHING_HZ = 3.0
 
@@ -41,13 +42,10 @@ class Speed:
 
 def speed_of(grid: Grid) -> Speed:
     """Smooth the pose and differentiate it."""
-    from scipy.signal import butter, sosfiltfilt
-
     pose = grid.pose_m
     if len(grid) <= MIN_CELLS:
         return Speed(grid, pose, np.zeros(len(grid)), 0.0)
-    low = butter(2, min(SMOOTHING_HZ, 0.35 * grid.rate_hz), fs=grid.rate_hz, output="sos")
-    pose = np.ascontiguousarray(sosfiltfilt(low, pose.T).T)
+    pose = smoothed(pose, min(SMOOTHING_HZ, 0.35 * grid.rate_hz), grid.rate_hz)
     velocity = np.gradient(pose, 1.0 / grid.rate_hz, axis=0)
     speed = np.linalg.norm(velocity, axis=1)
     fast = float(np.quantile(speed, _FAST_QUANTILE))

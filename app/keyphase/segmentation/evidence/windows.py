@@ -1,5 +1,7 @@
 """Means and scatter over windows beside each candidate, in time that does not grow with them."""
 
+from functools import cached_property
+
 import numpy as np
 
 from keyphase.demonstration import Array
@@ -11,10 +13,12 @@ class Windows:
 
     def __init__(self, values: Array) -> None:
         columns = values[:, None] if values.ndim == 1 else values
-        zero = np.zeros((1, columns.shape[1]))
-        self._n = len(columns)
-        self._sums = np.vstack([zero, np.cumsum(columns, axis=0)])
-        self._squares = np.vstack([zero, np.cumsum(columns * columns, axis=0)])
+        self._columns, self._n = columns, len(columns)
+        self._sums = _running(columns)
+
+    @cached_property
+    def _squares(self) -> Array:
+        return _running(self._columns * self._columns)
 
     def mean(self, first: Indices, last: Indices) -> Array:
         """Mean (C, D) over [first, last), cut at the ends; zero where nothing is left."""
@@ -33,14 +37,30 @@ class Windows:
         return first, last, np.maximum(last - first, 1)[:, None]
 
 
+def _running(columns: Array) -> Array:
+    sums = np.zeros((len(columns) + 1, columns.shape[1]))
+    np.cumsum(columns, axis=0, out=sums[1:])
+    return sums
+
+
 class Sides:
     """The windows of one length on both sides of candidates, `gap` cells away from them."""
 
     def __init__(self, windows: Windows, at: Indices, gap: int, length: int) -> None:
-        before, after = (at - gap - length, at - gap), (at + gap, at + gap + length)
-        self.mean_before, self.mean_after = windows.mean(*before), windows.mean(*after)
-        self.scatter_before = windows.scatter(*before)
-        self.scatter_after = windows.scatter(*after)
+        self._windows = windows
+        self._before, self._after = (at - gap - length, at - gap), (at + gap, at + gap + length)
+        self.mean_before = windows.mean(*self._before)
+        self.mean_after = windows.mean(*self._after)
+
+    @cached_property
+    def scatter_before(self) -> Array:
+        """Root of the summed variance (C,)."""
+        return self._windows.scatter(*self._before)
+
+    @cached_property
+    def scatter_after(self) -> Array:
+        """Root of the summed variance (C,)."""
+        return self._windows.scatter(*self._after)
 
     @property
     def jump(self) -> Array:
