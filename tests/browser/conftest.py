@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from chromium import chromium_browser
-from driver import KeyphasePage, Serve, Visit
+from driver import KeyphasePage, LookAt, Serve, Visit
 from playwright.sync_api import Browser, Route
 
 from keyphase.files.shipped import shipped
@@ -51,28 +51,37 @@ class _Editor:
 
     def __init__(self, chromium: Browser, folder: Path, size: tuple[int, int], scene: bool) -> None:
         self.server = PageServer([], folder=folder)
+        self._size = {"width": size[0], "height": size[1]}
         self._new = partial(_opened, chromium, self.server, size, dark=False, scene=scene)
         self._page: KeyphasePage | None = None
         self._before = ""
 
-    def open(self, recording: Path) -> KeyphasePage:
+    def open(self, *recordings: Path) -> KeyphasePage:
+        """The page on the first of these recordings."""
         page = self._page = self._page or self._new()
         page.until("keyphase.state.greeted")
-        self.server.workbench.views[-1].add(recording)
-        page.until("keyphase.state.recordings?.items.length === 1")
+        workbench = self.server.workbench
+        added = [workbench.recordings.add(one) for one in recordings]
+        workbench.views[-1].open(added[0].id)
+        workbench.looking.begin()
+        page.until(f"keyphase.state.recordings?.items.length === {len(added)}")
         page.wait_for_document()
         self._before = page.page.evaluate(_AS_OPENED)
         return page
 
-    def put_away(self, again: bool) -> None:
-        """Close all recordings, and the page unless it is as it was before and wanted `again`."""
+    def put_away(self, again: bool, changed: bool = False) -> None:
+        """Close all recordings, and the page unless it is wanted `again`.
+
+        `changed`: more of it than the document is not as it was; it is loaded again.
+        """
         page, self._page = self._page, None
         assert page
         try:
             page.press("Escape")
             page.page.mouse.move(0, 0)
             after = page.page.evaluate(_AS_OPENED)
-            assert after == self._before, "the next test needs a page of its own: take `timeline`"
+            same = changed or after == self._before
+            assert same, "the next test needs a page of its own: take `timeline`"
             assert not page.errors
             self._page = page if again else None
         finally:
@@ -82,6 +91,10 @@ class _Editor:
                 page.close()
         if self._page:
             page.until("keyphase.state.recordings.items.length === 0")
+        if self._page and changed:
+            page.page.evaluate("() => localStorage.clear()")
+            page.page.set_viewport_size(self._size)
+            page.page.reload()
 
     def close(self) -> None:
         if self._page:
@@ -122,6 +135,38 @@ def scene_editor(
     """The same like `setup1`, for tests that leave camera, panel and what is shown as they are."""
     yield _scene_editor.open(folder / "setup1.npz")
     _scene_editor.put_away(again=not request.node.stash.get(_FAILED, False))
+
+
+@pytest.fixture
+def timeline(
+    request: pytest.FixtureRequest, _editor: _Editor, folder: Path
+) -> Iterator[KeyphasePage]:
+    """The page at 1920x1080 with an empty scene, on the recorded Setup 1; loaded again after."""
+    yield _editor.open(folder / "setup1.npz")
+    _editor.put_away(again=not request.node.stash.get(_FAILED, False), changed=True)
+
+
+@pytest.fixture
+def look_at(request: pytest.FixtureRequest, _editor: _Editor) -> Iterator[LookAt]:
+    """Opens that page on any recordings; its size and theme may be changed."""
+    yield _editor.open
+    _editor.put_away(again=not request.node.stash.get(_FAILED, False), changed=True)
+
+
+@pytest.fixture
+def two(request: pytest.FixtureRequest, _editor: _Editor, folder: Path) -> Iterator[KeyphasePage]:
+    """The same on two recordings, the first of them open."""
+    yield _editor.open(folder / "setup1.npz", folder / "synthetic_setup1.npz")
+    _editor.put_away(again=not request.node.stash.get(_FAILED, False), changed=True)
+
+
+@pytest.fixture
+def setup1(
+    request: pytest.FixtureRequest, _scene_editor: _Editor, folder: Path
+) -> Iterator[KeyphasePage]:
+    """The page at 1280x720 with its scene, on the recorded Setup 1; loaded again after."""
+    yield _scene_editor.open(folder / "setup1.npz")
+    _scene_editor.put_away(again=not request.node.stash.get(_FAILED, False), changed=True)
 
 
 @pytest.fixture
@@ -207,19 +252,3 @@ def folder(tmp_path: Path) -> Path:
     for name in ("setup1.npz", "synthetic_setup1.npz"):
         shutil.copy(shipped("data") / name, demonstrations)
     return demonstrations
-
-
-@pytest.fixture
-def setup1(folder: Path, serve: Serve, visit: Visit) -> KeyphasePage:
-    """The page at 1280x720 on the recorded Setup 1."""
-    page = visit(serve(folder / "setup1.npz"), size=(1280, 720))
-    page.wait_for_document()
-    return page
-
-
-@pytest.fixture
-def timeline(folder: Path, serve: Serve, visit: Visit) -> KeyphasePage:
-    """The same at 1920x1080 with an empty scene, for tests of the timeline alone."""
-    page = visit(serve(folder / "setup1.npz"), scene=False)
-    page.wait_for_document()
-    return page

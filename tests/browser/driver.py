@@ -250,6 +250,19 @@ class KeyphasePage:
     def press(self, key: str) -> None:
         self.page.keyboard.press(key)
 
+    def resize(self, width: int, height: int) -> None:
+        """Make the window of another size."""
+        self.page.set_viewport_size({"width": width, "height": height})
+        self.until(f"innerWidth === {width} && innerHeight === {height}")
+        self.settle()
+
+    def set_theme(self, dark: bool) -> None:
+        """By the button, where the other theme is shown."""
+        if self.state("dark") != dark:
+            self.page.locator("#theme").click()
+            self.until(f"keyphase.state.dark === {str(dark).lower()}")
+        self.settle()
+
     def tab_to(self, condition: str) -> None:
         """With the Tab key, until the focused element `at` meets the condition."""
         met = f"() => {{ const at = document.activeElement; return Boolean({condition}); }}"
@@ -265,3 +278,4 @@ class KeyphasePage:
 
 Serve = Callable[..., PageServer]
 Visit = Callable[..., KeyphasePage]
+LookAt = Callable[..., KeyphasePage]

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from driver import KeyphasePage, Serve, Visit
+from driver import KeyphasePage, LookAt
 
 from keyphase.labeling.document import Document
 from keyphase.labeling.edits import Add, Edit, Label, Remove
@@ -118,10 +118,10 @@ def test_anothers_segmentation_is_taken_over_by_clicks(with_annas: KeyphasePage)
     assert page.labels()[0] == "wait"
 
 
-def test_it_is_readable_in_the_dark_and_small(folder: Path, serve: Serve, visit: Visit) -> None:
-    _write_annas(folder / "setup1.npz", folder / "setup1.anna.segments.json")
-    page = visit(serve(folder / "setup1.npz"), size=(1280, 720), dark=True, scene=False)
-    page.wait_for_document()
+def test_it_is_readable_in_the_dark_and_small(annas: None, folder: Path, look_at: LookAt) -> None:
+    page = look_at(folder / "setup1.npz")
+    page.resize(1280, 720)
+    page.set_theme(dark=True)
     page.page.evaluate("() => keyphase.actions.compare('setup1.anna.segments.json')")
     page.page.locator(".other-segment").first.wait_for()
     page.settle()

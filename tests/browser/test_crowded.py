@@ -1,14 +1,16 @@
 """With sixty segments in view nothing is cut, covered or written over."""
 
+import itertools
 from pathlib import Path
 
 import numpy as np
 import pytest
-from driver import KeyphasePage, Serve, Visit
+from driver import KeyphasePage, LookAt
 
 from synthetic import setup1
 
 SEEDS = range(5000, 5012)
+SIZES = [(1920, 1080), (1280, 720)]
 
 _OVERLAPS = """selector => {
   const boxes = [...document.querySelectorAll(selector)]
@@ -45,19 +47,17 @@ def crowded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-@pytest.mark.parametrize("size", [(1920, 1080), (1280, 720)], ids=["1920x1080", "1280x720"])
-@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
-def test_sixty_segments_stay_readable(
-    crowded: Path, serve: Serve, visit: Visit, size: tuple[int, int], dark: bool
-) -> None:
-    page = visit(serve(crowded), size=size, dark=dark, scene=False)
-    page.wait_for_document()
-    page.picture(f"crowded_{'dark' if dark else 'light'}_{size[0]}")
+def test_sixty_segments_stay_readable(crowded: Path, look_at: LookAt) -> None:
+    page = look_at(crowded)
     assert page.segments.count() > 50
-    assert page.page.evaluate(_CUT) == 0
-    for texts in (".boundary-time", ".peak-height", ".peak-reason", ".segment-label"):
-        assert page.page.evaluate(_OVERLAPS, texts) == 0
-    assert no_text_is_cut_in_chips(page)
+    for size, dark in itertools.product(SIZES, (False, True)):
+        page.resize(*size)
+        page.set_theme(dark)
+        page.picture(f"crowded_{'dark' if dark else 'light'}_{size[0]}")
+        assert page.page.evaluate(_CUT) == 0
+        for texts in (".boundary-time", ".peak-height", ".peak-reason", ".segment-label"):
+            assert page.page.evaluate(_OVERLAPS, texts) == 0
+        assert no_text_is_cut_in_chips(page)
 
 
 def no_text_is_cut_in_chips(page: KeyphasePage) -> bool:

@@ -4,17 +4,16 @@ import shutil
 from pathlib import Path
 
 import pytest
-from driver import KeyphasePage, Serve, Visit
+from driver import KeyphasePage, LookAt
 
 from keyphase.files.shipped import shipped
 
 
 @pytest.fixture
-def wipe(tmp_path: Path, serve: Serve, visit: Visit) -> KeyphasePage:
+def wipe(tmp_path: Path, look_at: LookAt) -> KeyphasePage:
     """The page on the bundled wipe with its light first touch."""
-    shutil.copy(shipped("data") / "wipe.npz", tmp_path)
-    page = visit(serve(tmp_path / "wipe.npz"), size=(1440, 900), scene=False)
-    page.wait_for_document()
+    page = look_at(Path(shutil.copy(shipped("data") / "wipe.npz", tmp_path)))
+    page.resize(1440, 900)
     page.until("keyphase.state.whole.tracks.has('evidence')")
     page.settle()
     return page

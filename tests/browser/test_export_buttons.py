@@ -3,24 +3,21 @@
 import json
 from pathlib import Path
 
-from driver import Serve, Visit
+from driver import KeyphasePage
 
 
-def test_control_s_writes_the_segment_file(folder: Path, serve: Serve, visit: Visit) -> None:
-    page = visit(serve(folder / "setup1.npz"), scene=False)
-    page.wait_for_document()
-    page.press("Control+s")
-    page.page.get_by_text("Written to").wait_for()
-    path = Path(page.text(".notice").removeprefix("Written to ").strip())
+def test_control_s_writes_the_segment_file(editor: KeyphasePage) -> None:
+    editor.press("Control+s")
+    editor.page.get_by_text("Written to").wait_for()
+    path = Path(editor.text(".notice").removeprefix("Written to ").strip())
     written = json.loads(path.read_text())
-    assert len(written["segments"]) == page.segments.count()
+    assert len(written["segments"]) == editor.segments.count()
 
 
 def test_the_panel_says_which_file_each_export_writes_and_how_it_is_read(
-    folder: Path, serve: Serve, visit: Visit
+    folder: Path, timeline: KeyphasePage
 ) -> None:
-    page = visit(serve(folder / "setup1.npz"), scene=False)
-    page.wait_for_document()
+    page = timeline
     page.panel.get_by_role("tab", name="Export").click()
     for kind, file in (("json", "setup1.segments.json"), ("skills", "setup1.skills.json")):
         button = page.panel.locator(f"[data-export='{kind}']")

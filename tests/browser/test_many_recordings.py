@@ -3,18 +3,9 @@
 import shutil
 from pathlib import Path
 
-import pytest
 from driver import KeyphasePage, Serve, Visit
 
 from keyphase.files.shipped import shipped
-
-
-@pytest.fixture
-def two(folder: Path, serve: Serve, visit: Visit) -> KeyphasePage:
-    """The page on a folder of two recordings, the first of them open."""
-    page = visit(serve(folder), scene=False)
-    page.wait_for_document()
-    return page
 
 
 def _open(page: KeyphasePage, name: str) -> None:

@@ -1,5 +1,6 @@
 """Looking: zoom, pan, fold, readout, why, playback, themes and sizes."""
 
+import itertools
 from pathlib import Path
 
 import pytest
@@ -103,14 +104,15 @@ def test_linear_and_logarithmic(timeline: KeyphasePage) -> None:
     assert not timeline.state("logarithmic")
 
 
-@pytest.mark.parametrize("size", [(1920, 1080), (1280, 720)], ids=["1920x1080", "1280x720"])
-@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
-def test_both_themes_in_both_sizes(
-    folder: Path, serve: Serve, visit: Visit, size: tuple[int, int], dark: bool
-) -> None:
-    page = visit(serve(folder), size=size, dark=dark)
-    page.wait_for_document()
-    page.wait_for_scene()
+def test_both_themes_in_both_sizes(setup1: KeyphasePage) -> None:
+    setup1.wait_for_scene()
+    for dark, size in itertools.product((False, True), ((1280, 720), (1920, 1080))):
+        setup1.resize(*size)
+        setup1.set_theme(dark)
+        _assert_looks_right(setup1, dark, size)
+
+
+def _assert_looks_right(page: KeyphasePage, dark: bool, size: tuple[int, int]) -> None:
     page.click(page.middle_of(2))
     page.until("keyphase.state.selected === 2")
     page.page.evaluate("() => keyphase.actions.seek(0.9)")
@@ -119,11 +121,15 @@ def test_both_themes_in_both_sizes(
     page.page.mouse.move(page.x(contact["time_s"]), row.y + row.height / 2)
     page.page.locator("#why").wait_for()
     page.wait_for_scene()
-    picture = page.picture(f"page_{'dark' if dark else 'light'}_{size[0]}")
+    sky = f"#{bytes((DARK if dark else LIGHT).sky).hex()}"
+    view = page.box("#viser")
+    picture = page.until_seen(
+        f"page_{'dark' if dark else 'light'}_{size[0]}",
+        lambda now: now.count(sky, view, tolerance=2) > 500,
+    )
+    assert picture.count(sky, view, tolerance=2) > 500
     assert (picture.brightness(page.box("#plan")) < 100) == dark
     assert (picture.brightness(page.box("#viser")) < 110) == dark
-    sky = f"#{bytes((DARK if dark else LIGHT).sky).hex()}"
-    assert picture.count(sky, page.box("#viser"), tolerance=2) > 500
     assert picture.count(SEGMENT_COLORS[0], page.row("segments")) > 500
     plate = picture.brightness(page.box("#names .name"))
     assert plate < 90 if dark else plate > 180
