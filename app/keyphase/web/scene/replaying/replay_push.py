@@ -12,6 +12,9 @@ STIFFNESS_N_M = 200.0
 
 GIZMO_M = 0.11
 
+_SPRING = (28, 126, 214)
+_THICK_M = 0.002
+
 
 class PushGizmo:
     """Follows the tool until it is dragged; `push` is told the force (3,) [N] from then on."""
@@ -21,6 +24,7 @@ class PushGizmo:
     ) -> None:
         self._push, self._tool_m = push, tool_m
         self._pulled_to_m: Array | None = None
+        self._scene, self._name = client.scene, f"{name}_spring"
         self._gizmo = client.scene.add_transform_controls(
             name, scale=GIZMO_M, disable_rotations=True, depth_test=False, position=tool_m
         )
@@ -47,9 +51,24 @@ class PushGizmo:
 
     def _pull(self) -> None:
         if self._pulled_to_m is not None:
-            self._push(STIFFNESS_N_M * (self._pulled_to_m - self._tool_m))
+            force = STIFFNESS_N_M * (self._pulled_to_m - self._tool_m)
+            self._push(force)
+            self._draw_spring(self._tool_m, self._pulled_to_m, float(np.linalg.norm(force)))
+
+    def _draw_spring(self, from_m: Array, to_m: Array, force_N: float) -> None:
+        """A line from the tool to the hand, with how hard it pulls."""
+        self._scene.add_line_segments(
+            self._name, np.array([[from_m, to_m]]), _SPRING, thickness=_THICK_M
+        )
+        self._scene.add_label(
+            f"{self._name}/force",
+            f"{force_N:.0f} N",
+            position=0.5 * (from_m + to_m),
+            anchor="bottom-center",
+        )
 
     def _let_go(self) -> None:
         if self._pulled_to_m is not None:
             self._pulled_to_m = None
+            self._scene.remove_by_name(self._name)
             self._push(np.zeros(3))

@@ -15,9 +15,10 @@ export function shortName(label) {
 
 /**
  * From the full label to its first word; at last only the segment's number remains, which is not
- * in this list.
+ * in this list. What a person wrote is cut, never put in other words.
  * @param {import("./types.js").Segment} segment
  */
-export function formsOf({ label, short }) {
-  return [...new Set([label, withoutMeasure(label), shortName(label), ...(short ?? [])])];
+export function formsOf({ label, short, proposed }) {
+  const others = proposed ? [withoutMeasure(label), shortName(label), ...(short ?? [])] : [];
+  return [...new Set([label, ...others, ...(short?.slice(-1) ?? [])])];
 }

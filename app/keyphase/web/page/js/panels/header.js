@@ -68,7 +68,7 @@ function drawSaved({ document: doc, connected, saving, readOnly }) {
       ? "Read only"
       : saving
         ? "Saving"
-        : doc?.saved_at
+        : doc?.saved_at || doc?.edits
           ? "Saved"
           : "No edits";
   byId("saved-text").textContent = text;

@@ -69,7 +69,7 @@ function drawChip(entry, k, doc, selected, { small }) {
     : contact
       ? `ends at ${segment.end_condition.threshold_N.toFixed(1)} N`
       : "ends at the pose";
-  const short = shortName(segment.label);
+  const short = segment.proposed ? shortName(segment.label) : segment.label;
   const name = small && doc.plan.length > 4 ? short.split(" ")[0] : short;
   return el(
     "div",

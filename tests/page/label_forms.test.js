@@ -1,0 +1,28 @@
+/** Labels where room is short. */
+
+import assert from "node:assert/strict";
+import test from "node:test";
+
+import { formsOf } from "../../app/keyphase/web/page/js/model/label_forms.js";
+import { documentOf } from "./documents.js";
+
+const DOWN = {
+  ...documentOf(1, []).segments[0],
+  label: "Move down 86 mm until contact",
+  short: ["Move down 86 mm until contact", "Move until contact", "Move…"],
+};
+
+test("a proposed name loses its measure, its verb, its direction, and at last all but a word", () => {
+  assert.deepEqual(formsOf({ ...DOWN, proposed: true }), [
+    "Move down 86 mm until contact",
+    "Move down until contact",
+    "Down until contact",
+    "Move until contact",
+    "Move…",
+  ]);
+});
+
+test("what a person wrote is cut, and never put in other words", () => {
+  const forms = formsOf({ ...DOWN, proposed: false });
+  assert.deepEqual(forms, ["Move down 86 mm until contact", "Move…"]);
+});
