@@ -40,8 +40,10 @@ def test_threshold_line_lies_where_the_threshold_is(editor: KeyphasePage) -> Non
     assert abs(sum(drawn) / len(drawn) - (editor.box(".surface").y + told)) < 2
 
 
-def test_every_boundary_has_its_glyph_and_its_time(editor: KeyphasePage) -> None:
+def test_every_boundary_has_its_glyph_its_time_and_its_doubt(editor: KeyphasePage) -> None:
     boundaries = editor.document["boundaries"]
     assert editor.boundaries.count() == len(boundaries)
     times = editor.page.locator(".boundary-time").all_text_contents()
-    assert sorted(times) == sorted(f"{b['time_s']:.3f}" for b in boundaries)
+    doubts = [f" {b['confidence']:.2f}" if b["unsure"] else "" for b in boundaries]
+    told = [f"{b['time_s']:.3f}{doubt}" for b, doubt in zip(boundaries, doubts, strict=True)]
+    assert sorted(times) == sorted(told)
