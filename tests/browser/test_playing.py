@@ -19,11 +19,14 @@ def test_the_scene_draws_nothing_while_a_hand_moves_the_view(setup1: KeyphasePag
     setup1.wait_for_scene()
     row, mouse = setup1.row("position"), setup1.page.mouse
     y, start = row.y + 0.5 * row.height, setup1.state("view")["from"]
-    mouse.move(row.x + 0.7 * row.width, y)
+    # No boundary is near either.
+    first_s = setup1.document["boundaries"][0]["time_s"]
+    held, end = setup1.x(0.7 * first_s), setup1.x(0.2 * first_s)
+    mouse.move(held, y)
     mouse.down()
     setup1.settle()
     before = setup1.page.evaluate(_SCENE_FRAME)
-    mouse.move(row.x + 0.3 * row.width, y, steps=12)
+    mouse.move(end, y, steps=12)
     setup1.page.wait_for_timeout(HELD_MS)
     assert setup1.page.evaluate(_SCENE_FRAME) - before <= IN_FLIGHT
     mouse.up()
