@@ -50,6 +50,8 @@ def test_while_it_plays_the_threshold_line_can_be_dragged(setup1: KeyphasePage) 
     mouse.down()
     mouse.move(x, row.y + 2, steps=8)
     setup1.until("keyphase.state.document.boundaries.every(b => !b.contact_change)")
+    setup1.until("keyphase.state.ghost.some(g => g.fate === 'goes')")
+    setup1.settle()
     assert setup1.page.locator(".ghost.goes").count() >= 1
     clock = setup1.state("clock")
     setup1.until(f"keyphase.state.clock > {clock} || !keyphase.state.playhead.playing")
