@@ -27,6 +27,26 @@ def test_the_demonstration_is_opened_with_one_click(
     assert (tmp_path / "setup1.npz").read_bytes() == shown.read_bytes()
 
 
+def test_the_first_steps_tick_themselves_until_they_are_closed(
+    tmp_path: Path, serve: Serve, visit: Visit
+) -> None:
+    page = visit(serve(folder=tmp_path), size=(1280, 720), scene=False)
+    page.page.get_by_role("button", name="Open the demonstration").click()
+    page.wait_for_document()
+    steps = page.page.locator("#first-steps li")
+    assert steps.count() == 4
+    page.press("]")
+    page.change(lambda: page.page.evaluate("() => keyphase.actions.label('Reach', 0)"))
+    page.press("Control+s")
+    page.page.locator("#first-steps li.done").nth(1).wait_for()
+    page.settle()
+    page.picture("first_steps")
+    done = "all => all.map(one => one.classList.contains('done'))"
+    assert steps.evaluate_all(done) == [False, True, False, True]
+    page.page.get_by_role("button", name="Close the first steps").click()
+    page.page.locator("#first-steps").wait_for(state="hidden")
+
+
 def test_without_a_recording_files_are_chosen_or_one_is_recorded(
     tmp_path: Path, serve: Serve, visit: Visit
 ) -> None:

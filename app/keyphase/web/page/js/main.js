@@ -11,6 +11,7 @@ import { createOutline } from "./timeline/outline.js";
 import { createBanners } from "./panels/banners.js";
 import { byId, placeIcons } from "./lib/dom.js";
 import { createEmpty } from "./panels/empty.js";
+import { createFirstSteps } from "./panels/first_steps.js";
 import { createExplain } from "./panels/overlays/explain.js";
 import { createHeader } from "./panels/header.js";
 import { createKeys, letGoOfButton } from "./actions/keys.js";
@@ -119,6 +120,7 @@ createOutline(byId("timeline"), store, actions, { segment: segmentText, boundary
 createSceneTools(store, actions);
 const replay = createReplay(store, replayActions);
 createEmpty(store, actions, dialogs);
+createFirstSteps(store);
 createSpread(store, actions);
 createInTheWay(store, actions);
 createExplain(store, timeline, actions);

@@ -65,7 +65,9 @@ export function createRecordingActions(store, send, actions) {
     },
     keepLabels: () => send({ type: "keep_labels" }),
 
-    openDemonstration: () => send({ type: "open_demonstration" }),
+    openDemonstration() {
+      if (send({ type: "open_demonstration" })) store.set({ firstSteps: true });
+    },
     /** To where a first one can be recorded. */
     recordFirst: () => store.set({ tab: "record" }),
 

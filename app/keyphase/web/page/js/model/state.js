@@ -28,7 +28,7 @@ import { firstChoice } from "./rows.js";
  *   held: Object<string, *>, pending: import("./pending.js").Pending[], tab: string,
  *   drawer: "panel"|"queue"|null,
  *   holding: boolean, saving: boolean, small: boolean,
- *   dark: boolean|null, snap: boolean|null, logarithmic: boolean, leastCertainFirst: boolean, filter: string,
+ *   dark: boolean|null, snap: boolean|null, logarithmic: boolean, leastCertainFirst: boolean, filter: string, firstSteps: boolean,
  *   folded: Set<string>, hidden: Set<string>, replayFolded: Set<string>, replayView: ?import("./types.js").View, plotWidth: number,
  *   paneHeight: number, paneWidth: number, layout: ?import("./rows.js").Layout}} Seen
  *
@@ -97,6 +97,7 @@ export function firstState(small) {
     logarithmic: true,
     leastCertainFirst: false,
     filter: "",
+    firstSteps: false,
     ...firstChoice(small),
     replayFolded: new Set(["torque"]),
     replayView: null,
