@@ -176,6 +176,12 @@ def editor_server(_editor: _Editor) -> PageServer:
 
 
 @pytest.fixture
+def scene_server(_scene_editor: _Editor) -> PageServer:
+    """The server of the page that `setup1` is."""
+    return _scene_editor.server
+
+
+@pytest.fixture
 def serve() -> Iterator[Serve]:
     """Starts servers on copies, since labels are kept beside the recording."""
     servers: list[PageServer] = []

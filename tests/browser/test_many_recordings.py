@@ -83,11 +83,8 @@ def test_parameters_are_applied_to_all_by_keys_after_a_look_at_what_would_change
     assert two.document["parameters"]["gaussians"] == 1
 
 
-def test_the_panels_button_applies_parameters_to_all_by_clicks(
-    folder: Path, serve: Serve, visit: Visit
-) -> None:
-    page = visit(serve(folder))
-    page.wait_for_document()
+def test_the_panels_button_applies_parameters_to_all_by_clicks(two: KeyphasePage) -> None:
+    page = two
     _one_gaussian(page)
     page.panel.get_by_role("button", name="Apply to all…").click()
     page.page.locator("#spread button:enabled", has_text="Apply to all").wait_for()

@@ -2,10 +2,9 @@
 
 import random
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
-from driver import SEGMENT_COLORS, Box, KeyphasePage, Serve, Visit
+from driver import SEGMENT_COLORS, Box, KeyphasePage
 
 NEAR_PX = 14
 
@@ -38,12 +37,11 @@ def moved(page: KeyphasePage, before: Box) -> None:
 
 
 @pytest.fixture
-def large(folder: Path, serve: Serve, visit: Visit) -> KeyphasePage:
+def large(setup1: KeyphasePage) -> KeyphasePage:
     """A page with room for all names."""
-    page = visit(serve(folder / "setup1.npz"))
-    page.wait_for_document()
-    page.wait_for_scene()
-    return page
+    setup1.resize(1920, 1080)
+    setup1.wait_for_scene()
+    return setup1
 
 
 def test_every_kept_segment_and_contact_change_is_named_at_its_path(large: KeyphasePage) -> None:

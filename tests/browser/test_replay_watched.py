@@ -2,12 +2,13 @@
 
 import json
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from driver import KeyphasePage, Serve, Visit
+from driver import KeyphasePage
 from gizmo import Gizmo
 from playwright.sync_api import Browser, expect
 
@@ -25,19 +26,19 @@ _NOW_S = "keyphase.state.samples.time[keyphase.state.samples.count - 1]"
 
 
 @pytest.fixture
-def server(folder: Path, serve: Serve) -> PageServer:
-    return serve(folder / "setup1.npz")
+def server(scene_server: PageServer) -> PageServer:
+    return scene_server
 
 
 @pytest.fixture
-def page(server: PageServer, visit: Visit) -> KeyphasePage:
+def page(server: PageServer, setup1: KeyphasePage) -> Iterator[KeyphasePage]:
     """The page with the idle segments dropped and the Replay tab open."""
-    page = visit(server, size=(1280, 720))
-    page.wait_for_document()
-    page.change(lambda: page.press("i"))
-    page.wait_for_scene()
-    page.panel.get_by_role("tab", name="Replay").click()
-    return page
+    setup1.change(lambda: setup1.press("i"))
+    setup1.wait_for_scene()
+    setup1.panel.get_by_role("tab", name="Replay").click()
+    yield setup1
+    server.workbench.views[-1].replay.leave()
+    setup1.until("keyphase.state.replay === null")
 
 
 def phase(page: KeyphasePage, wanted: str) -> None:
