@@ -79,6 +79,18 @@ test("no folder is crowded and no file is long", () => {
   }
 });
 
+test("no style sheet is long, and each is linked once", () => {
+  const folder = join(ROOT, "..", "css");
+  const sheets = readdirSync(folder);
+  const page = readFileSync(join(ROOT, "..", "index.html"), "utf8");
+  assert.ok(sheets.length <= MOST_MODULES, `${sheets.length} style sheets`);
+  for (const sheet of sheets) {
+    const lines = readFileSync(join(folder, sheet), "utf8").split("\n").length - 1;
+    assert.ok(lines <= MOST_LINES, `${sheet} has ${lines} lines`);
+    assert.equal(page.split(`/css/${sheet}"`).length, 2, sheet);
+  }
+});
+
 function groupedBy(items, keyOf) {
   const groups = new Map();
   for (const item of items) groups.set(keyOf(item), [...(groups.get(keyOf(item)) ?? []), item]);
