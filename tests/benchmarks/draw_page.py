@@ -23,6 +23,7 @@ from keyphase.files.shipped import shipped
 from keyphase.web.server import PageServer
 
 LARGE = (1920, 1080)
+MIDDLE = (1440, 900)
 SMALL = (1280, 720)
 WAIT_S = 120.0
 REAL = ("lund_yumi", "hiro_snap_assembly", "lasa_peeling")
@@ -45,6 +46,8 @@ def main() -> None:
         for dark in (False, True):
             with _opened(browser, folder, dark=dark) as (server, page):
                 _explained(server, page, partial(take, page), "dark" if dark else "light")
+        with _opened(browser, folder, MIDDLE) as (server, page):
+            _pressing(server, page, partial(take, page))
         with _opened(browser, folder, SMALL) as (server, page):
             _recorded(server, page, partial(take, page))
         with _opened(browser, folder) as (server, page):
@@ -90,6 +93,14 @@ def _explained(server: PageServer, page: KeyphasePage, take: Take, theme: str) -
     take(f"page_{theme}")
     page.page.evaluate("() => keyphase.actions.undo()")
     page.until("keyphase.state.document.edits === 0")
+
+
+def _pressing(server: PageServer, page: KeyphasePage, take: Take) -> None:
+    """The robot where the parts meet."""
+    contact = next(b for b in page.document["boundaries"] if b["contact_change"])
+    page.page.evaluate("time => keyphase.actions.seek(time)", contact["time_s"])
+    _at_rest(server, page)
+    take("page_robot_light")
 
 
 def _recorded(server: PageServer, page: KeyphasePage, take: Take) -> None:
