@@ -150,11 +150,11 @@ def test_a_frame_that_connects_again_is_drawn_again_and_seen_from_where_it_was(
 def test_nothing_is_drawn_for_a_page_that_has_left(page: PageClient) -> None:
     server = page.server
     view = server.workbench.find_view(page.page)
-    watchers = view._watchers  # pyright: ignore
+    watchers = len(view._watchers)  # pyright: ignore
     with frame(server, page.page) as framed:
         painter = framed.scene._painter  # pyright: ignore
-        assert len(view._watchers) == len(watchers) + 1  # pyright: ignore
-    asyncio.run(wait_until(lambda: view._watchers == watchers))  # pyright: ignore
+        assert len(view._watchers) == watchers + 1  # pyright: ignore
+    asyncio.run(wait_until(lambda: len(view._watchers) == watchers))  # pyright: ignore
     drawn: list[int] = []
     painter.submit(lambda: drawn.append(1)).wait()
 

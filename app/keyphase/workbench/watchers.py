@@ -14,6 +14,9 @@ class Watchers:
     def __init__(self) -> None:
         self._watchers: tuple[Watcher, ...] = ()
 
+    def __len__(self) -> int:
+        return len(self._watchers)
+
     def add(self, watcher: Watcher) -> None:
         """Tell `watcher` from now on."""
         self._watchers = (*self._watchers, watcher)
