@@ -99,6 +99,7 @@ def test_beside_the_evidence_the_error_is_folded_and_draws_no_line_that_decides(
     fold.click()
     editor.settle()
     assert editor.row("error").height > 60
+    assert editor.page.locator("[data-track=error] .uplot").count() == 1
     assert dotted.is_hidden()
 
     editor.set_parameter("variant", "paper")

@@ -81,6 +81,7 @@ export function createReplayTrack(key, { plot, marks, gutter, texts }) {
       scale = nextScale;
       laid = key === "off" ? [] : layDemonstrated(slots, samples);
       plot.classList.toggle("folded", row.folded);
+      (row.folded ? open : folded).hide();
       const live = liveSeries(samples, key);
       const view = { from: scale.from, to: scale.to };
       if (row.folded) {

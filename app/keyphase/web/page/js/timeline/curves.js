@@ -153,6 +153,11 @@ export function createCurves(parent, pens, drawBelow) {
         chart.setScale("y", { min: range.low, max: range.high });
       });
     },
+    /** Takes the chart away until it is drawn again: another one has its place. */
+    hide() {
+      chart?.destroy();
+      chart = null;
+    },
     /** Draws the same curves again: the threshold below them moved. */
     repaint() {
       chart?.redraw(false);

@@ -56,6 +56,7 @@ export function createErrorTrack({ plot, marks, gutter, texts }, store) {
     draw(state, scale, row) {
       const series = curvesOf(state, "error")?.series;
       plot.classList.toggle("folded", row.folded);
+      (row.folded ? curves : folded).hide();
       legend.show(state, row);
       if (!series?.length) return marks.replaceChildren();
       const { document: doc, logarithmic } = state;

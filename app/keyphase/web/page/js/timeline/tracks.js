@@ -51,6 +51,7 @@ export function createTrack(key, { plot, marks, gutter, texts }) {
       if (!series?.length) return marks.replaceChildren();
       const whole = curvesOf({ ...state, fine: null }, key)?.series ?? series;
       const active = row.folded ? folded : open;
+      (row.folded ? open : folded).hide();
       const shown = row.folded ? cache("norm", series, () => [normOf(series)]) : series;
       const wholeShown = row.folded ? cache("wholeNorm", whole, () => [normOf(whole)]) : whole;
       const range = cache(`range ${row.height} ${row.folded}`, wholeShown, () =>

@@ -50,6 +50,7 @@ export function createEvidenceTrack({ plot, marks, gutter, texts }) {
     draw(state, scale, row) {
       const source = curvesOf(state, "evidence")?.series;
       plot.classList.toggle("folded", row.folded);
+      (row.folded ? curves : folded).hide();
       note.hidden = true;
       if (!source?.length) return marks.replaceChildren();
       const range = rangeOf(state.small);
