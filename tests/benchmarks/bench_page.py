@@ -53,10 +53,12 @@ def browser() -> Iterator[Browser]:
 
 @pytest.fixture(scope="module")
 def short(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[KeyphasePage]:
-    """The recorded Setup 1."""
+    """The recorded Setup 1, under the method whose line lies over the normalized error."""
     path = tmp_path_factory.mktemp("short") / "setup1.npz"
     shutil.copy(shipped("data") / "setup1.npz", path)
-    yield from visited(browser, path)
+    for page in visited(browser, path):
+        page.set_parameter("variant", "paper")
+        yield page
 
 
 @pytest.fixture(scope="module")
@@ -77,7 +79,7 @@ def visited(browser: Browser, path: Path) -> Iterator[KeyphasePage]:
     drawn = time.perf_counter()
     page.wait_for_scene()
     # The robot joins the scene once its joints are worked out.
-    assert server.robot.wait_until_idle(180.0)
+    assert server.scenes.wait_until_drawn(180.0)
     page.wait_for_scene()
     rest = time.perf_counter()
     print(f"\n{path.stem}: timeline after {drawn - begun:.1f} s, scene after {rest - begun:.1f} s")
@@ -94,9 +96,7 @@ def percentiles(values: list[float]) -> tuple[float, float]:
 
 def line_point(page: KeyphasePage) -> tuple[float, float]:
     row = page.row("error")
-    told = page.page.evaluate(
-        "() => keyphase.timeline.thresholdY(keyphase.state.document.threshold)"
-    )
+    told = page.page.evaluate("() => keyphase.timeline.thresholdY()")
     return row.x + 0.6 * row.width, page.box(".surface").y + told
 
 
@@ -173,7 +173,7 @@ def test_threshold_to_new_segments(short: KeyphasePage, benchmark, source: str) 
     short.page.evaluate("() => keyphase.actions.automaticThreshold()")
     short.page.wait_for_timeout(2000)
     latencies(short)
-    start = line_point(short) if source == "line" else short.threshold_slider()
+    start = line_point(short) if source == "line" else short.slider("Threshold")
     by = (0.0, -60.0) if source == "line" else (30.0, 0.0)
     benchmark.pedantic(to_and_fro, args=(short, start, by), rounds=1, iterations=1)
     measured = latencies(short)

@@ -19,9 +19,10 @@ from chromium import chromium_browser
 from driver import KeyphasePage
 
 from keyphase.files.shipped import shipped
-from keyphase.web.scene.replay_view import ReplayView, Running
 from keyphase.web.server import PageServer
 from keyphase.workbench.replaying.run import Tick
+from keyphase.workbench.replaying.running import Running
+from keyphase.workbench.watcher import Watcher
 
 WINDOW_S = 0.5
 MAX_JITTER = 0.05
@@ -44,7 +45,7 @@ _STOP_MS = """() => new Promise(done => {
 })"""
 
 
-class Paced(ReplayView):
+class Paced(Watcher):
     """Notes at each batch of ticks the clock, replay time, and the thread's processor time."""
 
     def __init__(self) -> None:
@@ -60,11 +61,11 @@ def test_a_replay_keeps_real_time_and_stops_at_once(tmp_path: Path) -> None:
     shutil.copy(shipped("data") / "setup1.npz", tmp_path)
     server = PageServer([tmp_path / "setup1.npz"])
     paced = Paced()
-    server.session.replay.add(paced)
     with chromium_browser() as browser:
         page = KeyphasePage(browser.new_page(viewport={"width": 1280, "height": 720}))
         page.page.goto(server.link)
         page.wait_for_document()
+        server.workbench.views[0].watch(paced)
         page.wait_for_scene()
         page.change(lambda: page.press("i"))
         page.page.evaluate(_WATCH)
