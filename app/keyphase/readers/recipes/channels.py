@@ -1,6 +1,7 @@
 """The columns a recipe chooses, as channels in SI units and keyphase's conventions."""
 
 from collections.abc import Callable
+from typing import assert_never
 
 import numpy as np
 from numpy.typing import NDArray
@@ -197,6 +198,8 @@ def _orientation(table: Columned, form: Orientation) -> tuple[Array, tuple[str, 
             if matrices.shape[1] == 4:
                 refuse_not_homogeneous(matrices, row_name)
             return from_matrices(matrices[:, :3, :3], row_name), ()
+        case _:
+            assert_never(form)
 
 
 def _quaternion(

@@ -3,7 +3,6 @@
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from math import sqrt
 from typing import Any
 
 import numpy as np
@@ -16,9 +15,6 @@ from keyphase.simulation.replay.replay import ReplayOptions, run
 from keyphase.simulation.simulated import Cell
 from keyphase.simulation.workcells.registry import workcell
 from keyphase.skills.skill import Skill
-
-CONFIDENCE_Z = 1.959964
-"""Of a two-sided 95 % interval."""
 
 _ONLY_NOMINAL_PLACE = Range(0.0, 0.0)
 _ONLY_NOMINAL_FRICTION = Range(NOMINAL.friction, NOMINAL.friction)
@@ -117,15 +113,11 @@ class Trials:
 
 
 def wilson_interval(successes: int, trials: int) -> tuple[float, float]:
-    """95 % confidence interval of a rate (Wilson, 1927).
+    """95 % confidence interval of a rate (Wilson, 1927); right for rates near 0 and 1, too."""
+    from scipy.stats import binomtest
 
-    (p + z²/2n ± z sqrt(p (1 - p)/n + z²/4n²)) / (1 + z²/n); right for rates near 0 and 1, too.
-    """
-    z2 = CONFIDENCE_Z**2 / trials
-    rate = successes / trials
-    half = sqrt(z2 * rate * (1.0 - rate) + z2 * z2 / 4.0)
-    low, high = ((rate + z2 / 2.0 + side * half) / (1.0 + z2) for side in (-1.0, 1.0))
-    return max(low, 0.0), min(high, 1.0)
+    interval = binomtest(successes, trials).proportion_ci(0.95, method="wilson")
+    return float(interval.low), float(interval.high)
 
 
 def drawn_worlds(worlds: Worlds, count: int, seed: int) -> tuple[World, ...]:
