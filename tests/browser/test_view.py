@@ -128,6 +128,7 @@ def _assert_looks_right(page: KeyphasePage, dark: bool, size: tuple[int, int]) -
         lambda now: now.count(sky, view, tolerance=2) > 500,
     )
     assert picture.count(sky, view, tolerance=2) > 500
+    assert picture.count_hue(SEGMENT_COLORS[1], view) > 200
     assert (picture.brightness(page.box("#plan")) < 100) == dark
     assert (picture.brightness(page.box("#viser")) < 110) == dark
     assert picture.count(SEGMENT_COLORS[0], page.row("segments")) > 500

@@ -25,7 +25,7 @@ def _block() -> GroundShadow:
 
 @both_themes
 def test_behind_the_scene_is_the_sky_into_which_the_ground_fades(theme: Theme) -> None:
-    assert f"canvas {{ background: #{bytes(theme.sky).hex()}; }}" in HEAD
+    assert f"canvas[data-engine] {{ background: #{bytes(theme.sky).hex()}; }}" in HEAD
 
 
 @both_themes

@@ -20,8 +20,8 @@ INDEX = Path("client", "build", "index.html")
 
 HEAD = """<style>[data-floating-window], [data-dock-region], .mantine-Paper-root,
 .mantine-Notifications-root, .mantine-Affix-root { display: none !important; }
-canvas { background: #f1f3f5; }
-[data-mantine-color-scheme="dark"] canvas { background: #141414; }</style>
+canvas[data-engine] { background: #f1f3f5; }
+[data-mantine-color-scheme="dark"] canvas[data-engine] { background: #141414; }</style>
 <script>
 document.hasFocus = () => true;
 for (const kind of ["keydown", "keyup"]) window.addEventListener(kind, (event) => {
