@@ -9,10 +9,9 @@ from keyphase.segmentation.bins import bin_means, bin_starts
 from keyphase.segmentation.free_force import free_force, least_contact
 from keyphase.segmentation.paper.force import noise_variance
 from keyphase.segmentation.segmentation import Change
+from keyphase.segmentation.windows import WIDE_AFTER_S, WIDE_BEFORE_S
 
 _NOISE_LEVELS = 6.0
-_BEFORE_S = (-0.4, -0.06)
-_AFTER_S = (0.08, 0.5)
 _FALLEN = 0.75
 
 
@@ -33,8 +32,8 @@ class ContactForce:
         Made out of free space, lost to it, released where the force falls by a quarter and stays
         a contact, else changed.
         """
-        before, touching = self._around(time_s, _BEFORE_S)
-        after, touching_after = self._around(time_s, _AFTER_S)
+        before, touching = self._around(time_s, WIDE_BEFORE_S)
+        after, touching_after = self._around(time_s, WIDE_AFTER_S)
         if touching != touching_after:
             return "made" if touching_after else "lost"
         if not touching:

@@ -12,8 +12,9 @@ from dataclasses import replace
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.segmentation.end_condition import AFTER_S, LAST_S, ContactEnd
+from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.segmentation.free_force import free_force
+from keyphase.segmentation.windows import AFTER_S, LAST_S
 from keyphase.skills.followed import followed_force
 from keyphase.skills.precondition import precondition_of
 from keyphase.skills.pressed import KeptForce, Press

@@ -9,9 +9,10 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import ParameterError
-from keyphase.segmentation.end_condition import AFTER_S, ContactEnd, EndCondition
+from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.segmentation.end_condition.derived import ALONG_THE_WAY
 from keyphase.segmentation.end_condition.watch import Arming, arming_for
+from keyphase.segmentation.windows import AFTER_S
 from keyphase.skills.agreement import agrees_with
 from keyphase.skills.connecting import connecting_skill, is_apart
 from keyphase.skills.contacts import with_contacts

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.segmentation.end_condition import AFTER_S
+from keyphase.segmentation.windows import AFTER_S
 from keyphase.skills.pressed import Press
 
 TOUCH_N = 0.8
@@ -19,7 +19,7 @@ TOUCH_N = 0.8
 SMOOTHED = 0.35
 """Part of a new force that is taken in at a tick of 4 ms: single readings are noise."""
 
-BEFORE_S = 0.5
+LOOKED_BEFORE_S = 0.5
 DEPTHS_M = (0.0015, 0.006)
 GAVE_WAY_N = 1.0
 """A demonstration shows a detent if it went in so far, and the force fell by this meanwhile."""
@@ -104,10 +104,10 @@ def search_for(demonstration: Demonstration, end_s: float, press: Press | None) 
     """The search of a skill whose demonstrated contact at `end_s` gave way; None for all others."""
     if press is None or demonstration.force_N is None:
         return None
-    time = np.arange(end_s - BEFORE_S, min(end_s + AFTER_S[1], demonstration.end_s), 0.004)
+    time = np.arange(end_s - LOOKED_BEFORE_S, min(end_s + AFTER_S[1], demonstration.end_s), 0.004)
     position = _at(time, demonstration.time_s, demonstration.position_m)
     force = _at(time, demonstration.time_s, demonstration.force_N)
-    quiet = force[: max(1, round(0.4 * BEFORE_S / 0.004))].mean(axis=0)
+    quiet = force[: max(1, round(0.4 * LOOKED_BEFORE_S / 0.004))].mean(axis=0)
     touch, pressed, depth = before_touch(press.direction, quiet), [], 0.0
     for here, now in zip(position, force, strict=True):
         touch = touch.step(here, now)

@@ -2,12 +2,9 @@
 
 from keyphase.segmentation.end_condition.agreement import agrees
 from keyphase.segmentation.end_condition.derived import end_condition_at, ends_in_contact
-from keyphase.segmentation.end_condition.force_step import AFTER_S, LAST_S
 from keyphase.segmentation.end_condition.values import ConfigurationEnd, ContactEnd, EndCondition
 
 __all__ = [
-    "AFTER_S",
-    "LAST_S",
     "ConfigurationEnd",
     "ContactEnd",
     "EndCondition",

@@ -5,18 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
-
-BEFORE_S = (-0.20, -0.06)
-"""Window, relative to a contact change, whose mean is the force before it."""
-
-AFTER_S = (0.08, 0.22)
-"""Window, relative to a contact change, whose mean is the force after it."""
-
-BEFORE_LAST_S = (-0.40, -0.20)
-"""The window before, where the recording itself ends in the contact."""
-
-LAST_S = (-0.04, 1.0)
-"""The window after, where the recording itself ends in the contact."""
+from keyphase.segmentation.windows import AFTER_S, BEFORE_LAST_S, BEFORE_S, LAST_S
 
 EVENT_WITHIN_S = 0.3
 """A contact change is looked for this far on both sides of the boundary."""

@@ -14,13 +14,10 @@ from keyphase.demonstration import Array
 from keyphase.segmentation.bins import BIN_S, Indices, typical_step_s
 from keyphase.segmentation.paper.combine import CLOSEST_S, away_from_ends
 from keyphase.segmentation.segmentation import ErrorCurve, Rejection
+from keyphase.segmentation.windows import AFTER_S, BEFORE_S
 
 REJECTIONS: tuple[Rejection, ...] = get_args(Rejection)
 """What the codes of `rejections` stand for; code 0 is a peak that is used."""
-
-BEFORE_S = (-0.20, -0.06)
-AFTER_S = (0.08, 0.22)
-"""Windows around a peak whose mean forces must differ for the change to have stayed."""
 
 _REFINE_S = (-0.06, 0.04)
 _HALF_SPLIT_S = 0.04

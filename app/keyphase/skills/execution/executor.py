@@ -11,7 +11,7 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.errors import SkillError
-from keyphase.segmentation.end_condition import AFTER_S
+from keyphase.segmentation.windows import AFTER_S
 from keyphase.skills.coupling import Reference
 from keyphase.skills.end_monitor import Outcome
 from keyphase.skills.execution.pressing import Pressed, pressed_now, pressing, still

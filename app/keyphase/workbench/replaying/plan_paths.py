@@ -4,7 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.segmentation.end_condition import AFTER_S, ContactEnd
+from keyphase.segmentation.end_condition import ContactEnd
+from keyphase.segmentation.windows import AFTER_S
 from keyphase.skills.skill import Skill, drawn
 from keyphase.workbench.replaying.plan import PlannedSkill, ReplayPlan
 
