@@ -23,6 +23,7 @@ from keyphase.commands.record import Record
 from keyphase.commands.replay import ReplaySegments
 from keyphase.commands.score import ScoreSegments
 from keyphase.commands.segment import SegmentRecordings
+from keyphase.commands.tidy import Tidy
 from keyphase.errors import KeyphaseError, MissingPackageError
 
 COMMANDS = {
@@ -34,6 +35,7 @@ COMMANDS = {
     "export": ExportSegments,
     "record": Record,
     "replay": ReplaySegments,
+    "tidy": Tidy,
     "make-demonstrations": MakeDemonstrations,
     "fit": FitWeights,
 }

@@ -4,17 +4,14 @@ python tests/benchmarks/kill_server.py --times 200
 """
 
 import argparse
-import shutil
 import sys
 import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "web"))
 
-from killing_server import Aftermath, kill_once
+from killing_server import Aftermath, kill_once, write_short_recording
 from serving import Serving, many_servings
-
-from keyphase.files.shipped import shipped
 
 
 def main() -> int:
@@ -36,8 +33,8 @@ def main() -> int:
 
 def _kill_in_a_new_folder(seed: int, serve: Serving) -> Aftermath:
     with tempfile.TemporaryDirectory() as folder:
-        recording = shutil.copy(shipped("data") / "synthetic_setup1.npz", folder)
-        return kill_once(Path(recording), seed, serve)
+        recording = write_short_recording(Path(folder) / "run.npz")
+        return kill_once(recording, seed, serve)
 
 
 if __name__ == "__main__":

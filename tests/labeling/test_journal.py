@@ -14,8 +14,10 @@ from keyphase.errors import JournalError
 from keyphase.labeling.edits import Add, BringBack, Done, Label, Move, Remove
 from keyphase.labeling.label import label
 from keyphase.labeling.storage import state_folder
-from keyphase.labeling.storage.journal import Journal, journal_path, summarize
+from keyphase.labeling.storage.journal import Journal
 from keyphase.labeling.storage.records import encode
+from keyphase.labeling.storage.state_folder import journal_path
+from keyphase.labeling.storage.summary import summarize
 from keyphase.segmentation.parameters import Parameters
 
 
@@ -349,48 +351,6 @@ def test_where_nothing_can_be_written_at_all_it_is_open_for_looking(demo, tmp_pa
         assert "neither" in (journal.read_only or "")
         with pytest.raises(JournalError, match="neither"):
             journal.keep_labels()
-
-
-def test_an_edit_that_does_not_fit_on_the_disk_was_not_made(demo, monkeypatch):
-    editor = Editor(demo)
-    editor.makes(Add(3.0))
-    before = editor.journal.path.read_bytes()
-    document = editor.journal.document
-    with monkeypatch.context() as patch:
-        _fill_the_disk(patch)
-        with pytest.raises(JournalError, match="No space left"):
-            editor.journal.save(document.undo())
-    assert editor.journal.path.read_bytes() == before
-    assert editor.journal.document is document
-    editor.journal.save(document.undo())
-    editor.journal.close()
-    assert reopened(demo).document.edits == {}
-
-
-def test_a_torn_journal_on_a_full_disk_opens_for_looking(demo, monkeypatch):
-    editor = Editor(demo)
-    editor.makes(Add(3.0), Add(5.0))
-    editor.journal.close()
-    torn = editor.journal.path.read_bytes()[:-10]
-    editor.journal.path.write_bytes(torn)
-    with monkeypatch.context() as patch:
-        patch.setattr(os, "fsync", _no_space)
-        journal = reopened(demo)
-    assert len(journal.document.edits) == 1
-    assert "No space left" in (journal.read_only or "")
-    assert editor.journal.path.read_bytes() == torn
-    assert len(reopened(demo).document.edits) == 1
-
-
-def _no_space(*_):
-    raise OSError(28, "No space left on device")
-
-
-def _fill_the_disk(patch):
-    """Half of what is written fits, then there is no room."""
-    real = os.write
-    writes = iter([lambda fd, data: real(fd, bytes(data)[: len(data) // 2])])
-    patch.setattr(os, "write", lambda fd, data: next(writes, _no_space)(fd, data))
 
 
 def test_each_line_is_synced_before_it_is_confirmed(demo, monkeypatch):

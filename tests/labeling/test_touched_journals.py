@@ -9,8 +9,10 @@ from handmade import Person, demonstration, segmentation
 from keyphase.errors import JournalError
 from keyphase.labeling.edits import Add, Label
 from keyphase.labeling.storage import state_folder
-from keyphase.labeling.storage.journal import Journal, journal_path, summarize
+from keyphase.labeling.storage.journal import Journal
 from keyphase.labeling.storage.records import encode
+from keyphase.labeling.storage.state_folder import journal_path
+from keyphase.labeling.storage.summary import summarize
 
 
 @pytest.fixture

@@ -12,9 +12,11 @@ from serving import Served, Serving
 from talking import PageClient
 from websockets.exceptions import ConnectionClosed
 
+from keyphase.demonstration import Demonstration
+from keyphase.files.shipped import shipped
 from keyphase.labeling.edits import Label
 from keyphase.labeling.storage.journal import Journal
-from keyphase.readers import read
+from keyphase.readers import read, save_npz
 
 _AHEAD = 3
 """So many edits are on their way at once."""
@@ -33,6 +35,17 @@ class Aftermath:
         """Whether what was confirmed is there, in order, and nothing that was not sent."""
         whole = tuple(f"edit {number}" for number in range(len(self.found)))
         return self.found == whole and self.confirmed <= len(self.found) <= self.sent
+
+
+def write_short_recording(path: Path) -> Path:
+    """Every tenth sample of setup 1: what there is to segment costs a server next to nothing."""
+    whole = read(shipped("data") / "synthetic_setup1.npz")
+    assert whole.force_N is not None
+    short = Demonstration(
+        path.stem, whole.time_s[::10], whole.position_m[::10], force_N=whole.force_N[::10]
+    )
+    save_npz(short, path)
+    return path
 
 
 def kill_once(recording: Path, seed: int, serve: Serving) -> Aftermath:

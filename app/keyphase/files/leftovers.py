@@ -1,6 +1,7 @@
 """What a kill leaves behind: files that were being written when it came."""
 
 import os
+import re
 import time
 from pathlib import Path
 
@@ -8,6 +9,11 @@ from keyphase.files.writing import TEMPORARY
 
 UPLOADED = ".upload-"
 """How the names of files begin that a page is sending."""
+
+_NAMES = re.compile(
+    rf"{re.escape(TEMPORARY)}[0-9a-f]{{16}}|{re.escape(UPLOADED)}[a-z0-9_]{{8}}|\.probe-[0-9]+"
+)
+"""Only names that keyphase makes, so that nobody else's file is taken for a left-over."""
 
 OLD_S = 60.0
 """A file that was not written to for so long is being written by nobody."""
@@ -22,7 +28,7 @@ def remove_leftovers(folder: Path) -> tuple[Path, ...]:
     removed: list[Path] = []
     before = time.time() - OLD_S
     try:
-        entries = [e for e in os.scandir(folder) if e.name.startswith((TEMPORARY, UPLOADED))]
+        entries = [entry for entry in os.scandir(folder) if _NAMES.fullmatch(entry.name)]
     except OSError:
         return ()
     for entry in entries:

@@ -1,6 +1,6 @@
 """The document: a demonstration, parameters and the history of edits. Everything else follows."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
@@ -9,10 +9,13 @@ from keyphase.errors import LabelingError
 from keyphase.labeling.edits import Edit, Reopen
 from keyphase.labeling.finished import frozen_of, is_done, needs_freezing
 from keyphase.labeling.frozen import Frozen
-from keyphase.labeling.history import History, ParameterChange, Step
+from keyphase.labeling.history import FolderChange, History, ParameterChange, Step
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.parameter_names import parameters_name
 from keyphase.segmentation.parameters import Parameters
+
+FOR_ALL = "Parameters for all recordings"
+"""What a step is called that gives a folder other parameters, also where it opens a recording."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,9 +96,9 @@ class Document:
         complete = edit.anchored(labeling)
         return self._with(complete.step_name(labeling), complete)
 
-    def reopened(self) -> "Document":
+    def reopened(self, name: str = "Mark as not done") -> "Document":
         """With the mark that it is done taken away, as a step; the same where it is not done."""
-        return self._with("Mark as not done", Reopen()) if self.done else self
+        return self._with(name, Reopen()) if self.done else self
 
     def set_parameters(self, parameters: Parameters) -> "Document":
         """With other parameters for this recording; the same document where none differs."""
@@ -114,12 +117,17 @@ class Document:
             return self
         return self._with("Reset parameters", ParameterChange({}))
 
-    def share_parameters(self) -> "Document":
-        """With the parameters in force as its folder's, and none of its own any more."""
+    def share_parameters(self, reopened: Sequence[str] = ()) -> "Document":
+        """With the parameters in force as its folder's, and none of its own any more.
+
+        The step says what the folder had before, so that taking it back can bring that back, and
+        which recordings are `reopened` with it. The same document where nothing differs.
+        """
         shared = self.with_shared(self.parameters)
-        if not self.own_parameters:
+        if not self.own_parameters and self.shared == self.parameters and not reopened:
             return shared
-        return shared._with("Parameters for all recordings", ParameterChange({}))
+        folder = FolderChange(asdict(self.shared), asdict(self.parameters), tuple(reopened))
+        return shared._with(FOR_ALL, ParameterChange({}, folder))
 
     def with_shared(self, shared: Parameters) -> "Document":
         """Under other parameters of the folder; not a step of this recording's history."""

@@ -9,10 +9,24 @@ from keyphase.labeling.edits import Edit
 
 
 @dataclass(frozen=True)
+class FolderChange:
+    """All recordings of a folder got other parameters with a step of one of them.
+
+    before, after  the parameters of the folder
+    reopened       names of recordings that were done and were opened again for it
+    """
+
+    before: Mapping[str, Any]
+    after: Mapping[str, Any]
+    reopened: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
 class ParameterChange:
     """From here on the recording's own parameters are these; all others are the folder's."""
 
     own: Mapping[str, Any]
+    folder: FolderChange | None = None
 
 
 @dataclass(frozen=True)
@@ -22,6 +36,12 @@ class Step:
     number: int
     name: str
     change: Edit | ParameterChange
+
+
+def folder_change_of(step: Step | None) -> FolderChange | None:
+    """What a step did to the whole folder; None where it was about its recording alone."""
+    change = step.change if step else None
+    return change.folder if isinstance(change, ParameterChange) else None
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,6 @@ from keyphase.errors import KeyphaseError
 from keyphase.readers import find_recordings
 from keyphase.robot.arms import robot_arms, yumi_arms
 from keyphase.robot.description import RobotDescription
-from keyphase.simulation.demonstrating.recorder import recover
 from keyphase.web.protocol.conversation import Conversation
 from keyphase.web.scene.scenes import Scenes
 from keyphase.web.scene.shared import Shared
@@ -22,6 +21,7 @@ from keyphase.web.transport.opening import BrowserFile, open_in_browser
 from keyphase.web.transport.page_sockets import Page, PageSockets
 from keyphase.web.transport.proving import prove
 from keyphase.web.transport.site import OurSite
+from keyphase.workbench.leftovers import clear_up
 from keyphase.workbench.uploads import DEFAULT_LIMIT_BYTES
 from keyphase.workbench.workbench import Settings, Workbench
 
@@ -146,8 +146,8 @@ def open_page(
     arms = robot_arms(robot, tool_frame)
     folder = recording_folder(paths)
     if not read_only:
-        for take in recover(folder):
-            print(f"Recovered {take.path} ({take.duration_s:.1f} s)", file=sys.stderr)
+        for line in clear_up([folder, *(path for path in paths if path.is_dir())]):
+            print(line, file=sys.stderr)
     found = find_recordings(paths, recipe)
     server = PageServer(
         [one.path for one in found],

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Literal
 
 from keyphase.files.parts import stem_of
-from keyphase.labeling.storage.journal import summarize
+from keyphase.labeling.storage.summary import summarize
 from keyphase.workbench.showing.doubts import Piece
 
 State = Literal["automatic", "touched", "done"]

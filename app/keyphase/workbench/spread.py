@@ -29,9 +29,17 @@ class Spread:
     items: tuple[SpreadItem, ...] = ()
 
 
+@dataclass(frozen=True)
+class Trial:
+    """Parameters that are tried on a folder; with `include_done` also on what is done."""
+
+    parameters: Parameters
+    include_done: bool = False
+
+
 def look_into(
     spread: Spread,
-    parameters: Parameters,
+    trial: Trial,
     library: Library,
     tasks: Tasks,
     show: Callable[[Spread], None],
@@ -44,7 +52,7 @@ def look_into(
             if not is_wanted():
                 return
             task.at(number / len(spread.recordings), f"{recording.name}: trying")
-            item = _tried(recording, parameters, library)
+            item = _tried(recording, trial, library)
             spread = replace(spread, items=(*spread.items, item))
             if is_wanted():
                 show(spread)
@@ -56,10 +64,10 @@ def beside(recording: Recording, recordings: Sequence[Recording]) -> tuple[Recor
     return tuple(r for r in recordings if r.path.parent == folder and not r.error)
 
 
-def _tried(recording: Recording, parameters: Parameters, library: Library) -> SpreadItem:
+def _tried(recording: Recording, trial: Trial, library: Library) -> SpreadItem:
     try:
         looked = library.look(recording)
         looked.close()
-        return SpreadItem(recording, looked.preview_shared(parameters))
+        return SpreadItem(recording, looked.preview_shared(trial.parameters, trial.include_done))
     except KeyphaseError as error:
         return SpreadItem(recording, error=str(error))

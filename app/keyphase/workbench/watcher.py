@@ -5,8 +5,8 @@ from pathlib import Path
 
 from keyphase.labeling.storage.written_files import IfThere
 from keyphase.simulation.part_shapes import Shape
-from keyphase.workbench.beside import InTheWay
 from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.exporting.beside import InTheWay
 from keyphase.workbench.leading.status import LeadThroughStatus
 from keyphase.workbench.placing.robot_choice import RobotChoice
 from keyphase.workbench.playback import Playhead

@@ -3,22 +3,22 @@
 import itertools
 import threading
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from keyphase.errors import RequestError
 from keyphase.labeling.storage.written_files import IfThere
-from keyphase.workbench.beside import require_own_names
-from keyphase.workbench.desks.asked import Asked
 from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.library import Library
-from keyphase.workbench.exporting import export_all
+from keyphase.workbench.exporting.all_recordings import export_all
+from keyphase.workbench.exporting.beside import require_own_names
 from keyphase.workbench.leading.takes import Takes
 from keyphase.workbench.looking import Looking
 from keyphase.workbench.playback import Clock
 from keyphase.workbench.recording_list import Listing, RecordingList
 from keyphase.workbench.recordings import Recording
-from keyphase.workbench.spread import Spread, beside, look_into
+from keyphase.workbench.sharing import Sharing
+from keyphase.workbench.spread import Spread, Trial, beside, look_into
 from keyphase.workbench.tasks import Tasks, TaskState
 from keyphase.workbench.uploads import DEFAULT_LIMIT_BYTES, Upload
 from keyphase.workbench.view import View
@@ -62,6 +62,8 @@ class Workbench:
         self.takes = Takes(self.settings.folder)
         self.arms = self.settings.arms
         self.looking = Looking(self.recordings, self.library)
+        self.library.on_parameters = self.looking.begin
+        self.sharing = Sharing(self.library, self.recordings)
         self._clock = Clock(self._step)
 
     def close(self) -> None:
@@ -193,8 +195,11 @@ class Workbench:
 
     # -- parameters for a whole folder
 
-    def look_into_spread(self, desk: Desk, view: View) -> None:
-        """Tell a page what the parameters of a recording would do to all of its folder."""
+    def look_into_spread(self, desk: Desk, view: View, *, include_done: bool = False) -> None:
+        """Tell a page what the parameters of a recording would do to all of its folder.
+
+        What is done is left alone unless `include_done`.
+        """
         state = desk.state
         if state is None:
             raise RequestError("This recording is not open yet; wait until it is shown.")
@@ -204,7 +209,7 @@ class Workbench:
         view.errands.submit(
             lambda: look_into(
                 spread,
-                state.parameters,
+                Trial(state.parameters, include_done),
                 self.library,
                 self.tasks,
                 lambda known: view.each(lambda watcher: watcher.show_spread(known)),
@@ -215,29 +220,6 @@ class Workbench:
     def leave_spread(self, view: View) -> None:
         """Look no further into what would change."""
         self._spreads.pop(view.id, None)
-
-    def share(self, desk: Desk, asked: Asked, view: View) -> threading.Event:
-        """Give the folder of a recording the parameters it has; its others follow."""
-        self.leave_spread(view)
-        refused: list[Exception] = []
-
-        def refuse(error: Exception) -> None:
-            refused.append(error)
-            asked.refuse(error)
-
-        over = desk.share_parameters(replace(asked, refuse=refuse))
-
-        def follow() -> None:
-            over.wait()
-            if refused:
-                return
-            for followed in [other.follow_folder() for other in self.library.beside(desk)]:
-                followed.wait()
-            self.looking.begin()
-            view.tell("info", "All recordings of this folder now have these parameters.")
-
-        view.errands.submit(follow)
-        return over
 
     # -- telling
 

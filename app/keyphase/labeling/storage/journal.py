@@ -1,31 +1,21 @@
 """The journal of one recording: every step is on disk before anyone is told that it is done."""
 
-import contextlib
-from dataclasses import dataclass
+from dataclasses import replace
 from pathlib import Path
 
 from keyphase.demonstration import Demonstration, Source
-from keyphase.errors import JournalError, KeyphaseError
+from keyphase.errors import JournalError
 from keyphase.files.writing import write_whole
 from keyphase.labeling.document import Document
-from keyphase.labeling.finished import is_done
+from keyphase.labeling.storage.elsewhere import Elsewhere, journal_elsewhere, remember_folder
 from keyphase.labeling.storage.journal_file import FileChangedError, JournalFile
 from keyphase.labeling.storage.journal_lock import JournalLock
-from keyphase.labeling.storage.journaled import (
-    FORMAT,
-    Journaled,
-    changes,
-    compact,
-    opening,
-)
+from keyphase.labeling.storage.journaled import FORMAT, Journaled, changes, compact, opening
 from keyphase.labeling.storage.old_files import keep_as_old, put_back
-from keyphase.labeling.storage.readings import (
-    Reading,
-    longest_journal,
-    notices_of,
-)
+from keyphase.labeling.storage.read_with import read_otherwise, recipe_of
+from keyphase.labeling.storage.readings import Reading, longest_journal, notices_of, read_journal
 from keyphase.labeling.storage.records import Record, encode
-from keyphase.labeling.storage.state_folder import StateFolder, state_folder, state_name
+from keyphase.labeling.storage.state_folder import StateFolder, journal_path, state_folder
 from keyphase.segmentation.parameters import Parameters
 
 _SPARE_RECORDS = 200
@@ -39,7 +29,9 @@ class Journal:
     Close it, or use it in a `with` statement. Not for use by several threads at once.
 
     document   the document as it is on disk
-    changed    the recording's bytes are not those that were labeled; see `keep_labels`
+    changed    the recording's bytes, or the recipe it is read with, are not those that were
+               labeled; see `keep_labels`
+    elsewhere  what was done to the same bytes under another name, where nothing is done here
     notices    what a person should know: lines left out, another place for edits, read-only,
                another program that changed the journal while it was open
     """
@@ -60,6 +52,7 @@ class Journal:
         self._notices: list[str] = []
         self._lock: JournalLock | None = None
         self._closed = False
+        self.elsewhere: Elsewhere | None = None
         self.read_only: str | None = "opened for looking only" if read_only else None
         folder = self._folder()
         self._path = journal_path(self._source.path, folder.path)
@@ -90,8 +83,9 @@ class Journal:
 
     @property
     def changed(self) -> bool:
-        """Whether the recording's bytes are not those that were labeled."""
-        return self._labeled_sha256 not in (None, self._source.sha256)
+        """Whether the recording's bytes, or its recipe, are not those that were labeled."""
+        other_bytes = self._labeled_sha256 not in (None, self._source.sha256)
+        return other_bytes or read_otherwise(self._recipe, self._source) is not None
 
     @property
     def notices(self) -> tuple[str, ...]:
@@ -108,10 +102,35 @@ class Journal:
         self._append(changes(before.history, document.history, before.next_number))
         self._document = document
 
+    def follow_folder(self, shared: Parameters) -> None:
+        """Take up what the parameters of the folder have become; nothing is written."""
+        self._document = self._document.with_shared(shared)
+
     def keep_labels(self) -> None:
         """Agree to the recording as it is now: the labels are about these bytes."""
         self._append([opening(self._document.demonstration)])
         self._labeled_sha256 = self._source.sha256
+        self._recipe = recipe_of(self._source)
+
+    def take_over(self, elsewhere: Elsewhere) -> None:
+        """Make what was done to the same bytes under another name this recording's; that stays.
+
+        Raises JournalError where something was done here already, or it cannot be written.
+        """
+        if self._document.history.steps or self.read_only is not None or self._closed:
+            raise JournalError(
+                f"{self._source.path.name}: edits made under another name can be taken over only "
+                "where none were made yet and the recording can be changed."
+            )
+        self._require_lock()
+        before = self._document, self._recipe
+        self._follow(read_journal(elsewhere.path).state, self._document)
+        try:
+            self._rewrite(keep_old=True)
+        except JournalError:
+            self._document, self._recipe = before
+            raise
+        self.elsewhere = None
 
     def close(self) -> None:
         """Let another process write; from here on nothing can be changed here."""
@@ -137,17 +156,24 @@ class Journal:
         if followed:
             torn = followed.read.torn and self.read_only is None
             self._notices += notices_of(followed, others, torn=torn)
-        self._document = Document(
-            demonstration,
-            shared,
-            state.history,
-            state.next_number,
+        self._follow(state, Document(demonstration, shared))
+        if self.read_only is None:
+            self._begin(followed)
+        if self.read_only is None and not state.history.steps:
+            source = self._source
+            self.elsewhere = journal_elsewhere(source.path, source.sha256, self._path)
+
+    def _follow(self, state: Journaled, document: Document) -> None:
+        self._document = replace(
+            document,
+            history=state.history,
+            next_number=state.next_number,
             own_before=state.own_before,
             done_before=state.done_before,
         )
-        self._labeled_sha256 = state.sha256
-        if self.read_only is None:
-            self._begin(followed)
+        self._labeled_sha256, self._recipe = state.sha256, state.recipe
+        if (notice := read_otherwise(state.recipe, self._source)) is not None:
+            self._notices.append(notice)
 
     def _begin(self, followed: Reading | None) -> None:
         """Make the file one that can be appended to; where that fails, only look."""
@@ -183,6 +209,7 @@ class Journal:
             document.next_number,
             document.own_before,
             document.done_before,
+            self._recipe,
         )
         data = b"".join(map(encode, compact(state, opening(document.demonstration)))) + more
         old = keep_as_old(self._path) if keep_old else None
@@ -202,6 +229,8 @@ class Journal:
             reason = self.read_only or "its journal was closed; open the recording again"
             raise JournalError(f"Nothing can be changed here: {reason}.")
         first = [opening(self._document.demonstration)] if self._file.is_new else []
+        if first:
+            remember_folder(self._source.path.parent)
         lines = b"".join(map(encode, records))
         try:
             self._require_lock()
@@ -237,35 +266,6 @@ class Journal:
         )
         if notice not in self._notices:
             self._notices.append(notice)
-
-
-@dataclass(frozen=True)
-class JournalSummary:
-    """What a list of recordings shows of a journal."""
-
-    touched: bool
-    done: bool
-
-
-def summarize(recording: Path) -> JournalSummary:
-    """What the journal of a recording says, without opening it for writing.
-
-    A journal that cannot be read counts as none; opening it says what is wrong.
-    """
-    folder = state_folder(recording.parent, create=False)
-    followed = None
-    with contextlib.suppress(KeyphaseError, OSError):
-        followed, _ = longest_journal(folder, journal_path(recording, folder.path).name)
-    if followed is None:
-        return JournalSummary(touched=False, done=False)
-    state = followed.state
-    done = is_done(state.history, done_before=state.done_before)
-    return JournalSummary(touched=bool(state.history.done), done=done)
-
-
-def journal_path(recording: Path, folder: Path) -> Path:
-    """The journal of a recording in a state folder."""
-    return folder / state_name(recording, ".journal")
 
 
 def _source(demonstration: Demonstration) -> Source:

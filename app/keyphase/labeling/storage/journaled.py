@@ -1,14 +1,14 @@
 """What a journal's records say: the recording they are about, its history, whether it is done."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any
 
 from keyphase import __version__
 from keyphase.demonstration import Demonstration
 from keyphase.errors import JournalError, KeyphaseError
 from keyphase.labeling.edits import edit_as_json, edit_from_json
-from keyphase.labeling.history import History, ParameterChange, Step
+from keyphase.labeling.history import FolderChange, History, ParameterChange, Step
 from keyphase.labeling.storage.records import Record
 from keyphase.segmentation.parameters import Parameters, parameters_before_variant
 
@@ -28,6 +28,7 @@ class Journaled:
     sha256       of the recording when a person last agreed to it; None in an empty journal
     own_before   parameters of this recording alone that an older version had without saying so
     done_before  it was finished by a version that did not keep what was seen
+    recipe       name and SHA-256 of the recipe it was read with then; None where nobody wrote that
     refused      how many whole records could not be understood
     """
 
@@ -36,6 +37,7 @@ class Journaled:
     next_number: int = 0
     own_before: Mapping[str, Any] = field(default_factory=dict)
     done_before: bool = False
+    recipe: Mapping[str, Any] | None = None
     refused: int = 0
 
 
@@ -61,13 +63,15 @@ def state_after(records: Iterable[Record]) -> Journaled:
 
 def opening(demonstration: Demonstration) -> Record:
     """The record of the recording that a journal is about, as it is now."""
-    assert demonstration.source is not None
+    source = demonstration.source
+    assert source is not None
     return {
         "op": "recording",
         "format": FORMAT,
         "software": f"keyphase {__version__}",
-        "name": demonstration.source.path.name,
-        "sha256": demonstration.source.sha256,
+        "name": source.path.name,
+        "sha256": source.sha256,
+        "recipe": {"name": source.recipe, "sha256": source.recipe_sha256},
     }
 
 
@@ -87,6 +91,8 @@ def changes(before: History, after: History, next_number: int) -> list[Record]:
 def compact(state: Journaled, first: Record) -> list[Record]:
     """The fewest records that lead to a state again, after `first` about the recording."""
     recording = {**first, "sha256": state.sha256 or first["sha256"], "next": state.next_number}
+    if state.sha256 is not None:
+        recording["recipe"] = state.recipe
     if state.own_before:
         recording["own"] = dict(state.own_before)
     empty = History()
@@ -121,7 +127,14 @@ def _with_recording(state: Journaled, record: Record) -> Journaled:
         )
     number = max(state.next_number, _whole(record.get("next", 0)))
     own = _own(record.get("own", {}))
-    return replace(state, sha256=str(record["sha256"]), next_number=number, own_before=own)
+    recipe = record.get("recipe")
+    return replace(
+        state,
+        sha256=str(record["sha256"]),
+        next_number=number,
+        own_before=own,
+        recipe=recipe if isinstance(recipe, Mapping) else None,
+    )
 
 
 def _with_step(state: Journaled, record: Record) -> Journaled:
@@ -176,7 +189,18 @@ def _position(history: History, number: Any) -> int:
 def _change(record: Record) -> Any:
     if "edit" in record:
         return edit_from_json(record["edit"])
-    return ParameterChange(_own(record["parameters"]))
+    return ParameterChange(_own(record["parameters"]), _folder_change(record.get("folder")))
+
+
+def _folder_change(content: Any) -> FolderChange | None:
+    """What was done to the whole folder; one that cannot be understood cannot be taken back."""
+    if content is None:
+        return None
+    try:
+        reopened = tuple(map(str, content["reopened"]))
+        return FolderChange(_own(content["before"]), _own(content["after"]), reopened)
+    except (KeyphaseError, ArithmeticError, LookupError, TypeError, ValueError):
+        return None
 
 
 def _step(step: Step, previous: Step | None) -> Record:
@@ -187,7 +211,9 @@ def _step(step: Step, previous: Step | None) -> Record:
         "name": step.name,
     }
     if isinstance(step.change, ParameterChange):
-        return {**shared, "parameters": dict(step.change.own)}
+        folder = step.change.folder
+        whole = {"folder": asdict(folder)} if folder else {}
+        return {**shared, "parameters": dict(step.change.own), **whole}
     return {**shared, "edit": edit_as_json(step.change)}
 
 

@@ -75,6 +75,11 @@ def state_name(recording: Path, suffix: str) -> str:
     return f"{cut}~{hashlib.sha256(name).hexdigest()[:16]}{suffix}"
 
 
+def journal_path(recording: Path, folder: Path) -> Path:
+    """The journal of a recording in a state folder."""
+    return folder / state_name(recording, ".journal")
+
+
 def own_state() -> Path:
     """The user's own folder for keyphase's state; it need not be there."""
     return user_state_path("keyphase", appauthor=False)

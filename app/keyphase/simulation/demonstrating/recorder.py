@@ -108,22 +108,27 @@ def take_of(path: Path) -> Path:
 
 
 def recover(folder: Path) -> tuple[Recovered, ...]:
-    """Finish every take in `folder` whose recorder is gone; those too short to use are dropped.
+    """Finish every take in `folder`. Raises SimulationError for a file that is no take."""
+    takes = sorted(folder.glob("*" + TAKE_SUFFIX))
+    return tuple(recovered for take in takes for recovered in recover_take(take))
 
-    A take that is still being recorded is left alone. Raises SimulationError for a take that is
-    not one.
+
+def recover_take(take: Path) -> tuple[Recovered, ...]:
+    """Finish a take whose recorder is gone; one too short to use is dropped.
+
+    Nothing comes of a take that is still being recorded, and nothing happens to it. Raises
+    SimulationError for a file that is no take.
     """
+    if _is_held(take):
+        return ()
+    path = take.with_name(take.name.removesuffix(TAKE_SUFFIX))
+    samples, origin = read_take(take)
     recovered = []
-    for take in sorted(folder.glob("*" + TAKE_SUFFIX)):
-        if _is_held(take):
-            continue
-        path = take.with_name(take.name.removesuffix(TAKE_SUFFIX))
-        samples, origin = read_take(take)
-        if len(samples) >= 2 and not path.exists():
-            demonstration = _demonstration(samples, origin | {"recovered": True}, path)
-            save_npz(demonstration, path)
-            recovered.append(Recovered(path, demonstration.duration_s))
-        take.unlink()
+    if len(samples) >= 2 and not path.exists():
+        demonstration = _demonstration(samples, origin | {"recovered": True}, path)
+        save_npz(demonstration, path)
+        recovered.append(Recovered(path, demonstration.duration_s))
+    take.unlink()
     return tuple(recovered)
 
 

@@ -14,8 +14,8 @@ from keyphase.web.protocol import list_messages as say
 from keyphase.web.protocol import requests as ask
 from keyphase.web.protocol.dispatch import do
 from keyphase.web.protocol.voice import Send, Voice
-from keyphase.workbench.beside import InTheWay
 from keyphase.workbench.desks.asked import Asked
+from keyphase.workbench.exporting.beside import InTheWay
 from keyphase.workbench.telling import in_words
 from keyphase.workbench.uploads import Upload, upload_folder
 from keyphase.workbench.workbench import Workbench

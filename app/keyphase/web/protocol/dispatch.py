@@ -51,13 +51,15 @@ def _at_desk(page: "Conversation", desk: Desk, request: ask.OnDocument) -> None:
         case ask.Reset():
             page.wait_for(desk.reset_parameters(asked))
         case ask.Undo():
-            page.wait_for(desk.undo(asked))
+            page.wait_for(page.workbench.sharing.undo(desk, asked, page.view))
         case ask.Redo():
-            page.wait_for(desk.redo(asked))
+            page.wait_for(page.workbench.sharing.redo(desk, asked, page.view))
         case ask.Done():
             page.wait_for(desk.mark_done(request.done, asked))
         case ask.KeepLabels():
             page.wait_for(desk.keep_labels(asked))
+        case ask.TakeJournal():
+            page.wait_for(desk.take_journal(asked))
         case ask.ForgetLabel():
             page.wait_for(desk.forget_label(request.label, asked))
         case ask.TakeOver():
@@ -97,9 +99,13 @@ def _spread(page: "Conversation", desk: Desk, request: ask.Spread) -> None:
     workbench = page.workbench
     match request.step:
         case "look":
-            workbench.look_into_spread(desk, page.view)
+            workbench.look_into_spread(desk, page.view, include_done=request.include_done)
         case "apply":
-            page.wait_for(workbench.share(desk, page.asked(request), page.view))
+            workbench.leave_spread(page.view)
+            asked, include_done = page.asked(request), request.include_done
+            page.wait_for(
+                workbench.sharing.share(desk, asked, page.view, include_done=include_done)
+            )
         case "leave":
             workbench.leave_spread(page.view)
 

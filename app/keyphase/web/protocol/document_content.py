@@ -76,8 +76,14 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         state=state.state,
         locked=state.locked,
         changed=state.changed,
+        elsewhere=_elsewhere(state),
         labels=state.vocabulary.labels,
     )
+
+
+def _elsewhere(state: DeskState) -> say.ElsewhereMessage | None:
+    found = state.elsewhere
+    return found and say.ElsewhereMessage(found.name, found.steps, found.done)
 
 
 def channels(demonstration: Demonstration) -> tuple[str, ...]:

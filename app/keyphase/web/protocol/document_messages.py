@@ -147,6 +147,14 @@ class PlanEntryMessage(Struct, frozen=True):
     connect_mm: float | None
 
 
+class ElsewhereMessage(Struct, frozen=True):
+    """What was done to the same bytes under another name; `take_journal` takes it over."""
+
+    name: str
+    steps: int
+    done: bool
+
+
 class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     """What a recording is at one revision.
 
@@ -158,7 +166,8 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     candidates    where boundaries could be, and what became of each
     greatest_step_N  the change of force that the longest arrow of the scene stands for
     locked        why nothing can be changed; null where it can
-    changed       the file is no longer the one that was labeled
+    changed       the file, or the recipe it is read with, is no longer the one that was labeled
+    elsewhere     the same bytes were labeled under another name; null where nothing is known
     labels        the folder's vocabulary, in the order of the number keys
     saved_at      HH:MM:SS of the last step on disk
     inapplicable  edits whose place is gone
@@ -197,6 +206,7 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     state: State
     locked: str | None
     changed: bool
+    elsewhere: ElsewhereMessage | None
     labels: tuple[VocabularyLabel, ...]
     selected: int | None = None
 

@@ -4,7 +4,7 @@ from typing import Any, Literal
 
 from msgspec import UNSET, Struct, UnsetType, field
 
-from keyphase.workbench.beside import InTheWay
+from keyphase.workbench.exporting.beside import InTheWay
 from keyphase.workbench.recording_list import Listing
 from keyphase.workbench.recordings import Recording, State, folder_name, printable
 from keyphase.workbench.showing.doubts import UNSURE_BELOW, Piece
@@ -151,6 +151,7 @@ class SpreadLine(Struct, frozen=True):
 
     newly_inapplicable  edits whose place would be gone
     own                 parameters set on that recording alone, which go on holding
+    done                a person has finished with it
     """
 
     id: str
@@ -162,6 +163,7 @@ class SpreadLine(Struct, frozen=True):
     moves_s: tuple[tuple[float, float], ...] | UnsetType = UNSET
     newly_inapplicable: tuple[str, ...] | UnsetType = UNSET
     own: tuple[str, ...] | UnsetType = UNSET
+    done: bool = False
 
 
 class SpreadMessage(Struct, frozen=True, tag_field="type", tag="spread"):
@@ -244,4 +246,5 @@ def _spread_line(item: SpreadItem) -> SpreadLine:
         tuple((float(a), float(b)) for a, b in change.moves_s),
         change.newly_inapplicable,
         change.own,
+        change.done,
     )

@@ -92,6 +92,10 @@ class KeepLabels(OnDocument, tag="keep_labels", frozen=True):
     """The recording has changed since it was labeled, and the labels are to be kept."""
 
 
+class TakeJournal(OnDocument, tag="take_journal", frozen=True):
+    """Take over what was done to the same bytes under another name."""
+
+
 class ForgetLabel(OnDocument, tag="forget_label", frozen=True):
     """Take a label out of the folder's vocabulary."""
 
@@ -99,9 +103,13 @@ class ForgetLabel(OnDocument, tag="forget_label", frozen=True):
 
 
 class Spread(OnDocument, tag="spread", frozen=True):
-    """Tell what these parameters would do to all recordings of the folder; do it; or never mind."""
+    """Tell what these parameters would do to all recordings of the folder; do it; or never mind.
+
+    With `include_done` those that are done are opened again; without, they are left alone.
+    """
 
     step: Literal["look", "apply", "leave"]
+    include_done: bool = False
 
 
 class Compare(OnDocument, tag="compare", frozen=True):
@@ -258,6 +266,7 @@ Request = (
     | Redo
     | Done
     | KeepLabels
+    | TakeJournal
     | ForgetLabel
     | Spread
     | Compare

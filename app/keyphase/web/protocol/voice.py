@@ -16,8 +16,8 @@ from keyphase.web.protocol import document_messages as documents
 from keyphase.web.protocol import list_messages as lists
 from keyphase.web.protocol.document_content import document_message, ghosts
 from keyphase.web.protocol.replay_messages import ReplayClosed, Streamed, replay_message
-from keyphase.workbench.beside import InTheWay
 from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.exporting.beside import InTheWay
 from keyphase.workbench.leading.status import LeadThroughStatus
 from keyphase.workbench.placing.robot_choice import RobotChoice
 from keyphase.workbench.playback import Playhead

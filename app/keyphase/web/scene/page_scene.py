@@ -22,8 +22,8 @@ from keyphase.web.scene.replaying.replay_scene import ReplayScene
 from keyphase.web.scene.replaying.workcell_scene import WorkcellScene
 from keyphase.web.scene.shared import Shared
 from keyphase.web.scene.stage import Stage
-from keyphase.workbench.beside import InTheWay
 from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.exporting.beside import InTheWay
 from keyphase.workbench.leading.status import LeadThroughStatus
 from keyphase.workbench.placing.robot_choice import RobotChoice
 from keyphase.workbench.playback import Playhead

@@ -5,19 +5,21 @@ names the revision it was made on; one that no longer fits is refused to the pag
 """
 
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from keyphase.errors import KeyphaseError, RequestError
 from keyphase.labeling.edits import Edit
+from keyphase.labeling.history import FolderChange
 from keyphase.labeling.storage.written_files import IfThere
 from keyphase.segmentation import Parameters
 from keyphase.workbench.desks.asked import Asked
 from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.desks.differences import differs, told_of
 from keyphase.workbench.desks.member import Member
 from keyphase.workbench.desks.open_recording import OpenRecording
 from keyphase.workbench.desks.revisions import Revisions
-from keyphase.workbench.exports import export
+from keyphase.workbench.exporting.segment_files import export
 from keyphase.workbench.recordings import Recording
 from keyphase.workbench.showing.comparing import take_over
 from keyphase.workbench.tasks import Task, Tasks
@@ -25,6 +27,13 @@ from keyphase.workbench.telling import in_words
 from keyphase.workbench.worker import Worker
 
 Opens = Callable[[Recording, Task], OpenRecording]
+
+ToldOfFolder = Callable[[FolderChange | None], None]
+"""Told what a step that was taken back or made again does to the whole folder."""
+
+
+def _nobody(_change: FolderChange | None) -> None:
+    return
 
 
 class Desk:
@@ -46,7 +55,7 @@ class Desk:
         self.state: DeskState | None = None
         self.failure: KeyphaseError | None = None
         self.on_change: Callable[[DeskState], None] = lambda _state: None
-        self.on_folder: Callable[[Desk], None] = lambda _desk: None
+        self.on_folder: Callable[[Desk, bool], None] = lambda _desk, _parameters: None
         self._opens, self._tasks, self._numbers = opens, tasks, revisions
         self._lock = threading.RLock()
         self._members_lock = threading.Lock()
@@ -101,13 +110,13 @@ class Desk:
 
         return self.change(act, asked)
 
-    def undo(self, asked: Asked) -> threading.Event:
-        """Take the last step back."""
-        return self._change_seen(OpenRecording.undo, asked)
+    def undo(self, asked: Asked, told: ToldOfFolder = _nobody) -> threading.Event:
+        """Take the last step back; `told` where it was about the whole folder."""
+        return self._change_seen(lambda opened: told(opened.undo()), asked)
 
-    def redo(self, asked: Asked) -> threading.Event:
-        """Make the next step again."""
-        return self._change_seen(OpenRecording.redo, asked)
+    def redo(self, asked: Asked, told: ToldOfFolder = _nobody) -> threading.Event:
+        """Make the next step again, likewise."""
+        return self._change_seen(lambda opened: told(opened.redo()), asked)
 
     def mark_done(self, done: bool, asked: Asked) -> threading.Event:
         """Say that it is, or is not, finished."""
@@ -121,6 +130,10 @@ class Desk:
         """Agree to the recording as it now is."""
         return self.change(OpenRecording.keep_labels, asked)
 
+    def take_journal(self, asked: Asked) -> threading.Event:
+        """Make what was done to the same bytes under another name this recording's."""
+        return self._change_seen(OpenRecording.take_journal, asked)
+
     def forget_label(self, label: str, asked: Asked) -> threading.Event:
         """Take a label out of the folder's vocabulary."""
         return self.change(lambda opened: opened.folder.forget(label), asked)
@@ -129,17 +142,13 @@ class Desk:
         """Make another segmentation this recording's own."""
         return self._change_seen(lambda opened: take_over(opened, other), asked)
 
-    def share_parameters(self, asked: Asked) -> threading.Event:
+    def share_parameters(self, asked: Asked, reopened: Sequence[str] = ()) -> threading.Event:
         """Give all recordings of the folder the parameters that are shown."""
-        return self._change_seen(OpenRecording.share_parameters, asked)
+        return self._change_seen(lambda opened: opened.share_parameters(reopened), asked)
 
     def follow_folder(self) -> threading.Event:
-        """Take up what the folder's parameters have become."""
+        """Take up what the folder's vocabulary and parameters have become."""
         return self.change(OpenRecording.follow_folder, None)
-
-    def recolor(self) -> threading.Event:
-        """Take up what the folder's vocabulary has become."""
-        return self.change(OpenRecording.recolor, None)
 
     def set_parameters(
         self, change: Callable[[Parameters], Parameters], asked: Asked, *, held: bool
@@ -217,17 +226,17 @@ class Desk:
         if opened is None:
             self._refuse(RequestError("This recording cannot be opened."), asked)
             return
-        before = _of(opened)
+        before, shared = told_of(opened), opened.folder.settings.parameters
         try:
             action(opened)
         except Exception as error:
             self._refuse(error, asked)
         finally:
-            after = _of(opened)
-            if _differs(before, after):
+            after = told_of(opened)
+            if differs(before, after):
                 self._publish(opened, asked)
             if after[1] is not before[1]:
-                self.on_folder(self)
+                self.on_folder(self, opened.folder.settings.parameters != shared)
 
     def _preview(self, opened: OpenRecording) -> None:
         with self._lock:
@@ -267,29 +276,3 @@ class Desk:
 
     def _defect(self, error: Exception) -> None:
         in_words(error)
-
-
-def _differs(before: tuple[object, ...], after: tuple[object, ...]) -> bool:
-    """Whether anything that is told of an open recording has changed."""
-    return any(
-        one is not other and (not isinstance(one, _PLAIN) or one != other)
-        for one, other in zip(before, after, strict=True)
-    )
-
-
-_PLAIN = (bool, str, tuple, type(None))
-
-
-def _of(opened: OpenRecording) -> tuple[object, ...]:
-    """All that is told of an open recording."""
-    journal = opened.journal
-    return (
-        opened.document,
-        opened.folder.settings,
-        opened.labeling,
-        opened.kept_labeling,
-        opened.parameters,
-        journal.changed,
-        journal.read_only,
-        journal.notices,
-    )

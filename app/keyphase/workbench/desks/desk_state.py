@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from keyphase.demonstration import Demonstration
 from keyphase.labeling.document import Document
 from keyphase.labeling.labeling import Labeling
+from keyphase.labeling.storage.elsewhere import Elsewhere
 from keyphase.labeling.vocabulary import Vocabulary
 from keyphase.segmentation import Parameters
 from keyphase.workbench.recordings import Recording
@@ -34,6 +35,8 @@ class DeskState:
     state           automatic, touched or done
     locked          why nothing can be changed; None where it can
     changed         the file is no longer the one that was labeled
+    found_now       of a recording that is done what would be found today, where that differs
+    elsewhere       what was done to the same bytes under another name; None where nothing is known
     saved_at        clock time of the last step on disk, HH:MM:SS
     """
 
@@ -49,6 +52,8 @@ class DeskState:
     state: RecordingState
     locked: str | None
     changed: bool
+    found_now: Labeling | None
+    elsewhere: Elsewhere | None
     saved_at: str | None
     cause: Cause | None = None
 

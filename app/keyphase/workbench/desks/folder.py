@@ -45,6 +45,18 @@ class Folder:
         """Give all its recordings other parameters. Raises JournalError likewise."""
         self._change(lambda settings: replace(settings, parameters=parameters))
 
+    def swap(self, before: Parameters, after: Parameters) -> bool:
+        """Give all its recordings `after` if they still have `before`; whether they had."""
+        had: list[Parameters] = []
+
+        def swapped(settings: FolderSettings) -> FolderSettings:
+            had.append(settings.parameters)
+            known = settings.parameters == before
+            return replace(settings, parameters=after) if known else settings
+
+        self._change(swapped)
+        return had[-1] == before
+
     def colored(self, labeling: Labeling) -> Labeling:
         """The labeling with segments named by the vocabulary in the colours of their names."""
         colors = {
@@ -58,7 +70,7 @@ class Folder:
             else replace(segment, color=colors.get(segment.label, segment.color))
             for segment in labeling.segments
         )
-        return replace(labeling, segments=segments)
+        return labeling if segments == labeling.segments else replace(labeling, segments=segments)
 
     def _change_vocabulary(self, change: Callable[[Vocabulary], Vocabulary]) -> None:
         now = self._settings.vocabulary

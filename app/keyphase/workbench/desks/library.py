@@ -34,6 +34,7 @@ class Library:
         self, tasks: Tasks, recipe: Path | None = None, *, read_only: bool = False
     ) -> None:
         self.on_change: Callable[[DeskState], None] = lambda _state: None
+        self.on_parameters: Callable[[], None] = lambda: None
         self._recipe: Recipe | None = load_recipe(recipe) if recipe else None
         self._read_only = read_only
         self._tasks = tasks
@@ -149,9 +150,11 @@ class Library:
     def _changed(self, state: DeskState) -> None:
         self.on_change(state)
 
-    def _folder_changed(self, desk: Desk) -> None:
+    def _folder_changed(self, desk: Desk, parameters: bool) -> None:
         for other in self.beside(desk):
-            other.recolor()
+            other.follow_folder()
+        if parameters:
+            self.on_parameters()
 
     def _opens(self, recording: Recording, task: Task) -> OpenRecording:
         return self._opened(recording, task, self._read_only)

@@ -1,10 +1,14 @@
 """One open recording: its document, what was found in it, and what a person makes of that."""
 
+from collections.abc import Mapping, Sequence
 from datetime import datetime
+from typing import Any
 
 from keyphase.demonstration import Demonstration
+from keyphase.errors import JournalError, LabelingError
 from keyphase.labeling.document import Document
 from keyphase.labeling.edits import Done, Edit, Label, Reopen
+from keyphase.labeling.history import FolderChange, folder_change_of
 from keyphase.labeling.label import label
 from keyphase.labeling.labeling import LabeledSegment, Labeling
 from keyphase.labeling.spreading import Change, preview
@@ -13,6 +17,7 @@ from keyphase.segmentation import Parameters, Segmenter
 from keyphase.workbench.desks.desk_state import Cause, DeskState
 from keyphase.workbench.desks.folder import Folder
 from keyphase.workbench.recordings import Recording, State
+from keyphase.workbench.showing.found_now import found_now, told
 from keyphase.workbench.showing.signals import SignalTracks
 
 _REFIT = (
@@ -41,6 +46,9 @@ class OpenRecording:
         self.journal = journal
         self._segmenter = Segmenter(self.demonstration)
         self._saved_at: datetime | None = None
+        self._folder_kept: str | None = None
+        self._compared: Document | None = None
+        self._now: Labeling | None = None
         self.parameters = self.document.parameters
         self.labeling = self.kept_labeling = self._labeling_under(self.parameters)
         if self.document.needs_freezing and self.journal.read_only is None:
@@ -96,33 +104,78 @@ class OpenRecording:
         if isinstance(edit, Label):
             self._learn(edit.label.strip(), before.segments[before.segment_at(edit.time_s)])
 
-    def preview_shared(self, shared: Parameters) -> Change:
+    def preview_shared(self, shared: Parameters, include_done: bool) -> Change:
         """What it would do to this recording if its folder had other parameters."""
-        segmenter = self._segmenter
-        return preview(self.document, shared, segmenter.segment, segmenter.segment_between)
+        return preview(
+            self.document,
+            shared,
+            self._segmenter.segment,
+            self._segmenter.segment_between,
+            include_done=include_done,
+        )
 
-    def share_parameters(self) -> None:
+    def share_parameters(self, reopened: Sequence[str] = ()) -> None:
         """Give the folder the parameters that are shown; this recording has none of its own then.
 
-        Raises JournalError where that cannot be kept.
+        `reopened` are recordings that are opened again with it. Raises JournalError where that
+        cannot be kept.
         """
         self.keep_parameters()
+        before = self.folder.settings.parameters
         self.folder.share(self.parameters)
-        self._keep(self.document.share_parameters())
+        self._keep(self.document.with_shared(before).share_parameters(reopened))
 
-    def undo(self) -> None:
-        """Take the last step back. Raises LabelingError where there is none."""
+    def undo(self) -> FolderChange | None:
+        """Take the last step back; what that did to the whole folder is taken back with it.
+
+        Raises LabelingError where there is none.
+        """
+        change = folder_change_of(self.document.history.last_done)
+        document = self.document.undo()
+        if change is not None:
+            self._swap_parameters(change.after, change.before)
+        self._keep(document.with_shared(self.folder.settings.parameters))
+        return change
+
+    def redo(self) -> FolderChange | None:
+        """Make the next step again, likewise. Raises LabelingError where there is none."""
+        change = folder_change_of(self.document.history.next_undone)
+        document = self.document.redo()
+        if change is not None:
+            self._swap_parameters(change.before, change.after)
+        self._keep(document.with_shared(self.folder.settings.parameters))
+        return change
+
+    def reopen(self, name: str) -> None:
+        """Open it again as part of a step of another recording, under that step's name."""
+        self._keep(self.document.reopened(name))
+
+    def close_again(self, name: str) -> None:
+        """Take `reopen` back. Raises LabelingError where a person has gone on with it since."""
+        last = self.document.history.last_done
+        if last is None or last.name != name or not isinstance(last.change, Reopen):
+            raise LabelingError(
+                f"{self.recording.name} was worked on since it was opened again, so it is left as "
+                "it is; mark it as done once more."
+            )
         self._keep(self.document.undo())
-
-    def redo(self) -> None:
-        """Make the next step again. Raises LabelingError where there is none."""
-        self._keep(self.document.redo())
 
     def mark_done(self, done: bool) -> None:
         """Say that this recording is, or is not, finished."""
         if done != self.document.done or self.labeling.changed_since_done:
             self.keep_parameters()
             self._keep(self.document.apply(Done() if done else Reopen(), self.labeling))
+
+    def take_journal(self) -> None:
+        """Make what was done to the same bytes under another name this recording's.
+
+        Raises JournalError where nothing was, or it cannot be kept.
+        """
+        if self.journal.elsewhere is None:
+            raise JournalError("Nothing is known of these bytes under another name.")
+        self.journal.take_over(self.journal.elsewhere)
+        self._saved_at = datetime.now()
+        self._keep(self.document)
 
     def keep_labels(self) -> None:
         """Agree to the recording as it now is, though it was labeled as another."""
@@ -144,23 +197,23 @@ class OpenRecording:
             kept_labeling=self.kept_labeling,
             tracks=self.tracks,
             vocabulary=self.folder.settings.vocabulary,
-            notices=(*self.journal.notices, *self._folder_notices()),
+            notices=(*self.journal.notices, *self._folder_notices(), *self._told_of_now()),
             state=self._state(),
             locked=self.journal.read_only,
             changed=self.journal.changed,
+            found_now=self._found_now(),
+            elsewhere=self.journal.elsewhere,
             saved_at=self._saved_at.strftime("%H:%M:%S") if self._saved_at else None,
             cause=cause,
         )
 
     def follow_folder(self) -> None:
-        """Take up what the parameters of the folder have become.
-
-        Raises JournalError where the journal cannot be opened again.
-        """
-        read_only = self.journal.read_only is not None
-        self.journal.close()
+        """Take up what the folder's vocabulary and parameters have become."""
         shared = self.folder.settings.parameters
-        self.journal = Journal(self.demonstration, shared, read_only=read_only)
+        if shared == self.document.shared:
+            self.recolor()
+            return
+        self.journal.follow_folder(shared)
         self.parameters = self.document.parameters
         self.labeling = self.kept_labeling = self._labeling_under(self.parameters)
 
@@ -178,6 +231,14 @@ class OpenRecording:
         self.labeling = self.folder.colored(self.labeling)
         self.kept_labeling = self.labeling if same else self.folder.colored(self.kept_labeling)
 
+    def _swap_parameters(self, before: Mapping[str, Any], after: Mapping[str, Any]) -> None:
+        """Give the folder other parameters, unless somebody gave it others meanwhile."""
+        if not self.folder.swap(Parameters(**before), Parameters(**after)):
+            self._folder_kept = (
+                "The folder has other parameters by now than this step gave it, so they were left "
+                "as they are."
+            )
+
     def _learn(self, name: str, segment: LabeledSegment) -> None:
         """An accepted proposal is no word of the person's own, so it is not learnt."""
         if name and name != segment.label:
@@ -189,9 +250,19 @@ class OpenRecording:
         labeling = label(segmentation, self.document.edits, self._segmenter.segment_between)
         return self.folder.colored(labeling)
 
+    def _found_now(self) -> Labeling | None:
+        """Worked out once for a document."""
+        if self._compared is not self.document:
+            self._compared = self.document
+            self._now = found_now(self.document, self._segmenter, self.kept_labeling)
+        return self._now
+
+    def _told_of_now(self) -> list[str]:
+        now = self._found_now()
+        return [] if now is None else [told(self.kept_labeling, now)]
+
     def _folder_notices(self) -> list[str]:
-        notice = self.folder.settings.notice
-        return [notice] if notice else []
+        return [one for one in (self.folder.settings.notice, self._folder_kept) if one]
 
     def _state(self) -> State:
         if self.document.done:

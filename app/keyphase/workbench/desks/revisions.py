@@ -1,7 +1,7 @@
 """Whether a request still fits: who changed a recording since the page that asks saw it."""
 
 from collections import OrderedDict
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from keyphase.errors import KeyphaseError, RequestError
 from keyphase.labeling.edits import Edit
@@ -17,6 +17,7 @@ REMEMBERED = 200
 class _Revision:
     page: str | None
     labeling: Labeling
+    only_colors: bool
 
 
 class Revisions:
@@ -27,7 +28,9 @@ class Revisions:
 
     def add(self, state: DeskState, page: str | None) -> None:
         """A new revision, made by a page, or by none."""
-        self._known[state.revision] = _Revision(page, state.labeling)
+        last = next(reversed(self._known.values()), None)
+        same = last is not None and _uncolored(last.labeling) == _uncolored(state.labeling)
+        self._known[state.revision] = _Revision(page, state.labeling, page is None and same)
         while len(self._known) > REMEMBERED:
             self._known.popitem(last=False)
 
@@ -60,7 +63,13 @@ class Revisions:
                 "ask again."
             )
         return any(
-            made.page != asked.page
+            made.page != asked.page and not made.only_colors
             for revision, made in self._known.items()
             if revision > asked.revision
         )
+
+
+def _uncolored(labeling: Labeling) -> tuple[object, ...]:
+    """What a labeling says, whatever the folder's vocabulary makes its colours."""
+    segments = [replace(segment, color=0) for segment in labeling.segments]
+    return labeling.boundaries, segments, labeling.plan, labeling.parameters, labeling.done

@@ -12,7 +12,7 @@ from keyphase.skills.exports.rapid import rapid
 from keyphase.skills.exports.skill_file import skill_text
 from keyphase.skills.exports.skill_library import library_of
 from keyphase.skills.exports.urscript import urscript
-from keyphase.workbench.beside import Beside
+from keyphase.workbench.exporting.beside import Beside
 from keyphase.workbench.replaying.plan import ReplayPlan
 
 

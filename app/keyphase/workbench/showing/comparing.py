@@ -15,6 +15,7 @@ from keyphase.labeling.segment_file import SUFFIX, SegmentFile, read_segment_fil
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.desks.open_recording import OpenRecording
 from keyphase.workbench.recordings import printable
+from keyphase.workbench.showing.found_now import NOW
 
 AUTOMATIC = "automatic"
 """Compare with what the program found, without anybody's edits."""
@@ -42,18 +43,24 @@ class Comparison:
 def comparison(state: DeskState, other: str | None) -> Comparison:
     """With what the recording can be compared, and how `other` agrees.
 
-    `other` is None, "automatic", or the name of a segment file beside the recording. Raises
-    RequestError for a name that is not offered, SegmentFileError and LabelingError for a file
-    that cannot be compared.
+    `other` is None, "automatic", "found now" for a recording that is done, or the name of a segment
+    file beside the recording. Raises RequestError for a name that is not offered, SegmentFileError
+    and LabelingError for a file that cannot be compared.
     """
     names = _segment_files(state)
-    options = (AUTOMATIC, *map(printable, names))
+    now = () if state.found_now is None else (NOW,)
+    options = (AUTOMATIC, *now, *map(printable, names))
     if other is None:
         return Comparison(options)
     if other not in options:
         raise _unknown()
-    index = options.index(other)
-    outline = _automatic(state) if index == 0 else Outline.of_file(_filed(state, names[index - 1]))
+    if other == AUTOMATIC:
+        outline = _automatic(state)
+    elif other == NOW and state.found_now is not None:
+        outline = Outline.of_labeling(state.found_now)
+    else:
+        file = names[options.index(other) - 1 - len(now)]
+        outline = Outline.of_file(_filed(state, file))
     result = compare(Outline.of_labeling(state.kept_labeling), outline)
     return Comparison(options, other, outline, result)
 
@@ -66,6 +73,8 @@ def take_over(opened: OpenRecording, other: str) -> None:
     names = _segment_files(opened)
     if other == AUTOMATIC:
         opened.apply(Reset())
+    elif other == NOW:
+        opened.mark_done(False)
     elif other in map(printable, names):
         name = next(name for name in names if printable(name) == other)
         opened.apply(taking_over(_filed(opened, name), opened.kept_labeling.segmentation))

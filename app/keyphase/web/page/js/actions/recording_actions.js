@@ -27,7 +27,8 @@ export function createRecordingActions(store, send, actions) {
       else store.set({ tab: "export" });
     },
     /** "look" what these parameters would change in the other recordings, "apply" it, or "leave" it. */
-    spread: (step) => !state.readOnly && send({ type: "spread", step }),
+    spread: (step, includeDone = false) =>
+      !state.readOnly && send({ type: "spread", step, include_done: includeDone }),
     /** Beside which segmentation this one is shown; null asks which there are. */
     compare(other) {
       if (other === null) store.set({ comparison: null });
@@ -63,6 +64,8 @@ export function createRecordingActions(store, send, actions) {
       actions.resetEdits();
       own.keepLabels();
     },
+    /** Takes over what was done to the same bytes under another name. */
+    takeJournal: () => send({ type: "take_journal" }),
     keepLabels: () => send({ type: "keep_labels" }),
 
     openDemonstration() {

@@ -8,6 +8,7 @@ const ABOUT = new Set([
   "redo",
   "done",
   "keep_labels",
+  "take_journal",
   "forget_label",
   "spread",
   "compare",

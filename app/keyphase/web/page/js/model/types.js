@@ -26,7 +26,8 @@
  *   selected: number|null, undo: string|null, redo: string|null, saved_at: string|null,
  *   greatest_step_N?: number|null,
  *   labels: {name: string, color: string}[],
- *   state: "automatic"|"touched"|"done", locked: string|null, changed: boolean}} Doc
+ *   state: "automatic"|"touched"|"done", locked: string|null, changed: boolean,
+ *   elsewhere?: {name: string, steps: number, done: boolean}|null}} Doc
  *
  * @typedef {{id: string, name: string, color: string}} OtherPage  who else is at a recording
  * @typedef {{id: string, name: string, folder?: string, pages?: OtherPage[],

@@ -1,6 +1,7 @@
 /** What a person has to decide about a recording, in lines below the header. */
 
 import { byId, el } from "../lib/dom.js";
+import { plural } from "../lib/format.js";
 
 const MOST = 3;
 /** A small window has no room for more. */
@@ -60,6 +61,16 @@ function toDecide(doc, lookingOnly, actions) {
   const lines = [];
   if (lookingOnly) lines.push(line("This link is for looking: nothing can be changed here."));
   else if (doc.locked) lines.push(line(`Read only: ${doc.locked}.`));
+  if (doc.elsewhere && !lookingOnly && !doc.locked) {
+    const { name, steps, done } = doc.elsewhere;
+    lines.push(
+      line(
+        `The same recording was labeled as ${name} (${plural(steps, "edit")}${done ? ", done" : ""}). ` +
+          "Was it renamed or moved?",
+        button("Take the edits over", actions.takeJournal, "primary"),
+      ),
+    );
+  }
   if (doc.changed && !lookingOnly && !doc.locked) {
     lines.push(
       line(

@@ -92,6 +92,7 @@ function missing(scale, time, y) {
 
 /** Whose segmentation it is, for people. @param {string} other */
 export function nameOf(other) {
+  if (other === "found now") return "Found now";
   return other === "automatic" ? "Program’s own" : other.replace(/\.segments\.json$/, "");
 }
 

@@ -4,6 +4,9 @@ import { segmentAt } from "../../model/segments.js";
 import { byId, el, icon } from "../../lib/dom.js";
 import { toggle, tracksFor } from "../../model/rows.js";
 
+/** What the server's own comparisons are called here. */
+const OWN_NAMES = { automatic: "What the program found", "found now": "As it would be found now" };
+
 /**
  * @typedef {{text: string, key?: string, run: () => void, off?: boolean, checked?: boolean}|"rule"|{heading: string}} Item
  */
@@ -253,7 +256,7 @@ function recordingItems(store, actions, item) {
 function comparisonItems({ state }, actions) {
   const { options = ["automatic"], with: shown = null } = state.comparison ?? {};
   const items = options.map((name) => ({
-    text: name === "automatic" ? "What the program found" : name,
+    text: OWN_NAMES[name] ?? name,
     checked: name === shown,
     run: () => actions.compare(name === shown ? null : name),
   }));

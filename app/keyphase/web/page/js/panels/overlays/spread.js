@@ -12,6 +12,14 @@ export function createSpread(store, actions) {
   const summary = el("p", { role: "status" });
   const bar = el("i");
   const rows = el("div", { class: "spread-rows", tabindex: "0" });
+  const withDone = /** @type {HTMLInputElement} */ (
+    el("input", {
+      type: "checkbox",
+      on: { change: () => actions.spread("look", withDone.checked) },
+    })
+  );
+  const doneText = el("span", {});
+  const doneBox = el("label", { class: "spread-done" }, withDone, doneText);
   const apply = /** @type {HTMLButtonElement} */ (
     el("button", { type: "button", class: "button primary", text: "Apply to all" })
   );
@@ -26,11 +34,13 @@ export function createSpread(store, actions) {
     summary,
     el("div", { class: "spread-progress" }, bar),
     rows,
+    doneBox,
     el("div", { class: "buttons" }, apply, cancel),
   );
   dialog.addEventListener("click", ({ target }) => target === dialog && dialog.close());
   // What was under way when a person left is still told afterwards.
   let left = 0;
+  let look = 0;
   dialog.addEventListener("close", () => {
     if (store.state.spread) {
       left = store.state.spread.look;
@@ -42,12 +52,18 @@ export function createSpread(store, actions) {
     left = store.state.spread?.look ?? left;
     store.set({ spread: null });
     dialog.close();
-    actions.spread("apply");
+    actions.spread("apply", withDone.checked);
   });
 
   store.on(["spread"], ({ spread, recordings: { current }, lookingOnly }) => {
     if (!spread || spread.look <= left || lookingOnly) return dialog.open && dialog.close();
     const { items, total } = spread;
+    if (!dialog.open) withDone.checked = false;
+    if (look !== spread.look) rows.replaceChildren();
+    look = spread.look;
+    const finished = items.filter(({ id, done }) => done && id !== current).length;
+    doneBox.hidden = !finished;
+    doneText.textContent = `Also the ${finished} that ${finished === 1 ? "is" : "are"} done; opened again, to be looked at`;
     const isWhole = items.length === total;
     summary.textContent = isWhole
       ? outcome(items)
@@ -94,7 +110,10 @@ function drawItem(item, current) {
           ]
         : item.error
           ? [el("span", { class: "lost", text: `cannot be read: ${item.error}` })]
-          : lines(item)),
+          : [
+              item.done ? el("span", { class: "quiet", text: "done" }) : null,
+              ...lines(item),
+            ].filter(Boolean)),
     ),
   );
 }

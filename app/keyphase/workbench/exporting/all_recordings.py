@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 from keyphase.errors import FileInTheWayError, KeyphaseError
 from keyphase.labeling.storage.written_files import IfThere
-from keyphase.workbench.beside import InTheWay, same_names, sharing_names
 from keyphase.workbench.desks.library import Library
-from keyphase.workbench.exports import export
+from keyphase.workbench.exporting.beside import InTheWay, same_names, sharing_names
+from keyphase.workbench.exporting.segment_files import export
 from keyphase.workbench.recordings import Recording
 from keyphase.workbench.tasks import Tasks
 

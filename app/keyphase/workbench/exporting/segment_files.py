@@ -6,7 +6,7 @@ from keyphase.errors import RequestError, SegmentFileError
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file import SUFFIX, segment_file_data
 from keyphase.labeling.storage.written_files import IfThere
-from keyphase.workbench.beside import Beside
+from keyphase.workbench.exporting.beside import Beside
 
 _ENDINGS = {"json": SUFFIX, "csv": str(Path(SUFFIX).with_suffix(".csv"))}
 

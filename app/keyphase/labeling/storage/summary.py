@@ -1,0 +1,39 @@
+"""What a list of recordings shows of their journals."""
+
+import contextlib
+from dataclasses import dataclass
+from pathlib import Path
+
+from keyphase.errors import KeyphaseError
+from keyphase.labeling.finished import is_done, needs_freezing
+from keyphase.labeling.storage.readings import longest_journal
+from keyphase.labeling.storage.state_folder import journal_path, state_folder
+
+
+@dataclass(frozen=True)
+class JournalSummary:
+    """What a list of recordings shows of a journal.
+
+    unfrozen  it was finished by a version that did not keep what was seen
+    """
+
+    touched: bool
+    done: bool
+    unfrozen: bool = False
+
+
+def summarize(recording: Path) -> JournalSummary:
+    """What the journal of a recording says, without opening it for writing.
+
+    A journal that cannot be read counts as none; opening it says what is wrong.
+    """
+    folder = state_folder(recording.parent, create=False)
+    followed = None
+    with contextlib.suppress(KeyphaseError, OSError):
+        followed, _ = longest_journal(folder, journal_path(recording, folder.path).name)
+    if followed is None:
+        return JournalSummary(touched=False, done=False)
+    state = followed.state
+    done = is_done(state.history, done_before=state.done_before)
+    unfrozen = needs_freezing(state.history, done_before=state.done_before)
+    return JournalSummary(bool(state.history.done), done, unfrozen)
