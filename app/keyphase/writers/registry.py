@@ -1,11 +1,23 @@
 """Every format that segments can be written in, by name."""
 
 from keyphase.errors import ExportError
+from keyphase.writers.lerobot.labels import LEROBOT
+from keyphase.writers.lerobot.tasks import LEROBOT_TASKS
 from keyphase.writers.own_files import CSV, JSON
 from keyphase.writers.plans import BEHAVIOR_TREE, PROGRAM, RAPID, SKILLS, URSCRIPT
 from keyphase.writers.writer import Writer
 
-WRITERS: tuple[Writer, ...] = (JSON, CSV, SKILLS, BEHAVIOR_TREE, PROGRAM, URSCRIPT, RAPID)
+WRITERS: tuple[Writer, ...] = (
+    JSON,
+    CSV,
+    SKILLS,
+    BEHAVIOR_TREE,
+    PROGRAM,
+    URSCRIPT,
+    RAPID,
+    LEROBOT,
+    LEROBOT_TASKS,
+)
 """In the order in which they are offered."""
 
 
