@@ -18,6 +18,8 @@ OFFERED = [
     "Parameters",
     "Segmentation",
     "Segmenter",
+    "audit",
+    "draw",
     "label",
     "propose",
     "read",
@@ -28,6 +30,7 @@ OFFERED = [
     "segment",
     "skills_of",
     "taught_by",
+    "write",
     "write_segment_file",
 ]
 

@@ -17,10 +17,12 @@ from typing import TYPE_CHECKING, Any
 from keyphase.errors import KeyphaseError
 
 if TYPE_CHECKING:
+    from keyphase.auditing.audit import audit
     from keyphase.demonstration import Demonstration
     from keyphase.labeling.document import Document
     from keyphase.labeling.label import label
     from keyphase.labeling.segment_file import read_segment_file, write_segment_file
+    from keyphase.pictures.drawing import draw
     from keyphase.readers import read
     from keyphase.scoring import score
     from keyphase.segmentation import Parameters, Segmentation, Segmenter, segment
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
     from keyphase.skills.library import skills_of
     from keyphase.transfer.proposing import propose
     from keyphase.transfer.taught import taught_by
+    from keyphase.writers.writing import write
 
 __version__ = "0.2.0.dev0"
 
@@ -40,6 +43,8 @@ __all__ = [
     "Parameters",
     "Segmentation",
     "Segmenter",
+    "audit",
+    "draw",
     "label",
     "propose",
     "read",
@@ -50,6 +55,7 @@ __all__ = [
     "segment",
     "skills_of",
     "taught_by",
+    "write",
     "write_segment_file",
 ]
 
@@ -60,6 +66,8 @@ _HOMES = {
     "Parameters": "keyphase.segmentation.parameters",
     "Segmentation": "keyphase.segmentation.segmentation",
     "Segmenter": "keyphase.segmentation.segmenter",
+    "audit": "keyphase.auditing.audit",
+    "draw": "keyphase.pictures.drawing",
     "label": "keyphase.labeling.label",
     "propose": "keyphase.transfer.proposing",
     "read": "keyphase.readers",
@@ -70,6 +78,7 @@ _HOMES = {
     "segment": "keyphase.segmentation.segmenter",
     "skills_of": "keyphase.skills.library",
     "taught_by": "keyphase.transfer.taught",
+    "write": "keyphase.writers.writing",
     "write_segment_file": "keyphase.labeling.segment_file",
 }
 

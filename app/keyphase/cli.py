@@ -13,6 +13,8 @@ from typing import Annotated, Any, Protocol
 import tyro
 
 from keyphase import __version__
+from keyphase.commands.audit import AuditLabels
+from keyphase.commands.draw import DrawSegmentation
 from keyphase.commands.export import ExportSegments
 from keyphase.commands.fit import FitWeights
 from keyphase.commands.inspect import Inspect
@@ -33,6 +35,8 @@ COMMANDS = {
     "propose": Propose,
     "score": ScoreSegments,
     "export": ExportSegments,
+    "audit": AuditLabels,
+    "draw": DrawSegmentation,
     "record": Record,
     "replay": ReplaySegments,
     "tidy": Tidy,

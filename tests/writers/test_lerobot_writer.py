@@ -6,38 +6,24 @@ import numpy as np
 import pyarrow.parquet as pq
 import pytest
 from lerobot_datasets import dataset, read_episodes, read_frames
-from segmented_recordings import EDGES_S, NAMES, RATE_HZ, item, with_segment_file
+from lerobot_exports import exported, items, trimmed
+from segmented_recordings import EDGES_S, NAMES, RATE_HZ, item
 
 from keyphase.errors import ExportError
-from keyphase.files.parts import with_part
-from keyphase.writers import Options, SegmentedRecording, planned_export
-
-LABELED = (0, 2)
-
-
-def items(path):
-    """Episodes 0 and 2 with segments; nobody has labelled 1."""
-    files = [with_segment_file(path.parent, with_part(path, f"episode_{n}")) for n in LABELED]
-    return [SegmentedRecording.of_file(file) for file in files]
-
-
-def export(path, to="lerobot", **options):
-    planned = planned_export(items(path), to, path.parent / "out", Options(**options))
-    ((written,),) = planned.write()
-    return written
+from keyphase.writers import planned_export
 
 
 @pytest.fixture(scope="module", params=["v3.0", "v2.1"])
 def both(request, tmp_path_factory):
     """A dataset and its labelled copy."""
     path = dataset(tmp_path_factory.mktemp("lerobot"), request.param)
-    return path, export(path)
+    return path, exported(path, path.parent / "out")
 
 
 @pytest.fixture(scope="module")
 def v3(tmp_path_factory):
     path = dataset(tmp_path_factory.mktemp("v3"), video=True)
-    return path, export(path)
+    return path, exported(path, path.parent / "out")
 
 
 def test_every_frame_of_an_episode_has_the_same_rows_and_unlabelled_ones_have_none(both):
@@ -126,9 +112,8 @@ def test_progress_grows_to_one_and_stands_still_where_a_segment_was_dropped(both
 
 def test_idle_ends_are_trimmed_with_their_video(tmp_path):
     path = dataset(tmp_path, video=True)
-    drop_ends(path.parent)
-    trimmed = export_dropped(path, trim_idle=True)
-    frames, rows = read_frames(trimmed), read_episodes(trimmed)
+    short = trimmed(path, tmp_path / "out")
+    frames, rows = read_frames(short), read_episodes(short)
     assert [row["length"] for row in rows] == [150, 251, 150]
     assert frames["index"].to_pylist() == list(range(551))
     first = frames.slice(0, 150)
@@ -139,45 +124,24 @@ def test_idle_ends_are_trimmed_with_their_video(tmp_path):
     name = "videos/observation.images.top"
     assert rows[0][f"{name}/from_timestamp"] == pytest.approx(50 / RATE_HZ)
     assert rows[0][f"{name}/to_timestamp"] == pytest.approx((251 - 51) / RATE_HZ)
-    assert rows[1] == {**read_episodes(path)[1], **{k: rows[1][k] for k in _NEW(rows[1])}}
-    info = json.loads((trimmed / "meta/info.json").read_text())
+    assert {k: v for k, v in rows[1].items() if not is_new(k)} == {
+        k: v for k, v in read_episodes(path)[1].items() if not is_new(k)
+    }
+    info = json.loads((short / "meta/info.json").read_text())
     assert info["total_frames"] == 551
     language = frames["language_persistent"][0].as_py()
     assert [row["content"] for row in language if row["style"] == "subtask"] == list(NAMES[1:3])
     assert language[0]["timestamp"] == 0.0
 
 
-def _NEW(row):  # noqa: N802
-    return [k for k in row if "subtask" in k or k.startswith("dataset_")]
-
-
-def drop_ends(folder):
-    """Segment files in which the first and the last segment are dropped."""
-    path = folder / "demos"
-    for number in LABELED:
-        file = with_segment_file(folder, with_part(path, f"episode_{number}"))
-        content = json.loads(file.read_text())
-        for one, kept in zip(content["segments"], (False, True, True, False), strict=True):
-            one["kept"] = kept
-        content["plan"] = [2, 3]
-        file.write_text(json.dumps(content))
-
-
-def export_dropped(path, **options):
-    files = sorted(path.parent.glob("*.segments.json"))
-    planned = planned_export(
-        [SegmentedRecording.of_file(file) for file in files],
-        "lerobot",
-        path.parent / "out",
-        Options(**options),
-    )
-    ((written,),) = planned.write()
-    return written
+def is_new(column):
+    """Columns of stages, and indices that move with the frames that are cut before."""
+    return "subtask" in column or column.startswith("dataset_")
 
 
 def test_each_frames_task_is_its_segment(tmp_path):
     path = dataset(tmp_path)
-    written = export(path, "lerobot-tasks")
+    written = exported(path, tmp_path / "out", "lerobot-tasks")
     tasks = pq.read_table(written / "meta/tasks.parquet").to_pydict()
     names = dict(zip(tasks["task_index"], tasks["task"], strict=True))
     frames = read_frames(written)
@@ -195,9 +159,8 @@ def test_each_frames_task_is_its_segment(tmp_path):
 
 
 def test_a_recording_of_another_format_is_refused(tmp_path):
-    planned = planned_export
     with pytest.raises(ExportError, match="expected a LeRobot dataset"):
-        list(planned([item(tmp_path)], "lerobot", tmp_path / "out").write())
+        list(planned_export([item(tmp_path)], "lerobot", tmp_path / "out").write())
     assert list((tmp_path / "out").glob("*")) == []
 
 

@@ -18,12 +18,19 @@ def copy_of(source: Path, target: Path) -> Iterator[Path]:
     Links in a folder are copied as what they lead to. Raises ExportError where it cannot be
     copied or put in place.
     """
-    working = target.with_name(f"{TEMPORARY}{secrets.token_hex(8)}")
-    try:
+    with in_place_of(target) as working:
         try:
             _copy(source, working)
         except (OSError, shutil.Error) as error:
             raise ExportError(f"{source}: cannot be copied to {target} ({error}).") from error
+        yield working
+
+
+@contextmanager
+def in_place_of(target: Path) -> Iterator[Path]:
+    """A path to write at, which becomes `target` where nothing fails, and else is removed."""
+    working = target.with_name(f"{TEMPORARY}{secrets.token_hex(8)}")
+    try:
         yield working
         try:
             _put(working, target)

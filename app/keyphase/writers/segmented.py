@@ -96,6 +96,15 @@ class SegmentedRecording:
         require_same_reading(self.file, demonstration)
         return demonstration
 
+    def labeling(self) -> Labeling:
+        """What the segment file says as edits over the segmentation with its parameters."""
+        from keyphase.labeling.comparing.taking_over import taking_over
+        from keyphase.labeling.label import label
+        from keyphase.segmentation import segment
+
+        segmentation = segment(self.demonstration(), self.file.parameters)
+        return label(segmentation, {0: taking_over(self.file, segmentation)})
+
     @cached_property
     def motions(self) -> tuple[str, ...]:
         """What each segment does, in keyphase's own words, whatever a person called it."""

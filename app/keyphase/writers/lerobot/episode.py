@@ -1,14 +1,14 @@
 """The segments of one episode, as frames."""
 
-from collections import Counter
-from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import ExportError
+from keyphase.files.parts import split_part
 from keyphase.writers.segmented import SegmentedRecording
 
 
@@ -53,8 +53,8 @@ def labeled_episode(
 
     Raises ExportError where the recording was not read with the dataset's own times.
     """
-    number = episode_number(item)
-    times = _frame_times(item, item.demonstration(), timestamps)
+    number = episode_number(item.recording)
+    times = frame_times(item.recording, item.demonstration(), timestamps)
     starts = [segment.start_s for segment in item.segments]
     firsts = np.searchsorted(times, np.array(starts) - 1e-6).tolist()
     firsts[0] = 0
@@ -70,31 +70,24 @@ def labeled_episode(
     return LabeledEpisode(number, timestamps, spans, begin, end)
 
 
-def episode_number(item: SegmentedRecording) -> int:
+def episode_number(recording: Path) -> int:
     """Which episode of a dataset a recording is. Raises ExportError where it is none."""
-    digits = (item.part or "").removeprefix("episode_")
+    digits = (split_part(recording)[1] or "").removeprefix("episode_")
     if not digits.isdecimal():
         raise ExportError(
-            f"{item.recording}: expected an episode of a LeRobot dataset, such as "
+            f"{recording}: expected an episode of a LeRobot dataset, such as "
             "dataset#episode_3; choose another format for it."
         )
     return int(digits)
 
 
-def numbered(names: Sequence[str]) -> tuple[str, ...]:
-    """The names, each once: the second `insert` is `insert (2)`."""
-    seen: Counter[str] = Counter()
-    unique = []
-    for name in names:
-        seen[name] += 1
-        unique.append(name if seen[name] == 1 else f"{name} ({seen[name]})")
-    return tuple(unique)
-
-
-def _frame_times(
-    item: SegmentedRecording, demonstration: Demonstration, timestamps: NDArray[np.float32]
+def frame_times(
+    recording: Path, demonstration: Demonstration, timestamps: NDArray[np.float32]
 ) -> Array:
-    """The time of each frame in the clock of the segments."""
+    """The time (T,) of each frame of an episode in the clock of its demonstration.
+
+    Raises ExportError where it was not read with the dataset's own times.
+    """
     if len(demonstration) == len(timestamps):
         return demonstration.time_s
     times = timestamps.astype(np.float64)
@@ -102,7 +95,7 @@ def _frame_times(
     if times[0] - slack <= demonstration.start_s and demonstration.end_s <= times[-1] + slack:
         return times
     raise ExportError(
-        f"{item.recording}: its segments lie from {demonstration.start_s:g} to "
+        f"{recording}: its segments lie from {demonstration.start_s:g} to "
         f"{demonstration.end_s:g} s, but its frames from {times[0]:g} to {times[-1]:g} s; read it "
         'with time = {column = "timestamp", unit = "s"} and segment it again.'
     )

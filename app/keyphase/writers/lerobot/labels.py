@@ -36,8 +36,8 @@ def _write(items: Items, target: Path, options: Options) -> tuple[Path, ...]:
                 f"{dataset.info.get('codebase_version')}; convert it with lerobot first."
             )
         episodes = {
-            episode_number(item): labeled_episode(
-                item, dataset.timestamps(episode_number(item)), options.trim_idle
+            episode_number(item.recording): labeled_episode(
+                item, dataset.timestamps(episode_number(item.recording)), options.trim_idle
             )
             for item in items
         }

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from keyphase.writers.lerobot.episode import LabeledEpisode, Span, numbered
+from keyphase.writers.lerobot.episode import LabeledEpisode, Span
+from keyphase.writers.names import numbered
 
 HEADS = ("sparse", "dense")
 """SARM's two heads: `sparse` are the person's names, `dense` what each segment does."""

@@ -27,8 +27,8 @@ def _write(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
     with copy_of(items[0].container, target) as working, damage_told(items[0].container):
         dataset = opened(working)
         episodes = {
-            episode_number(item): labeled_episode(
-                item, dataset.timestamps(episode_number(item)), trim=False
+            episode_number(item.recording): labeled_episode(
+                item, dataset.timestamps(episode_number(item.recording)), trim=False
             )
             for item in items
         }

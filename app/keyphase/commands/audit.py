@@ -1,0 +1,60 @@
+"""`keyphase audit`: labels that others made, against what keyphase finds in the same recordings."""
+
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import tyro
+
+from keyphase.errors import KeyphaseError
+from keyphase.segmentation.parameters import Parameters
+
+if TYPE_CHECKING:
+    from keyphase.auditing import Audited
+
+
+@dataclass(frozen=True)
+class AuditLabels:
+    """Compare labels that others left in recordings with what keyphase finds there."""
+
+    paths: tyro.conf.Positional[tuple[Path, ...]]
+    """Recordings, datasets, or folders of them."""
+    recipe: Path | None = None
+    """How to read what no preset knows (TOML)."""
+    tolerance_s: float = 0.25
+    """So far from each other two boundaries are still one."""
+    output: Path | None = None
+    """Write the labels, taken over, as segment files into this folder."""
+    json: bool = False
+    """Print for machines."""
+    parameters: tyro.conf.OmitArgPrefixes[Parameters] = field(default_factory=Parameters)
+
+    def run(self) -> int:
+        """Print a line for each recording, those that agree least first."""
+        from keyphase.auditing import audit
+        from keyphase.auditing.report import as_json, as_table
+        from keyphase.readers import find_recordings
+
+        done: list[Audited] = []
+        refused = 0
+        for found in find_recordings(self.paths, self.recipe):
+            try:
+                one = audit(found.path, self.recipe, self.parameters, self.tolerance_s)
+            except KeyphaseError as error:
+                print(error, file=sys.stderr)
+                refused += 1
+                continue
+            self._write(one)
+            done.append(one)
+        print(as_json(done) if self.json else as_table(done))
+        return 1 if refused or not done else 0
+
+    def _write(self, one: "Audited") -> None:
+        if self.output is None:
+            return
+        from keyphase.writers import SegmentedRecording, planned_export
+
+        item = SegmentedRecording.of_labeling(one.labeling)
+        for _ in planned_export([item], "json", self.output).write():
+            pass

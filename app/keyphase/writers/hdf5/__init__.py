@@ -1,0 +1,1 @@
+"""HDF5 files of robomimic, MimicGen and REASSEMBLE, into a copy."""
