@@ -6,13 +6,14 @@ import pytest
 from segmented_recordings import EDGES_S, NAMES, item, saved
 
 from keyphase.cli import main
-from keyphase.errors import ExportError
+from keyphase.errors import ExportError, FileInTheWayError
 from keyphase.labeling.segment_file import SUFFIX, read_segment_file, write_segment_file
 from keyphase.writers import WRITERS, Options, SegmentedRecording, planned_export
 
 
-def export(items, to, output, **kw):
-    return [path for paths in planned_export(items, to, output).write(**kw) for path in paths]
+def export(items, to, output, **options):
+    planned = planned_export(items, to, output, Options(**options))
+    return [path for paths in planned.write() for path in paths]
 
 
 def test_a_segment_file_that_is_exported_is_the_same_segment_file(tmp_path):
@@ -22,7 +23,7 @@ def test_a_segment_file_that_is_exported_is_the_same_segment_file(tmp_path):
     (again,) = export([SegmentedRecording.of_file(original)], "json", tmp_path / "out")
     assert again == tmp_path / "out" / f"run{SUFFIX}"
     assert read_segment_file(again).segments == read_segment_file(original).segments
-    here = export([SegmentedRecording.of_file(original)], "json", original, replace=True)
+    here = export([SegmentedRecording.of_file(original)], "json", original, if_there="replace")
     assert here == [original]
     write_segment_file(labeling, tmp_path / "in" / "fresh.segments.json")
     assert original.read_bytes() == (tmp_path / "in" / "fresh.segments.json").read_bytes()
@@ -64,11 +65,14 @@ def test_the_three_lines_read_what_was_written(name, tmp_path, capsys):
     assert "insert" in capsys.readouterr().out
 
 
-def test_nothing_is_replaced_unless_asked(tmp_path):
+def test_what_keyphase_wrote_is_written_again_and_nothing_else_is_replaced_unasked(tmp_path):
+    (path,) = export([item(tmp_path)], "csv", tmp_path / "out")
     export([item(tmp_path)], "csv", tmp_path / "out")
-    with pytest.raises(ExportError, match="is there already"):
+    path.write_text("a person's notes")
+    with pytest.raises(FileInTheWayError):
         export([item(tmp_path)], "csv", tmp_path / "out")
-    export([item(tmp_path)], "csv", tmp_path / "out", replace=True)
+    assert path.read_text() == "a person's notes"
+    export([item(tmp_path)], "csv", tmp_path / "out", if_there="replace")
 
 
 def test_two_recordings_for_one_file_are_refused_before_any_work(tmp_path):

@@ -161,10 +161,9 @@ def test_each_frames_task_is_its_segment(tmp_path):
 def test_a_recording_of_another_format_is_refused(tmp_path):
     with pytest.raises(ExportError, match="expected a LeRobot dataset"):
         list(planned_export([item(tmp_path)], "lerobot", tmp_path / "out").write())
-    assert list((tmp_path / "out").glob("*")) == []
 
 
 def test_a_dataset_is_never_written_into_itself(v3):
     path = v3[0]
     with pytest.raises(ExportError, match="never modified"):
-        list(planned_export(items(path), "lerobot", path.parent).write(replace=True))
+        list(planned_export(items(path), "lerobot", path.parent).write())

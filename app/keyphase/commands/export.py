@@ -27,7 +27,7 @@ class ExportSegments:
     trim_idle: bool = False
     """Leave out idle ends, where the format can."""
     replace: bool = False
-    """Replace what is there."""
+    """Replace files that keyphase did not write as they are."""
     dry_run: bool = False
     """Say what would be written and what is not carried, and write nothing."""
 
@@ -39,9 +39,8 @@ class ExportSegments:
             raise KeyphaseError("Name at least one segment file or folder of them.")
         from keyphase.writers import Options, planned_export
 
-        planned = planned_export(
-            self._items(), self.to, self.output, Options(trim_idle=self.trim_idle)
-        )
+        options = Options(self.trim_idle, "replace" if self.replace else "ask")
+        planned = planned_export(self._items(), self.to, self.output, options)
         if planned.not_carried:
             print(f"{planned.writer.title} does not carry:")
         for one in planned.not_carried:
@@ -52,7 +51,7 @@ class ExportSegments:
             for file in planned.files:
                 print(f"would write {file.target}")
             return 0
-        for written in planned.write(replace=self.replace):
+        for written in planned.write():
             print(*written, sep="\n")
         return 0
 

@@ -2,8 +2,8 @@
 
 from typing import Any
 
+from keyphase.labeling.colors import SEGMENT_COLORS
 from keyphase.labeling.labeling import LabeledSegment
-from keyphase.labeling.vocabulary import COLORS
 
 AXES = ("#2f6fb3", "#c2571a", "#3c8f5a")
 """x, y and z."""
@@ -13,7 +13,7 @@ INK, GRID, IDLE, CONTACT, MOTION = "#26323f", "#e3e8ee", "#c3cad3", "#c2571a", "
 
 def color_of(segment: LabeledSegment) -> str:
     """Its colour on the page; grey where it is dropped."""
-    return COLORS[segment.color % len(COLORS)] if segment.kept else IDLE
+    return SEGMENT_COLORS[segment.color % len(SEGMENT_COLORS)] if segment.kept else IDLE
 
 
 def plain(axes: Any) -> None:

@@ -4,10 +4,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from keyphase.errors import ExportError
-from keyphase.files.writing import write_whole
 from keyphase.writers.carried import Carried
 from keyphase.writers.packages import package
+from keyphase.writers.putting import put
 from keyphase.writers.segmented import SegmentedRecording
 from keyphase.writers.writer import Items, Options, Writer
 
@@ -18,14 +17,13 @@ _DATE = "1970-01-01T00:00:00+00:00"
 """A date that is the same whenever it is written, so that the bytes are, too."""
 
 
-def _write(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
+def _write(items: Items, target: Path, options: Options) -> tuple[Path, ...]:
     (item,) = items
     document = _document(item)
     with TemporaryDirectory() as folder:
         written = Path(folder) / "document.eaf"
         document.to_file(str(written))
-        write_whole(target, written.read_bytes(), refusal=ExportError)
-    return (target,)
+        return (put(item, target, written.read_bytes(), options),)
 
 
 def _document(item: SegmentedRecording) -> Any:
@@ -52,6 +50,7 @@ ELAN = Writer(
     title="ELAN annotation file",
     ending=".eaf",
     extra=EXTRA,
+    module="pympi",
     carries=frozenset({Carried.NAMES, Carried.MOTIONS, Carried.DROPPED}),
     write=_write,
     reads_back=(

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from keyphase.errors import ExportError
+from keyphase.errors import ExportError, FileInTheWayError
 from keyphase.writers.carried import left_behind
 from keyphase.writers.registry import writer_named
 from keyphase.writers.segmented import SegmentedRecording
@@ -36,15 +36,16 @@ class PlannedExport:
     not_carried: tuple[str, ...]
     remarks: tuple[str, ...]
 
-    def write(self, *, replace: bool = False) -> Iterator[tuple[Path, ...]]:
+    def write(self) -> Iterator[tuple[Path, ...]]:
         """Write one after another; the paths of each as it is done.
 
-        Raises ExportError where something is at a target already, unless `replace`, and where the
-        format cannot hold the recordings; MissingPackageError where its package is not installed.
+        Raises FileInTheWayError where something is at a target that keyphase did not write, unless
+        the options say what becomes of it; ExportError where the format cannot hold the recordings;
+        MissingPackageError where its package is not installed.
         """
         for file in self.files:
             refuse_in_place(file)
-            if not replace:
+            if self.writer.copies and self.options.if_there != "replace":
                 _refuse_replacing(file.target)
         for file in self.files:
             _make_folder(file.target.parent)
@@ -68,6 +69,8 @@ def planned_export(
         raise ExportError("Expected segment files to export, but there are none; segment first.")
     if options.trim_idle and not writer.trims:
         raise ExportError(f"{writer.title} holds all of the time; leave out trimming of idle ends.")
+    for item in items:
+        writer.requires(item)
     files = _files(writer, items, output)
     remarks = dict.fromkeys((*writer.remarks, *writer.warn(items, options)))
     lost = left_behind(writer.carries, items)
@@ -119,10 +122,7 @@ def refuse_in_place(file: PlannedFile) -> None:
 
 def _refuse_replacing(target: Path) -> None:
     if os.path.lexists(target):
-        raise ExportError(
-            f"{target} is there already and may be somebody's work; name another folder, or add "
-            "--replace."
-        )
+        raise FileInTheWayError(target, "a copy is never written over unasked")
 
 
 def _make_folder(folder: Path) -> None:

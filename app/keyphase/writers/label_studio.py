@@ -7,9 +7,8 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.errors import ExportError
-from keyphase.files.writing import write_whole
 from keyphase.writers.carried import Carried
+from keyphase.writers.putting import put
 from keyphase.writers.segmented import SegmentedRecording
 from keyphase.writers.writer import Items, Options, Writer
 
@@ -19,13 +18,13 @@ SERIES = "series"
 _LABELS, _SHOWN = "segment", "recording"
 
 
-def _write(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
+def _write(items: Items, target: Path, options: Options) -> tuple[Path, ...]:
     (item,) = items
     columns = _columns(item.demonstration())
     text = json.dumps([_task(item, columns)], ensure_ascii=False, allow_nan=False, indent=1)
-    write_whole(target, text.encode(), refusal=ExportError)
+    put(item, target, text.encode(), options)
     setup = target.with_name(f"{target.name.removesuffix('.json')}.xml")
-    write_whole(setup, _setup(item, columns), refusal=ExportError)
+    put(item, setup, _setup(item, columns), options)
     return (target, setup)
 
 

@@ -164,4 +164,6 @@ MCAP = Writer(
         'print([m.data for _, _, m in reader.iter_messages(topics=["/keyphase/segment"])])'
     ),
     warn=_warn,
+    copies=True,
+    module="mcap",
 )

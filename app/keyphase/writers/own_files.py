@@ -4,8 +4,6 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from keyphase.errors import ExportError
-from keyphase.files.writing import write_whole
 from keyphase.labeling.segment_file import SUFFIX
 from keyphase.labeling.segment_file_content import (
     SCHEMA_VERSION,
@@ -15,20 +13,19 @@ from keyphase.labeling.segment_file_content import (
     relative_path,
 )
 from keyphase.writers.carried import Carried, all_but
+from keyphase.writers.putting import put
 from keyphase.writers.segmented import SegmentedRecording
 from keyphase.writers.writer import Items, Options, Writer
 
 
-def _write_json(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
+def _write_json(items: Items, target: Path, options: Options) -> tuple[Path, ...]:
     (item,) = items
-    write_whole(target, as_json(content_of(item, target)), refusal=ExportError)
-    return (target,)
+    return (put(item, target, as_json(content_of(item, target)), options),)
 
 
-def _write_csv(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
+def _write_csv(items: Items, target: Path, options: Options) -> tuple[Path, ...]:
     (item,) = items
-    write_whole(target, as_csv(content_of(item, target)), refusal=ExportError)
-    return (target,)
+    return (put(item, target, as_csv(content_of(item, target)), options),)
 
 
 def content_of(item: SegmentedRecording, target: Path) -> dict[str, Any]:

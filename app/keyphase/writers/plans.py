@@ -3,17 +3,16 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from keyphase.errors import ExportError
-from keyphase.files.writing import write_whole
 from keyphase.skills.exports.behavior_tree import behavior_tree
 from keyphase.skills.exports.program import program_listing
 from keyphase.skills.exports.rapid import rapid
-from keyphase.skills.exports.skill_file import write_skills
+from keyphase.skills.exports.skill_file import skill_text
 from keyphase.skills.exports.skill_library import library_of
 from keyphase.skills.exports.urscript import urscript
 from keyphase.skills.library import skills_of
 from keyphase.skills.skill import Skill
 from keyphase.writers.carried import Carried
+from keyphase.writers.putting import put
 from keyphase.writers.segmented import SegmentedRecording
 from keyphase.writers.writer import Items, Options, Writer
 
@@ -22,10 +21,10 @@ SKILLS_ENDING = ".skills.json"
 _PLAN = frozenset({Carried.NAMES, Carried.ORDER, Carried.ENDS})
 
 
-def _write_skills(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
+def _write_skills(items: Items, target: Path, options: Options) -> tuple[Path, ...]:
     (item,) = items
-    write_skills(target, library_of(item.demonstration(), _skills(item)))
-    return (target,)
+    text = skill_text(library_of(item.demonstration(), _skills(item)))
+    return (put(item, target, text.encode(), options),)
 
 
 def _write_tree(items: Items, target: Path, options: Options) -> tuple[Path, ...]:
@@ -34,18 +33,17 @@ def _write_tree(items: Items, target: Path, options: Options) -> tuple[Path, ...
     library = target.with_name(f"{target.name.removesuffix(BEHAVIOR_TREE.ending)}{SKILLS_ENDING}")
     _write_skills(items, library, options)
     text = behavior_tree(_skills(item), library.name)
-    write_whole(target, text.encode(), refusal=ExportError)
+    put(item, target, text.encode(), options)
     return (target, library)
 
 
 def _program(
     written: Callable[[tuple[Skill, ...], str], str],
 ) -> Callable[[Items, Path, Options], tuple[Path, ...]]:
-    def write(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
+    def write(items: Items, target: Path, options: Options) -> tuple[Path, ...]:
         (item,) = items
         text = written(_skills(item), item.name)
-        write_whole(target, text.encode(), refusal=ExportError)
-        return (target,)
+        return (put(item, target, text.encode(), options),)
 
     return write
 

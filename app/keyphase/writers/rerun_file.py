@@ -8,10 +8,9 @@ from typing import Any
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.errors import ExportError
-from keyphase.files.writing import write_whole
 from keyphase.writers.carried import Carried
 from keyphase.writers.packages import package
+from keyphase.writers.putting import put
 from keyphase.writers.segmented import SegmentedRecording
 from keyphase.writers.writer import Items, Options, Writer
 
@@ -21,7 +20,7 @@ TIMELINE = "recording"
 """The timeline everything is on: seconds of the recording."""
 
 
-def _write(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
+def _write(items: Items, target: Path, options: Options) -> tuple[Path, ...]:
     (item,) = items
     rerun = package("rerun", EXTRA)
     identity = item.file.demonstration.sha256
@@ -35,8 +34,7 @@ def _write(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
         _send_signals(rerun, stream, demonstration)
         stream.flush()
         stream.disconnect()
-        write_whole(target, written.read_bytes(), refusal=ExportError)
-    return (target,)
+        return (put(item, target, written.read_bytes(), options),)
 
 
 def _send_segments(rerun: Any, stream: Any, item: SegmentedRecording) -> None:
@@ -93,6 +91,7 @@ RERUN = Writer(
     title="Rerun recording",
     ending=".rrd",
     extra=EXTRA,
+    module="rerun",
     carries=frozenset(
         {Carried.NAMES, Carried.MOTIONS, Carried.TIMES, Carried.DROPPED, Carried.SIGNALS}
     ),

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
 
+from keyphase.labeling.storage.written_files import IfThere
 from keyphase.writers.carried import Carried
 from keyphase.writers.segmented import SegmentedRecording
 
@@ -14,9 +15,11 @@ class Options:
     """What a person may choose about an export.
 
     trim_idle  leave out the idle stretches before and after what was kept, where the format can
+    if_there   what becomes of a file in the way that keyphase did not write as it is
     """
 
     trim_idle: bool = False
+    if_there: IfThere = "ask"
 
 
 Items = Sequence[SegmentedRecording]
@@ -24,6 +27,10 @@ Items = Sequence[SegmentedRecording]
 
 def _nothing(_items: Items, _options: Options) -> Iterable[str]:
     return ()
+
+
+def _takes_any(_item: SegmentedRecording) -> None:
+    return None
 
 
 @dataclass(frozen=True)
@@ -41,6 +48,9 @@ class Writer:
     remarks    what else a person should know, always
     warn       what else these recordings lose
     trims      it can leave out idle ends
+    copies     it writes a copy of what was recorded, which is never written over unasked
+    requires   raises ExportError for a recording that it cannot hold
+    module     the package that the extra installs, as it is imported
     """
 
     name: str
@@ -54,6 +64,9 @@ class Writer:
     remarks: tuple[str, ...] = ()
     warn: Callable[[Items, Options], Iterable[str]] = field(default=_nothing)
     trims: bool = False
+    copies: bool = False
+    requires: Callable[[SegmentedRecording], None] = field(default=_takes_any)
+    module: str = ""
 
     def target(self, item: SegmentedRecording, output: Path) -> Path:
         """The file or folder that holds the recording, in the folder `output`."""

@@ -28,13 +28,15 @@ def write(
     come together where the format is a copy of it. `output` is a folder, or the file's path where
     one comes of it. What a format cannot carry is in `keyphase.writers.planned_export(…)`.
 
-    Raises ExportError for an unknown format, for something that is there already unless `replace`,
-    and where the format cannot hold them; MissingPackageError where its package is not installed.
+    Raises ExportError for an unknown format and where the format cannot hold them,
+    FileInTheWayError for something there that keyphase did not write, unless `replace`;
+    MissingPackageError where the format's package is not installed.
     """
     several = [segmented] if isinstance(segmented, Segmented) else segmented
     items = [item for one in several for item in _items(one)]
-    planned = planned_export(items, to, Path(output), Options(trim_idle=trim_idle))
-    return tuple(path for paths in planned.write(replace=replace) for path in paths)
+    options = Options(trim_idle=trim_idle, if_there="replace" if replace else "ask")
+    planned = planned_export(items, to, Path(output), options)
+    return tuple(path for paths in planned.write() for path in paths)
 
 
 def _items(one: Segmented) -> Iterable[SegmentedRecording]:

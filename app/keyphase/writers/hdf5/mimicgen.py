@@ -26,7 +26,6 @@ SIGNALS = "subtask_term_signals"
 
 def _write(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
     source = items[0].container
-    require_hdf5(items[0], "MimicGen", "data")
     names = signal_names(items)
     with copy_of(source, target) as working, changing(working, source) as file:
         for item in items:
@@ -111,6 +110,9 @@ MIMICGEN = Writer(
         'if "datagen_info" in demos[demo]})'
     ),
     one_for="container",
+    copies=True,
+    requires=lambda item: require_hdf5(item, "MimicGen", "data"),
+    module="h5py",
     remarks=(
         "poses of objects and of the controller's target are no part of a recording: what "
         "prepare_src_dataset wrote is kept, and where it wrote nothing only eef_pose is added",

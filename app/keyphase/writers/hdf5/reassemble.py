@@ -14,7 +14,6 @@ INFO = "segments_info"
 
 def _write(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
     (item,) = items
-    require_hdf5(item, "REASSEMBLE", "timestamps")
     text = package("h5py", EXTRA).string_dtype()
     zero = zero_s(item.recording, item.recipe)
     with copy_of(item.container, target) as working, changing(working, item.container) as file:
@@ -42,6 +41,9 @@ REASSEMBLE = Writer(
         'print([(info[i]["start"][()], info[i]["text"][()].decode()) for i in sorted(info)])'
     ),
     one_for="container",
+    copies=True,
+    requires=lambda item: require_hdf5(item, "REASSEMBLE", "timestamps"),
+    module="h5py",
     remarks=(
         "segments that were in the file are replaced, with their low-level ones",
         "`success` says whether a segment was kept",

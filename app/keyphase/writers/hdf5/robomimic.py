@@ -19,7 +19,6 @@ NAMES = "segment_names"
 
 def _write(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
     source = items[0].container
-    require_hdf5(items[0], "robomimic", "data")
     masks: dict[str, list[str]] = {SEGMENTED: []}
     with copy_of(source, target) as working, changing(working, source) as file:
         for item in items:
@@ -55,6 +54,9 @@ ROBOMIMIC = Writer(
         "print({key: [part.decode() for part in masks[key]] for key in masks})"
     ),
     one_for="container",
+    copies=True,
+    requires=lambda item: require_hdf5(item, "robomimic", "data"),
+    module="h5py",
     remarks=(
         "a filter key chooses whole demonstrations: `segmented`, and `has_NAME` for each name that "
         "was kept; the rows of segments are in data/demo_N/segment_id, which robomimic passes over",

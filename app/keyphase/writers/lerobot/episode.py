@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import ExportError
 from keyphase.files.parts import split_part
+from keyphase.writers.lerobot.dataset import opened
 from keyphase.writers.segmented import SegmentedRecording
 
 
@@ -79,6 +80,12 @@ def episode_number(recording: Path) -> int:
             "dataset#episode_3; choose another format for it."
         )
     return int(digits)
+
+
+def require_episode(item: SegmentedRecording) -> None:
+    """Raise ExportError unless the recording is an episode of a LeRobot dataset."""
+    opened(item.container)
+    episode_number(item.recording)
 
 
 def frame_times(

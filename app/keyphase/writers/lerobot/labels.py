@@ -12,7 +12,12 @@ from keyphase.files.writing import write_whole
 from keyphase.writers.carried import Carried
 from keyphase.writers.copies import copy_of
 from keyphase.writers.lerobot.dataset import EXTRA, Dataset, damage_told, opened, rewrite
-from keyphase.writers.lerobot.episode import LabeledEpisode, episode_number, labeled_episode
+from keyphase.writers.lerobot.episode import (
+    LabeledEpisode,
+    episode_number,
+    labeled_episode,
+    require_episode,
+)
 from keyphase.writers.lerobot.frames import Frames
 from keyphase.writers.lerobot.language import EVENTS, FEATURE, PERSISTENT
 from keyphase.writers.lerobot.metadata import change_episodes
@@ -26,7 +31,6 @@ PROGRESS = "sarm_progress.parquet"
 
 
 def _write(items: Items, target: Path, options: Options) -> tuple[Path, ...]:
-    opened(items[0].container)
     package("pyarrow", EXTRA)
     with copy_of(items[0].container, target) as working, damage_told(items[0].container):
         dataset = opened(working)
@@ -126,6 +130,9 @@ LEROBOT = Writer(
         'print([row["content"] for row in frames["language_persistent"][0].as_py()])'
     ),
     one_for="container",
+    copies=True,
+    requires=require_episode,
+    module="pyarrow",
     remarks=(
         "times are those of frames; a segment shorter than a frame is left out",
         "only SARM's stages and the progress say what is dropped, the language has every segment",

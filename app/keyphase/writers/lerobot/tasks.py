@@ -9,7 +9,12 @@ import numpy as np
 from keyphase.writers.carried import Carried
 from keyphase.writers.copies import copy_of
 from keyphase.writers.lerobot.dataset import EXTRA, Dataset, damage_told, opened, rewrite
-from keyphase.writers.lerobot.episode import LabeledEpisode, episode_number, labeled_episode
+from keyphase.writers.lerobot.episode import (
+    LabeledEpisode,
+    episode_number,
+    labeled_episode,
+    require_episode,
+)
 from keyphase.writers.lerobot.metadata import (
     EPISODES_V2,
     add_tasks,
@@ -22,7 +27,6 @@ from keyphase.writers.writer import Items, Options, Writer
 
 
 def _write(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
-    opened(items[0].container)
     package("pyarrow", EXTRA)
     with copy_of(items[0].container, target) as working, damage_told(items[0].container):
         dataset = opened(working)
@@ -83,6 +87,9 @@ LEROBOT_TASKS = Writer(
         'print(tasks, parquet.read_table("PATH/data")["task_index"].to_pylist())'
     ),
     one_for="container",
+    copies=True,
+    requires=require_episode,
+    module="pyarrow",
     remarks=(
         "times are those of frames; a segment shorter than a frame is left out",
         "the task that the labelled frames had before is no longer theirs",
