@@ -99,7 +99,7 @@ def test_no_force_above_what_parts_stand(recorded) -> None:
 
 
 def test_an_operator_who_failed_is_told(monkeypatch) -> None:
-    def leads_nowhere(simulation, path):
+    def leads_nowhere(simulation, path, course):
         return []
 
     monkeypatch.setattr(recording_module, "lead", leads_nowhere)
