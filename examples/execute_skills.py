@@ -73,8 +73,9 @@ class Plan:
                 if self.is_in():
                     self.end("contact", np.zeros(6))
                 else:
+                    self.yielded = np.zeros(3)
                     self.enter("searching")
-        elif self.stage == "searching" and self.found():
+        elif self.stage == "searching" and self.is_in():
             self.reference, self.searched = (*self.sensed[:2], np.zeros(6)), True
             self.enter("pressing")
         elif self.stage == "searching" and time >= self.skill["search"]["duration_s"]:
@@ -94,25 +95,28 @@ class Plan:
         self.stage, self.in_stage, self.still = stage, 0.0, (*self.reference[:2], np.zeros(6))
 
     def touch(self):
-        """Where the tool first touched what it is to go into."""
-        if self.skill["search"]:
-            d, (at, _, _, force) = np.array(self.skill["press"]["direction"]), self.sensed
-            self.felt += self.e["touch_smoothed"] * (-force @ d - self.felt)
-            if self.felt - self.free < self.e["touch_N"]:
-                self.touched = None
-            elif self.touched is None:
-                self.touched = at @ d
+        """Where the tool first touched what it is to go into, and whether it fell into it."""
+        if search := self.skill["search"]:
+            d, (at, _, _, force), e = (
+                np.array(self.skill["press"]["direction"]),
+                self.sensed,
+                self.e,
+            )
+            self.felt += e["touch_smoothed"] * (-force @ d - self.felt)
+            lasts = self.stage != "moving" and self.places
+            if self.felt - self.free < e["touch_N"] and not lasts:
+                self.places, self.fell = [], False
+                return
+            self.places.append(at @ d)
+            recent = self.places[-max(1, round(e["seat_fall_s"] / self.h)) :]
+            self.fell |= at @ d - min(recent) >= e["seat_fall"] * search["depth_m"]
 
-    def is_in(self, share=1.0):
+    def is_in(self):
         if not self.skill["search"]:
             return True
-        deep = self.sensed[0] @ np.array(self.skill["press"]["direction"])
-        deep = 0.0 if self.touched is None else deep - self.touched
-        return deep >= share * self.skill["search"]["depth_m"]
-
-    def found(self):
-        self.held = self.held + self.h if self.is_in() else 0.0
-        return self.is_in(self.e["seat_found"]) or self.held >= self.e["seat_held_s"]
+        place = self.sensed[0] @ np.array(self.skill["press"]["direction"])
+        deep = place - min(self.places, default=place)
+        return self.fell and deep >= self.skill["search"]["depth_m"]
 
     def seek(self, position, orientation, velocity):
         """A reference that the seat can turn, and that circles outwards during a search."""
@@ -124,11 +128,18 @@ class Plan:
             along = off @ d * d
             position = self.sensed[0] + along + self.e["seat_giving"] * (off - along)
         else:
-            share = min(self.in_stage / search["duration_s"], 1.0) ** 0.5
+            done = min(2 * self.in_stage / search["duration_s"], 2.0)
+            share = (1 - abs(1 - done)) ** 0.5
             first = np.cross(d, np.eye(3)[np.abs(d).argmin()])
-            first, angle = first / np.linalg.norm(first), 2 * np.pi * search["turns"] * share
+            angle = 2 * np.pi * search["turns"] * (share if done < 1 else 2 - share)
+            first = first / np.linalg.norm(first)
             aside = np.cos(angle) * first + np.sin(angle) * np.cross(d, first)
-            position = position + search["radius_m"] * share * aside
+            position = position + search["radius_m"] * share * aside - self.yielded
+            off, felt = (v - v @ d * d for v in (position - self.sensed[0], self.sensed[3]))
+            size, most = np.linalg.norm(felt), self.e["seat_yields"] * search["press_N"]
+            if size > most:
+                beyond = (1 - most / size) * off
+                position, self.yielded = position - beyond, self.yielded + beyond
         return position, orientation, velocity
 
     def begin(self, velocity):
@@ -136,9 +147,8 @@ class Plan:
         if self.skill["connecting"]:
             self.shift, self.rotated = 0 * self.shift, np.array([1.0, 0, 0, 0])
         if self.skill["search"]:
-            self.held = 0.0
+            self.places, self.fell = [], False
             self.felt = self.free = -self.sensed[3] @ np.array(self.skill["press"]["direction"])
-            self.touched = None
         self.pressed = list(kept_at(self.skill, 0.0))
         self.enter("loading") if not self.loaded() else self.move(velocity)
 

@@ -103,7 +103,7 @@ def test_an_operator_who_failed_is_told(monkeypatch) -> None:
         return []
 
     monkeypatch.setattr(recording_module, "lead", leads_nowhere)
-    with pytest.raises(SimulationError, match="ended without: seated, wall reached"):
+    with pytest.raises(SimulationError, match="ended without: snapped on, slid together"):
         record("setup1", seed=0)
 
 

@@ -24,16 +24,13 @@ DEPTHS_M = (0.0015, 0.006)
 GAVE_WAY_N = 1.0
 """A demonstration shows a detent if it went in so far, and the force fell by this meanwhile."""
 
-DEPTH_SHARE = 1.0
-"""So much of the demonstrated depth has to be gained: a chamfer lets a part in almost as far."""
+FALL_S, FALL_SHARE = 0.2, 0.8
+"""A part has gone in once it went this part of the demonstrated depth within so long: a seat takes
+it at once, on a rim or a chamfer it creeps."""
 
-
-FOUND = 1.4
-"""So many times the depth must be gained by a search: it began on a rim, above the first touch."""
-
-
-HELD_S = 0.5
-"""Or the depth must last so long while it circles: it began on what gives way itself."""
+YIELDS = 0.8
+"""Largest force aside, as a part of the press, that a search exerts: more than friction resists
+means that the part has been caught, and the spiral gives way to where it is."""
 
 
 @dataclass(frozen=True)
@@ -42,8 +39,9 @@ class Search:
 
     depth_m     how far a part goes in after its first touch, at the least
     press_N     what is pressed with, at the least, until it is in
-    radius_m    of the spiral at its end; it grows with the square root of time
-    turns       of the spiral
+    radius_m    of the spiral at half its time; it grows with the square root of time, and shrinks
+                likewise
+    turns       until then
     duration_s  after which it is given up
     """
 
@@ -51,14 +49,15 @@ class Search:
     press_N: float = 6.0
     radius_m: float = 0.007
     turns: float = 4.0
-    duration_s: float = 4.0
+    duration_s: float = 8.0
 
     def aside(self, direction: Array, time_s: float) -> Array:
         """How far aside (3,) of the press along `direction` (3,) the reference is by now [m]."""
-        share = min(time_s / self.duration_s, 1.0) ** 0.5
+        done = min(2.0 * time_s / self.duration_s, 2.0)
+        share = (1.0 - abs(1.0 - done)) ** 0.5
         first = np.cross(direction, np.eye(3)[int(np.abs(direction).argmin())])
         first /= np.linalg.norm(first)
-        angle = 2.0 * np.pi * self.turns * share
+        angle = 2.0 * np.pi * self.turns * (share if done < 1.0 else 2.0 - share)
         second = np.cross(direction, first)
         return self.radius_m * share * (np.cos(angle) * first + np.sin(angle) * second)
 
@@ -69,7 +68,7 @@ class Touch:
 
     level_N    force against the press before anything is touched
     force_N    the same now, smoothed
-    touched_m  place along the press; None while nothing is touched
+    touched_m  place along the press, the highest since; None while nothing is touched
     """
 
     direction: Array
@@ -77,14 +76,18 @@ class Touch:
     force_N: float
     touched_m: float | None = None
 
-    def step(self, position_m: Array, force_N: Array) -> "Touch":
-        """Take in a position (3,) and a force (3,), 4 ms after the ones before."""
+    def step(self, position_m: Array, force_N: Array, lasts: bool = False) -> "Touch":
+        """Take in a position (3,) and a force (3,), 4 ms after the ones before.
+
+        A touch that `lasts` is not over while the part falls through what resisted.
+        """
         pressed = -float(force_N.dot(self.direction))
         force = self.force_N + SMOOTHED * (pressed - self.force_N)
-        if force - self.level_N < TOUCH_N:
+        over = force - self.level_N < TOUCH_N
+        if over and (self.touched_m is None or not lasts):
             return Touch(self.direction, self.level_N, force)
         here = float(position_m.dot(self.direction))
-        touched = here if self.touched_m is None else self.touched_m
+        touched = here if self.touched_m is None else min(self.touched_m, here)
         return Touch(self.direction, self.level_N, force, touched)
 
     def depth_m(self, position_m: Array) -> float:
@@ -119,7 +122,7 @@ def search_for(demonstration: Demonstration, end_s: float, press: Press | None) 
     if not pressed or not DEPTHS_M[0] <= depth <= DEPTHS_M[1]:
         return None
     fell = float((np.maximum.accumulate(pressed) - np.array(pressed)).max())
-    return Search(DEPTH_SHARE * depth) if fell >= GAVE_WAY_N else None
+    return Search(depth) if fell >= GAVE_WAY_N else None
 
 
 def _at(time: Array, time_s: Array, values: Array) -> Array:

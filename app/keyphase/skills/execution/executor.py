@@ -113,7 +113,7 @@ class Executor:
         self.in_stage_s += self._step_s
         self._peak_N = max(self._peak_N, _length(sensed.force_N))
         if self._seeking is not None:
-            self._seeking.watch(sensed)
+            self._seeking.watch(sensed, self.stage != "moving")
         self._go_on(waits)
         if not self.over:
             self.reference = self._next_reference()
@@ -173,11 +173,12 @@ class Executor:
         if self._seeking is None or self._seeking.is_in(self._sensed):
             self._end_skill(_AT_REST)
         else:
+            self._seeking.again()
             self._enter("searching")
 
     def _search_on(self, time_s: float) -> None:
         assert self._seeking is not None
-        if self._seeking.has_found(self._sensed, self._step_s):
+        if self._seeking.is_in(self._sensed):
             # Nothing pulls it back from where it was found.
             self.reference = still(self._sensed.position_m, self._sensed.orientation_wxyz)
             self._seeking.searched = True
@@ -224,7 +225,7 @@ class Executor:
         skill = self.skills[len(self.results)]
         if skill.connecting:
             self._shift, self._turn = np.zeros(3), UNTURNED
-        self._seeking = seeking_of(skill, self._sensed)
+        self._seeking = seeking_of(skill, self._sensed, self._step_s)
         self._skill_start_s, self._peak_N = self.elapsed_s, 0.0
         self._pressed = [one for each in skill.kept if (one := each.at(0.0)) is not None]
         self._move(velocity)

@@ -1,5 +1,8 @@
 """While a skill runs: has the part gone into its seat, and if not, where is it?"""
 
+from collections import deque
+from math import sqrt
+
 import numpy as np
 
 from keyphase.demonstration import Array
@@ -7,7 +10,7 @@ from keyphase.rotations import quaternions
 from keyphase.skills.changed import changed
 from keyphase.skills.coupling import Reference
 from keyphase.skills.execution.sensed import Sensed
-from keyphase.skills.search import FOUND, HELD_S, before_touch
+from keyphase.skills.search import FALL_S, FALL_SHARE, YIELDS, before_touch
 from keyphase.skills.skill import Skill
 
 GIVING = 0.15
@@ -20,27 +23,34 @@ A seat that lies aside or is turned, and a held part that sits tilted, align the
 class Seeking:
     """Of one skill that has a search; `watch` is told every tick."""
 
-    def __init__(self, skill: Skill, sensed: Sensed) -> None:
+    def __init__(self, skill: Skill, sensed: Sensed, step_s: float) -> None:
         assert skill.search is not None
         assert skill.press is not None
         self.search, self.press = skill.search, skill.press
-        self.searched, self._in_s = False, 0.0
+        self.searched, self._fell = False, False
         self._end_wxyz = skill.end_orientation_wxyz
         self._touch = before_touch(self.press.direction, sensed.force_N)
+        self._places: deque[float] = deque(maxlen=max(1, round(FALL_S / step_s)))
+        self._yielded = np.zeros(3)
 
-    def watch(self, sensed: Sensed) -> None:
-        """Take in what was sensed at the end of a tick."""
-        self._touch = self._touch.step(sensed.position_m, sensed.force_N)
+    def watch(self, sensed: Sensed, lasts: bool) -> None:
+        """Take in what was sensed at the end of a tick; a touch `lasts` once a contact was met."""
+        self._touch = self._touch.step(sensed.position_m, sensed.force_N, lasts)
+        if self._touch.touched_m is None:
+            self._places.clear()
+            self._fell = False
+            return
+        place = float(sensed.position_m.dot(self.press.direction))
+        self._places.append(place)
+        self._fell = self._fell or place - min(self._places) >= FALL_SHARE * self.search.depth_m
 
     def is_in(self, sensed: Sensed) -> bool:
-        """Whether the part has gone in as deep as the demonstration did after its first touch."""
-        return self._touch.depth_m(sensed.position_m) >= self.search.depth_m
+        """Whether the part went in at once, and as deep as the demonstration after its touch."""
+        return self._fell and self._touch.depth_m(sensed.position_m) >= self.search.depth_m
 
-    def has_found(self, sensed: Sensed, h: float) -> bool:
-        """Whether a search has led the part in: from the rim on which it began, or for a while."""
-        self._in_s = self._in_s + h if self.is_in(sensed) else 0.0
-        deep = self._touch.depth_m(sensed.position_m) >= FOUND * self.search.depth_m
-        return deep or self._in_s >= HELD_S
+    def again(self) -> None:
+        """A search begins, around where the tool is."""
+        self._yielded = np.zeros(3)
 
     def giving(self, reference: Reference, sensed: Sensed) -> Reference:
         """The reference sideways and in orientation near where the seat has moved the tool."""
@@ -61,10 +71,24 @@ class Seeking:
         return changed(reference, orientation_wxyz=wxyz)
 
     def circling(self, reference: Reference, sensed: Sensed, time_s: float) -> Reference:
-        """The reference on its spiral, `time_s` after the search began."""
+        """The reference on its spiral, `time_s` after the search began.
+
+        A part that is caught is not torn along: the spiral's middle gives way to it.
+        """
         reference = self.turning(reference, sensed)
-        aside = self.search.aside(self.press.direction, time_s)
-        return changed(reference, position_m=reference.position_m + aside)
+        aside = self.search.aside(self.press.direction, time_s) - self._yielded
+        wanted = reference.position_m + aside
+        off, felt = (self._aside(v) for v in (wanted - sensed.position_m, sensed.force_N))
+        size, most = sqrt(felt.dot(felt)), YIELDS * self.search.press_N
+        if size > most:
+            beyond = (1.0 - most / size) * off
+            self._yielded = self._yielded + beyond
+            wanted = wanted - beyond
+        return changed(reference, position_m=wanted)
+
+    def _aside(self, vector: Array) -> Array:
+        """The part of a vector (3,) at right angles to the press."""
+        return vector - float(vector.dot(self.press.direction)) * self.press.direction
 
     def turned_by(self, sensed: Sensed) -> Array:
         """How the seat turned the tool against the demonstration, as a quaternion (4,)."""
@@ -72,6 +96,8 @@ class Seeking:
         return turn / np.linalg.norm(turn)
 
 
-def seeking_of(skill: Skill, sensed: Sensed) -> Seeking | None:
+def seeking_of(skill: Skill, sensed: Sensed, step_s: float) -> Seeking | None:
     """What watches a skill; None for a skill that has no search."""
-    return None if skill.search is None or skill.press is None else Seeking(skill, sensed)
+    if skill.search is None or skill.press is None:
+        return None
+    return Seeking(skill, sensed, step_s)

@@ -48,8 +48,9 @@ def execution_values() -> dict[str, float]:
         "touch_N": search.TOUCH_N,
         "touch_smoothed": search.SMOOTHED,
         "seat_giving": seeking.GIVING,
-        "seat_found": search.FOUND,
-        "seat_held_s": search.HELD_S,
+        "seat_fall_s": search.FALL_S,
+        "seat_fall": search.FALL_SHARE,
+        "seat_yields": search.YIELDS,
         "brake_m_s2": guard.BRAKE_M_S2,
     }
 
