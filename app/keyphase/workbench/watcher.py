@@ -11,6 +11,7 @@ from keyphase.workbench.leading.status import LeadThroughStatus
 from keyphase.workbench.placing.robot_choice import RobotChoice
 from keyphase.workbench.playback import Playhead
 from keyphase.workbench.recording_list import Listing
+from keyphase.workbench.replaying.margin import MarginRun
 from keyphase.workbench.replaying.run import Tick
 from keyphase.workbench.replaying.running import Running
 from keyphase.workbench.replaying.settings import ReplaySettings
@@ -82,6 +83,9 @@ class Watcher:
 
     def show_trials(self, trials: TrialsRun) -> None:
         """Trials are on the way, or over."""
+
+    def show_margin(self, margin: MarginRun) -> None:
+        """A margin is being tried, or over."""
 
     # -- recording by hand
 

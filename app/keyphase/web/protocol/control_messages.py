@@ -78,6 +78,22 @@ class TrialsMessage(Struct, frozen=True, tag_field="type", tag="trials_run"):
     succeeded: int | None = None
 
 
+class MarginMessage(Struct, frozen=True, tag_field="type", tag="margin_run"):
+    """A margin being tried, or what came of it.
+
+    done, count  axes of all plans that were tried, and how many there are
+    outcome      how far the plan reaches beside others, once it is over
+    svg          its picture; null on the way, and where it was cancelled
+    """
+
+    count: int
+    done: int
+    over: bool = False
+    title: str = ""
+    outcome: str | None = None
+    svg: str | None = None
+
+
 class RobotMessage(Struct, frozen=True, tag_field="type", tag="robot"):
     """Which arm follows the recording, of which that could, and whether it can be moved."""
 

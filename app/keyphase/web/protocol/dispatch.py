@@ -32,8 +32,10 @@ def do(page: "Conversation", request: ask.Request) -> None:
         case ask.Signals():
             with page.workbench.library.at(request.recording) as desk:
                 _send_signals(page, desk, request)
-        case ask.Replay() | ask.ReplaySettings() | ask.Push() | ask.Trials() | ask.TrialsCancel():
+        case ask.Replay() | ask.ReplaySettings() | ask.Push():
             _replay(page, request)
+        case ask.Trials() | ask.TrialsCancel() | ask.Margin():
+            _beside_replay(page, request)
         case ask.Record():
             _record(page, request)
         case _:
@@ -171,10 +173,19 @@ def _replay(page: "Conversation", request: ask.Request) -> None:
             replay.configure(lambda settings: replace(settings, **chosen))
         case ask.Push():
             page.view.scene.offer_push(request.offered)
+
+
+def _beside_replay(page: "Conversation", request: ask.Request) -> None:
+    replay = page.view.replay
+    match request:
         case ask.Trials():
             replay.run_trials(request.count)
         case ask.TrialsCancel():
             replay.cancel_trials()
+        case ask.Margin(do="begin"):
+            replay.try_margin()
+        case ask.Margin():
+            replay.cancel_margin()
 
 
 def _record(page: "Conversation", request: ask.Record) -> None:

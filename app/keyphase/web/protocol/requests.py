@@ -230,6 +230,12 @@ class TrialsCancel(_Request, tag="trials_cancel", frozen=True):
     """Give up the trials that run."""
 
 
+class Margin(_Request, tag="margin", frozen=True):
+    """Try how far the world may differ until the plan fails, or give that up."""
+
+    do: Literal["begin", "cancel"]
+
+
 class Record(_Request, tag="record", frozen=True):
     """Open or close a workcell to be led by hand, start or stop a take, take one back.
 
@@ -285,6 +291,7 @@ Request = (
     | Push
     | Trials
     | TrialsCancel
+    | Margin
     | Record
     | Robot
     | Latency

@@ -23,6 +23,7 @@ from keyphase.workbench.placing.robot_choice import RobotChoice
 from keyphase.workbench.playback import Playhead
 from keyphase.workbench.recording_list import Listing
 from keyphase.workbench.recordings import printable
+from keyphase.workbench.replaying.margin import MarginRun
 from keyphase.workbench.replaying.run import Tick
 from keyphase.workbench.replaying.running import Running
 from keyphase.workbench.replaying.settings import ReplaySettings
@@ -105,6 +106,10 @@ class Voice(Watcher):
     def show_trials(self, trials: TrialsRun) -> None:
         """Trials on the way, or over."""
         self._send(controls.TrialsMessage(**asdict(trials)))
+
+    def show_margin(self, margin: MarginRun) -> None:
+        """A margin on the way, or over."""
+        self._send(controls.MarginMessage(**asdict(margin)))
 
     # -- a replay
 

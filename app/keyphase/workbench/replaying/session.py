@@ -14,6 +14,7 @@ from keyphase.simulation.replay.replay import Replay
 from keyphase.simulation.replay.result import ReplayResult
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.replaying.exports import export_plan
+from keyphase.workbench.replaying.margin import ReplayMargin
 from keyphase.workbench.replaying.plan import ReplayPlan, plan_of
 from keyphase.workbench.replaying.run import ReplayRun, Tick
 from keyphase.workbench.replaying.running import Running
@@ -46,6 +47,9 @@ class ReplaySession:
         self._trials = ReplayTrials(
             telling, lambda trials: self._each(lambda watcher: watcher.show_trials(trials))
         )
+        self._margin = ReplayMargin(
+            telling, lambda margin: self._each(lambda watcher: watcher.show_margin(margin))
+        )
         self._count = 0
         self._building = False
         self._proposed: Demonstration | None = None
@@ -60,6 +64,7 @@ class ReplaySession:
     def close(self) -> None:
         """End everything."""
         self._trials.stop()
+        self._margin.stop()
         self._worker.stop()
         self._worker.join()
         self.leave()
@@ -188,6 +193,14 @@ class ReplaySession:
     def cancel_trials(self) -> None:
         """Give up the trials that run."""
         self._trials.cancel()
+
+    def try_margin(self) -> None:
+        """Try how far the world may differ until the open recording's plan fails."""
+        self._margin.run(self._current(), self.settings)
+
+    def cancel_margin(self) -> None:
+        """Give up the margin that is being tried."""
+        self._margin.cancel()
 
     def over(self) -> Running:
         """The replay that is over. Raises SimulationError where there is none."""

@@ -1,6 +1,5 @@
 """Trials from the page: the plan in many disturbed worlds, in the background."""
 
-import threading
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -10,11 +9,11 @@ from keyphase.simulation.replay.report import trials_outcome
 from keyphase.simulation.replay.trials import Worlds, drawn_worlds, run_trials
 from keyphase.simulation.replay.trials_picture import trials_svg
 from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.replaying.beside import WorkBeside
 from keyphase.workbench.replaying.plan import plan_of
 from keyphase.workbench.replaying.settings import ReplaySettings
 from keyphase.workbench.tasks import Task
 from keyphase.workbench.telling import Telling
-from keyphase.workbench.worker import Worker
 
 WORLDS = Worlds(
     part_height_m=Range(-0.01, 0.01),
@@ -43,42 +42,29 @@ class TrialsRun:
     succeeded: int | None = None
 
 
-class _CancelledError(Exception):
-    """A person gave the trials up."""
-
-
 class ReplayTrials:
     """Runs trials one after another; `show` is told how they go and what came of them."""
 
     def __init__(self, telling: Telling, show: Callable[[TrialsRun], None]) -> None:
-        self._telling = telling
         self._show = show
-        self._worker = Worker(telling.report)
-        self._cancelled = threading.Event()
+        self._beside = WorkBeside(telling)
 
     def run(self, opened: DeskState, settings: ReplaySettings, count: int) -> None:
         """Run the open recording's plan in `count` disturbed worlds on all cores."""
-        self._worker.submit(lambda: self._run(opened, settings, count), "trials")
+        self._beside.begin(
+            f"Trials of {opened.recording.name}",
+            "trials",
+            lambda task: self._run_and_tell(opened, settings, count, task),
+            lambda why: self._show(TrialsRun(count, over=True, outcome=why)),
+        )
 
     def cancel(self) -> None:
         """Give up those that run; what came of their worlds is forgotten."""
-        self._cancelled.set()
+        self._beside.give_up()
 
     def stop(self) -> None:
         """End everything."""
-        self.cancel()
-        self._worker.stop()
-
-    def _run(self, opened: DeskState, settings: ReplaySettings, count: int) -> None:
-        self._cancelled.clear()
-        try:
-            with self._telling.tasks.begin(f"Trials of {opened.recording.name}") as task:
-                self._run_and_tell(opened, settings, count, task)
-        except _CancelledError:
-            self._show(TrialsRun(count, over=True, outcome="Cancelled."))
-        except Exception:
-            self._show(TrialsRun(count, over=True))
-            raise
+        self._beside.stop()
 
     def _run_and_tell(
         self, opened: DeskState, settings: ReplaySettings, count: int, task: Task
@@ -88,8 +74,7 @@ class ReplayTrials:
         worlds = drawn_worlds(WORLDS, count, settings.seed)
 
         def progress(done: int, total: int) -> None:
-            if self._cancelled.is_set():
-                raise _CancelledError
+            self._beside.go_on()
             task.at(done / total)
             self._show(TrialsRun(total, done))
 

@@ -211,6 +211,8 @@ export function createActions(store, send, latency, own) {
         index,
       ),
     dropIdle: () => edit({ kind: "drop_idle" }),
+    /** @param {import("../model/types.js").Segment} segment @param {Object|null} end null: the proposed one */
+    setEnd: (segment, end) => edit({ kind: "end", time_s: middle(segment), end }),
     label: (label, index) =>
       onSegment((segment) => edit({ kind: "label", time_s: middle(segment), label }), index),
     labelByNumber(number) {

@@ -15,6 +15,8 @@ export function createPanelActions(store, send) {
     replaySettings: (changed) => send({ type: "replay_settings", ...changed }),
     push: (offered) => send({ type: "push", offered }),
     trials: (count) => send({ type: "trials", count }),
+    /** @param {"begin"|"cancel"} what */
+    margin: (what) => send({ type: "margin", do: what }),
     cancelTrials: () => send({ type: "trials_cancel" }),
     robot: (changed) => send({ type: "robot", ...changed }),
     /** Goes where another page goes; null: no longer. @param {string|null} page */

@@ -45,6 +45,9 @@ export function createReceiver(
           act: { text: "Show", run: () => store.set({ tab: "replay" }) },
         });
     },
+    margin_run(message) {
+      store.set({ margin: message });
+    },
     document(message) {
       const before = state.document;
       const other = before?.id !== message.id;

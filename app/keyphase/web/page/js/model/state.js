@@ -14,7 +14,7 @@ import { firstChoice } from "./rows.js";
  *   lens: import("./types.js").Signals|null, playhead: import("./types.js").Playhead,
  *   progress: any, sending: any, notice: ?{level: string, text: string}, comparison: any, spread: any,
  *   replay: any, samples: any, replayShown: boolean, defaults: Object<string, *>,
- *   record: any, replaySettings: any, robot: any, pushOffered: boolean, trials: any,
+ *   record: any, replaySettings: any, robot: any, pushOffered: boolean, trials: any, margin: any,
  *   shown: Object<string, boolean>, saved: ?{path: string, recording: string},
  *   inTheWay: ?{recording: string, kind: string, files: {name: string, whose: string}[]},
  *   following: string|null, lostAt: Date|null, command: string|null}} Told
@@ -66,6 +66,7 @@ export function firstState(small) {
     robot: null,
     pushOffered: false,
     trials: null,
+    margin: null,
     shown: {},
     saved: null,
     inTheWay: null,

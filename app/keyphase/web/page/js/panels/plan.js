@@ -3,6 +3,7 @@
 import { segmentFill } from "../lib/colors.js";
 import { byId, el, icon, redraw } from "../lib/dom.js";
 import { plural } from "../lib/format.js";
+import { DOUBT, howItEnds } from "../model/end_condition.js";
 import { shortName } from "../model/label_forms.js";
 import { attachChipKeys } from "./plan_keys.js";
 
@@ -64,20 +65,17 @@ function drawChip(entry, k, doc, selected, { small }) {
     .slice(0, k + 1)
     .filter(({ segment: other }) => other === entry.segment).length;
   const contact = segment.end_condition.kind === "contact";
-  const how = repeated
-    ? "repeated"
-    : contact
-      ? `ends at ${segment.end_condition.threshold_N.toFixed(1)} N`
-      : "ends at the pose";
+  const doubted = segment.end_condition.agrees === false;
+  const how = repeated ? "repeated" : howItEnds(segment.end_condition);
   const short = segment.proposed ? shortName(segment.label) : segment.label;
   const name = small && doc.plan.length > 4 ? short.split(" ")[0] : short;
   return el(
     "div",
     {
-      class: `chip ${entry.segment === selected ? "on" : ""}`,
+      class: `chip ${entry.segment === selected ? "on" : ""} ${doubted ? "doubted" : ""}`,
       role: "listitem",
       tabindex: 0,
-      title: `${segment.label}, ${how}. Drag to reorder, Ctrl drag to repeat, Delete takes it out.`,
+      title: `${segment.label}, ${how}.${doubted ? ` ${DOUBT}` : ""} Drag to reorder, Ctrl drag to repeat, Delete takes it out.`,
       data: { entry: k },
     },
     el("div", {
@@ -90,7 +88,12 @@ function drawChip(entry, k, doc, selected, { small }) {
       { class: "chip-text" },
       el("b", { text: name }),
       repeated ? el("span", { class: "repeat", text: `×${times}` }) : "",
-      el("small", {}, icon(contact ? "contact" : "goal"), how),
+      el(
+        "small",
+        {},
+        icon(doubted ? "warning" : contact ? "contact" : "goal"),
+        doubted && !repeated ? `${how}, its demonstration does not` : how,
+      ),
     ),
     el("span", { class: "grip" }, icon("grip")),
   );

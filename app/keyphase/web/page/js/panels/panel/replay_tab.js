@@ -1,8 +1,9 @@
-/** The world a replay runs in, its run, what became of each skill, and trials in many worlds. */
+/** The world a replay runs in, its run, what became of each skill, its margin, and trials. */
 
 import { el } from "../../lib/dom.js";
 import { button, choice, group, row, slider, toggle } from "./fields.js";
 import { createOutcomes } from "./outcomes.js";
+import { createMargin } from "./margin.js";
 import { createTrials } from "./trials.js";
 
 /** What a world may differ in: the setting's name, how the page calls it, and its unit for people. */
@@ -60,6 +61,7 @@ export function createReplayTab(store, actions) {
     group("Workcell", {}, workcell.node, world, endBy.node),
     run,
     outcomes,
+    createMargin(store, actions),
     createTrials(store, actions),
   );
 }

@@ -10,6 +10,7 @@ import {
   valueInForce,
 } from "../../model/parameters.js";
 import { button, choice, group, row, slider } from "./fields.js";
+import { createEndGroup } from "./end_group.js";
 import { createShownParts } from "./shown_parts.js";
 import { createRobotGroup } from "./robot_group.js";
 
@@ -65,6 +66,7 @@ export function createSegmentTab(store, actions) {
     "div",
     { class: "panel-body" },
     el("div", { class: "group plain" }, method.node),
+    createEndGroup(store, actions),
     parameters,
     createShownParts(store, actions),
     createRobotGroup(store, actions),

@@ -1,22 +1,23 @@
-/** The picture of trials, over the page until it is closed. */
+/** The picture of trials or of a margin, over the page until it is closed. */
 
 import { el, icon } from "../../lib/dom.js";
 
 /**
+ * @param {string} title
  * @param {string} source of the picture
  * @param {string} told what is seen on it
  */
-export function showTrialsPicture(source, told) {
-  document.querySelector("dialog.trials")?.remove();
+export function showPicture(title, source, told) {
+  document.querySelector("dialog.picture")?.remove();
   const close = () => dialog.remove();
   const dialog = /** @type {HTMLDialogElement} */ (
     el(
       "dialog",
-      { class: "trials", "aria-label": "Trials", on: { close } },
+      { class: "picture", "aria-label": title, on: { close } },
       el(
         "header",
         {},
-        el("b", { text: "Trials" }),
+        el("b", { text: title }),
         el("span", { class: "space" }),
         el(
           "button",
