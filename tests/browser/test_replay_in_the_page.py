@@ -154,14 +154,14 @@ def test_parts_moved_before_the_run_are_missed_without_contact_ends(
 def test_trials_end_with_their_picture(server: PageServer, page: KeyphasePage) -> None:
     page.panel.get_by_role("tab", name="Replay").click()
     server.workbench.views[-1].replay.run_trials(3)
-    page.panel.locator(".trials-picture").click(timeout=120_000)
-    picture = page.page.locator("dialog.trials img")
+    page.panel.locator(".beside-picture").click(timeout=120_000)
+    picture = page.page.locator("dialog.picture img")
     picture.wait_for()
     page.picture("replay_trials")
     assert "of 3" in (picture.get_attribute("alt") or "")
     assert picture.evaluate("image => image.naturalWidth") > 300
-    page.page.locator("dialog.trials").get_by_role("button", name="Close").click()
-    assert page.page.locator("dialog.trials").count() == 0
+    page.page.locator("dialog.picture").get_by_role("button", name="Close").click()
+    assert page.page.locator("dialog.picture").count() == 0
     page.panel.get_by_role("tab").first.click()
 
 

@@ -30,8 +30,13 @@ class ReplaySegments:
     segments: tyro.conf.Positional[Path]
     """The segment file."""
     workcell: str | None = None
-    """setup1, setup2, or `recording`, the world made from the recording; without, the workcell the
-    demonstration was recorded in, and for every other recording the world made from it."""
+    """setup1, setup2, a TOML file of your own, or `recording`, the world made from the recording;
+    without, the workcell it was recorded in, and for every other recording the world made from
+    it."""
+    robot: Path | None = None
+    """Another arm (URDF or MJCF) that moves the tool in the world made from the recording."""
+    tool_frame: str | None = None
+    """The body, link or site of it that is the tool point."""
     demonstration: Path | None = None
     """The recording, where it is neither where the segment file says nor beside it."""
     recipe: Path | None = None
@@ -78,7 +83,7 @@ class ReplaySegments:
 
         self._check()
         planned = planned_replay(self.segments, self.demonstration, self.recipe)
-        cell = cell_for(planned.demonstration, self.workcell)
+        cell = cell_for(planned.demonstration, self.workcell, self._robot())
         demonstration = met_by(planned.demonstration, cell)
         if self.margin:
             return self._run_margin(cell, replace(planned, demonstration=demonstration))
@@ -90,6 +95,21 @@ class ReplaySegments:
         if self.trials:
             return self._run_trials(cell, demonstration, skills)
         return self._run_once(cell, demonstration, skills)
+
+    def _robot(self) -> "tuple[Path, str] | None":
+        if (self.robot is None) != (self.tool_frame is None):
+            raise ParameterError(
+                "--robot and --tool-frame go together: the file of an arm, and which of its frames "
+                "is the tool point."
+            )
+        return (
+            None
+            if self.robot is None or self.tool_frame is None
+            else (
+                self.robot,
+                self.tool_frame,
+            )
+        )
 
     def _check(self) -> None:
         if self.trials < 0:

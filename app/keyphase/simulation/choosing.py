@@ -1,5 +1,7 @@
 """Which world a recording is replayed in, and whether one that was chosen fits it."""
 
+from pathlib import Path
+
 import numpy as np
 
 from keyphase.demonstration import Demonstration
@@ -7,23 +9,39 @@ from keyphase.errors import SimulationError
 from keyphase.simulation.recorded.cell import NAME as RECORDING
 from keyphase.simulation.recorded.cell import RecordedCell
 from keyphase.simulation.simulated import Cell
+from keyphase.simulation.workcells.own_cell import own_cell
 from keyphase.simulation.workcells.registry import workcell, workcell_names
+
+OWN = ".toml"
+"""The name of a workcell that ends so is that of a file with one's own."""
 
 AWAY_M, TURNED_RAD = 0.15, np.radians(45.0)
 """A recording that begins further from where a workcell's arm stands was made elsewhere."""
 
 
-def cell_for(demonstration: Demonstration, name: str | None = None) -> Cell:
-    """The workcell called `name`, or the world made from the recording where that is asked for.
+def cell_for(
+    demonstration: Demonstration, name: str | None = None, robot: tuple[Path, str] | None = None
+) -> Cell:
+    """The workcell called `name`, one's own in a TOML file, or the world made from the recording.
 
     Without a name it is the workcell the recording was made in, and for every other recording the
-    world made from it. Raises SimulationError for a name nobody knows, a workcell that does not
-    fit, and where a world would have to be made from a recording without force.
+    world made from it. `robot` is the file of another arm, URDF or MJCF, and its tool frame: it
+    moves the tool in the world made from the recording.
+
+    Raises SimulationError for a name nobody knows, a workcell that does not fit, an arm that does
+    not reach the recording, and where a world would have to be made from one without force.
     """
+    if robot is not None:
+        if name not in (None, RECORDING):
+            raise SimulationError(
+                f"Another robot replays in the world made from the recording, but {name} was "
+                "chosen, which has an arm of its own; leave --workcell or --robot out."
+            )
+        return RecordedCell(demonstration, robot)
     chosen = name or recorded_in(demonstration) or RECORDING
     if chosen == RECORDING:
         return RecordedCell(demonstration)
-    cell = workcell(chosen)
+    cell = own_cell(Path(chosen)) if chosen.endswith(OWN) else workcell(chosen)
     why = unfit(demonstration, cell)
     if why is not None:
         raise SimulationError(why)

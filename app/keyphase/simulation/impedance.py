@@ -83,13 +83,24 @@ class CartesianImpedance:
         self._of_the_arm = self._jacobian[:, self._dofs], self._inverse[:, self._dofs]
 
     def torques(self, data: mujoco.MjData, reference: Reference, posture: Array) -> Array:
-        """Torques of the driven joints [N m], (7,), towards `reference`, near `posture`."""
-        gains, dofs = self.gains, self._dofs
-        q, qd = data.qpos[self._positions], data.qvel[dofs]
+        """Torques of the driven joints [N m], (J,), towards `reference`, near `posture`."""
+        self._see(data)
+        twist = self._of_the_arm[0].dot(data.qvel[self._dofs])
+        return self._joined(data, self._wrench(data, reference, twist), posture)
+
+    def torques_of(self, data: mujoco.MjData, wrench: Array, posture: Array) -> Array:
+        """Torques (J,) that exert a wrench (6,) at the tool, force first, near `posture`."""
+        self._see(data)
+        return self._joined(data, wrench, posture)
+
+    def _see(self, data: mujoco.MjData) -> None:
         mujoco.mj_jacSite(self._model, data, self._moving, self._turning, self._tool)
         mujoco.mj_solveM(self._model, data, self._inverse, self._jacobian)
+
+    def _joined(self, data: mujoco.MjData, wrench: Array, posture: Array) -> Array:
+        gains, dofs = self.gains, self._dofs
+        q, qd = data.qpos[self._positions], data.qvel[dofs]
         jacobian, inverse = self._of_the_arm
-        wrench = self._wrench(data, reference, jacobian.dot(qd))
         free = gains.posture_stiffness_Nm_rad * (posture - q) - gains.posture_damping_Nms_rad * qd
         # What `np.linalg.solve` calls, without the four times longer way to it.
         _, _, seen, _ = dgesv(inverse.dot(jacobian.T), inverse.dot(free))

@@ -7,6 +7,7 @@ Built from the same URDF that is shown and that Pinocchio reads, so there is one
 
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -22,6 +23,20 @@ ARM_JOINTS = tuple(f"yumi_joint_{axis}_r" for axis in "1273456")
 
 TOOL_BODY, TOOL_SITE = "tcp_r", "tool"
 SENSOR_BODY, SENSOR_SITE = "ft_r", "wrist"
+
+
+@dataclass(frozen=True)
+class ArmNames:
+    """What of a scene is the arm: its driven joints in a row, the tool point, the wrist sensor."""
+
+    joints: tuple[str, ...] = ARM_JOINTS
+    tool_site: str = TOOL_SITE
+    sensor_site: str = SENSOR_SITE
+
+
+YUMI_ARM = ArmNames()
+"""The YuMi's right arm."""
+
 
 PHYSICS_STEP_S = 0.002
 ROBOT, HELD, SCENE = 1, 2, 4
@@ -43,7 +58,7 @@ def robot_spec() -> mujoco.MjSpec:
     # with nothing, its mass included.
     spec.compiler.fusestatic = False
     spec.compiler.discardvisual = False
-    _set_physics(spec)
+    set_physics(spec)
     _require(spec)
     _group_collisions(spec)
     for joint in list(spec.joints):
@@ -68,7 +83,8 @@ def _urdf_without_visuals() -> str:
     return ElementTree.tostring(tree.getroot(), encoding="unicode")
 
 
-def _set_physics(spec: mujoco.MjSpec) -> None:
+def set_physics(spec: mujoco.MjSpec) -> None:
+    """Time step, solver and contacts as all scenes have them."""
     option = spec.option
     option.timestep = PHYSICS_STEP_S
     option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
@@ -149,8 +165,13 @@ def _drive(spec: mujoco.MjSpec, name: str, armature: float) -> None:
 def _add_sensor(spec: mujoco.MjSpec) -> None:
     spec.body(TOOL_BODY).add_site(name=TOOL_SITE, size=[0.004] * 3)
     spec.body(SENSOR_BODY).add_site(name=SENSOR_SITE, size=[0.004] * 3)
+    add_wrist_sensor(spec, SENSOR_SITE)
+
+
+def add_wrist_sensor(spec: mujoco.MjSpec, site: str) -> None:
+    """Sensors of what the body of `site` exerts on its parent: force and torque."""
     for name, kind in (
         ("wrist_force", mujoco.mjtSensor.mjSENS_FORCE),
         ("wrist_torque", mujoco.mjtSensor.mjSENS_TORQUE),
     ):
-        spec.add_sensor(name=name, type=kind, objtype=mujoco.mjtObj.mjOBJ_SITE, objname=SENSOR_SITE)
+        spec.add_sensor(name=name, type=kind, objtype=mujoco.mjtObj.mjOBJ_SITE, objname=site)

@@ -10,7 +10,6 @@ import numpy as np
 
 from keyphase import __version__
 from keyphase.demonstration import Demonstration
-from keyphase.simulation.robot_scene import ARM_JOINTS
 from keyphase.simulation.simulated import Simulated
 from keyphase.simulation.simulation import Sample
 
@@ -51,7 +50,7 @@ def provenance(world: Simulated, operator: str) -> dict[str, Any]:
         "operator": operator,
         "workcell": world.workcell.name,
         "disturbance": world.disturbance.as_json(),
-        "joint_names": list(ARM_JOINTS),
+        "joint_names": list(world.joint_names),
         "contact_names": list(world.contact_names),
         "contact_changes": list(world.workcell.onsets),
     }

@@ -46,6 +46,11 @@ class Simulated(Protocol):
         """Names of what `Sample.contact_N` holds."""
         ...
 
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """Of the driven joints, in the order of `Sample.joints_rad`; none without a robot."""
+        ...
+
     def step(self, reference: Reference) -> Sample:
         """One control tick of 4 ms."""
         ...

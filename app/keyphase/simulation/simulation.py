@@ -17,7 +17,7 @@ from keyphase.simulation.contacts import Contacts
 from keyphase.simulation.disturbance import Disturbance
 from keyphase.simulation.impedance import RATE_HZ, CartesianImpedance, Gains, Reference
 from keyphase.simulation.part_shapes import Shape, shapes_in
-from keyphase.simulation.robot_scene import ARM_JOINTS, SENSOR_SITE, TOOL_BODY, TOOL_SITE
+from keyphase.simulation.robot_scene import TOOL_BODY
 from keyphase.simulation.wrist_sensor import (
     Load,
     SensorModel,
@@ -64,9 +64,10 @@ class Simulation:
     ) -> None:
         self.workcell, self.disturbance = workcell, disturbance
         self.model, self.data = model, mujoco.MjData(model)
-        joints = np.array([model.joint(name).id for name in ARM_JOINTS])
+        arm = workcell.arm
+        joints = np.array([model.joint(name).id for name in arm.joints])
         self._positions = model.jnt_qposadr[joints]
-        self._tool, wrist = model.site(TOOL_SITE).id, model.site(SENSOR_SITE).id
+        self._tool, wrist = model.site(arm.tool_site).id, model.site(arm.sensor_site).id
         first = int(model.sensor("wrist_force").adr[0])
         self._exerted = slice(first, first + 6)
         # Views, into which every step of the physics writes.
@@ -130,6 +131,11 @@ class Simulation:
         """Names of what `Sample.contact_N` holds."""
         return self.contacts.names
 
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """Of the driven joints, in the order of `Sample.joints_rad`."""
+        return self.workcell.arm.joints
+
     def be_at(self, moment_s: float | None, span_s: tuple[float, float] | None) -> None:
         """Physics does not ask which moment of a demonstration is being repeated."""
 
@@ -171,7 +177,7 @@ class Simulation:
         return np.concatenate((twist[3:], twist[:3]))
 
     def joints_rad(self) -> Array:
-        """Angles of the driven joints, in the order of ARM_JOINTS."""
+        """Angles of the driven joints, in the order of the arm's names."""
         return self.data.qpos.take(self._positions)
 
     def here(self) -> Reference:
@@ -225,11 +231,17 @@ class Simulation:
         readings, rotations = [], []
         for tilt in _CALIBRATION_TILTS_RAD:
             pose = self.posture_rad.copy()
-            pose[4:6] += tilt
+            pose[-3:-1] += tilt
             self._place(pose)
             readings.append(self._reading_at_rest())
             rotations.append(self._wrist_turn.copy())
         self.sensor.settle()
+        if not np.isfinite(readings).all():
+            raise SimulationError(
+                f"{self.workcell.name} must be able to hold its arm still where it starts, but "
+                "diverged; check masses, armatures and the joints' ranges (an MJCF file takes "
+                'degrees unless its compiler says angle="radian").'
+            )
         return estimated_load(np.array(readings), np.array(rotations))
 
     def _reading_at_rest(self) -> Array:

@@ -25,6 +25,11 @@ class ToolBody:
     velocity_m_s: Array
     angular_velocity_rad_s: Array
 
+    @property
+    def joints_rad(self) -> Array:
+        """(0,) It has no joints."""
+        return np.zeros(0)
+
     def pull(self, reference: Reference, gains: Gains) -> tuple[Array, Array]:
         """Force and torque (3,) of the impedance towards `reference`."""
         spring = gains.stiffness_N_m * (reference.position_m - self.position_m)

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
 from math import sqrt
+from pathlib import Path
 
 import numpy as np
 
@@ -12,6 +13,8 @@ from keyphase.errors import SimulationError
 from keyphase.recorded_force import Even, doubtful_force, evenly, free_force
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.impedance import Gains
+from keyphase.simulation.recorded.reaching import Pose
+from keyphase.simulation.recorded.robot_arm import robot_arm
 from keyphase.simulation.recorded.surfaces import Surface, surfaces_of
 from keyphase.simulation.recorded.world import RecordedWorld
 from keyphase.skills.coupling import REFERENCE_REACH
@@ -24,6 +27,7 @@ WITHIN_M = 0.005
 _WINDOW_S = 0.6
 _STIFFEST_N_M = 8000.0
 _RESERVE = 1.5
+_POSES = 12
 
 
 class RecordedCell:
@@ -35,8 +39,12 @@ class RecordedCell:
     onsets = ()
     ends_at_contact = False
 
-    def __init__(self, demonstration: Demonstration) -> None:
-        """Raises SimulationError for a recording without force."""
+    def __init__(self, demonstration: Demonstration, robot: tuple[Path, str] | None = None) -> None:
+        """`robot` is the file of an arm that is to move the tool, and its tool frame.
+
+        Raises SimulationError for a recording without force, and for an arm that cannot be read or
+        does not reach it.
+        """
         if demonstration.force_N is None:
             raise SimulationError(
                 f"A world is made from a recorded force, but {demonstration.name} has none; "
@@ -48,6 +56,7 @@ class RecordedCell:
         self.demonstration = replace(demonstration, force_N=demonstration.force_N - free)
         self.doubt = doubtful_force(demonstration)
         self.surfaces: tuple[Surface, ...] = surfaces_of(self.even)
+        self.arm = None if robot is None else robot_arm(*robot, self._some_poses())
         self.parts = ("held", *(f"surface_{n + 1}" for n in range(len(self.surfaces))))
 
     def build(self, disturbance: Disturbance = NOMINAL, seed: int = 0) -> RecordedWorld:
@@ -67,6 +76,11 @@ class RecordedCell:
             damping_Ns_m=usual.damping_Ns_m * sqrt(stiffness / usual.stiffness_N_m),
             greatest_force_N=max(usual.greatest_force_N, 2.0 * peak),
         )
+
+    def _some_poses(self) -> list[Pose]:
+        """Poses spread over the recording, its ends among them."""
+        rows = np.unique(np.linspace(0, len(self.even.time_s) - 1, _POSES).astype(int))
+        return [(self.even.position_m[row], self.even.orientation_wxyz[row]) for row in rows]
 
     def placed(self, disturbance: Disturbance) -> tuple[Array, Array]:
         """Shift (3,) and turn (3, 3) of the surfaces: about the vertical through the first one."""

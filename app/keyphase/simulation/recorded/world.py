@@ -11,6 +11,7 @@ from keyphase.errors import SimulationError
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.impedance import RATE_HZ, Gains, Reference
 from keyphase.simulation.part_shapes import Shape
+from keyphase.simulation.recorded.arm_body import ArmBody
 from keyphase.simulation.recorded.body import ToolBody
 from keyphase.simulation.recorded.surfaces import STIFFNESS_N_M, Surface
 from keyphase.simulation.simulation import Sample
@@ -45,6 +46,7 @@ class RecordedWorld:
         self.workcell, self.disturbance = cell, disturbance
         self.gains = gains
         self.contact_names = ()
+        self.joint_names = cell.arm.joints if cell.arm else ()
         self.bodies = cell.parts
         self._random = np.random.default_rng(seed)
         self._place = cell.placed(disturbance)
@@ -57,8 +59,11 @@ class RecordedWorld:
     def reset(self) -> None:
         """Back to the recording's start, under the force that was recorded there."""
         even, start = self.workcell.even, self.workcell.even.time_s[0]
-        still = np.zeros(3)
-        self.body = ToolBody(even.position_m[0], even.orientation_wxyz[0], still, still.copy())
+        if self.workcell.arm is not None:
+            self.body = ArmBody(self.workcell.arm, self.gains)
+        else:
+            at = even.position_m[0], even.orientation_wxyz[0]
+            self.body = ToolBody(*at, np.zeros(3), np.zeros(3))
         self.touched: dict[int, float] = {}
         self.due: set[int] = set()
         self.furthest_m = 0.0
@@ -199,7 +204,7 @@ class RecordedWorld:
             time_s=self._ticks / RATE_HZ,
             position_m=position,
             orientation_wxyz=wxyz,
-            joints_rad=np.zeros(0),
+            joints_rad=self.body.joints_rad,
             force_N=self._passed + noise + self._bias,
             torque_Nm=np.zeros(3),
             contact_N=np.zeros(0),

@@ -9,7 +9,7 @@ import mujoco
 
 from keyphase.simulation.contacts import Pair, watch_contacts
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
-from keyphase.simulation.robot_scene import robot_spec
+from keyphase.simulation.robot_scene import YUMI_ARM, ArmNames, robot_spec
 from keyphase.simulation.simulation import Simulation
 
 
@@ -26,7 +26,7 @@ class Workcell:
     """Plain description of a simulated scene; `build` brings it to life.
 
     name, title       for files and for people
-    start_joints_rad  where the right arm starts, in the order of ARM_JOINTS
+    start_joints_rad  where the right arm starts, in the order of the arm's joints
     furnish           adds table and parts to the robot's specification
     parts             all bodies but the robot's; "held" is in the gripper
     pairs             contacts the simulator reports, by name
@@ -34,6 +34,8 @@ class Workcell:
     ends_at_contact   whether the task is over at the last of them
     events            what has to happen for success, in this order, watched by a `Course`
     checks            named predicates that have to hold at the end for success
+    robot             the scene without what `furnish` adds to it
+    arm               what of it is the arm
     """
 
     name: str
@@ -46,6 +48,8 @@ class Workcell:
     ends_at_contact: bool
     events: tuple[Event, ...]
     checks: Callable[[Simulation], Mapping[str, bool]]
+    robot: Callable[[], mujoco.MjSpec] = robot_spec
+    arm: ArmNames = YUMI_ARM
 
     def build(self, disturbance: Disturbance = NOMINAL, seed: int = 0) -> Simulation:
         """A simulation of this workcell at its start, its wrist sensor calibrated.
@@ -56,7 +60,7 @@ class Workcell:
 
     def spec(self, disturbance: Disturbance = NOMINAL) -> mujoco.MjSpec:
         """The scene before it is compiled."""
-        spec = robot_spec()
+        spec = self.robot()
         self.furnish(spec, disturbance)
         watch_contacts(spec, self.pairs)
         return spec

@@ -13,6 +13,9 @@ from keyphase.workbench.replaying.settings import ReplaySettings
 from keyphase.workbench.tasks import Task
 from keyphase.workbench.telling import Telling
 
+JOBS = -1
+"""A margin is tried on all cores."""
+
 
 @dataclass(frozen=True)
 class MarginRun:
@@ -71,7 +74,7 @@ class ReplayMargin:
             demonstration,
             margin_plans(demonstration, segments),
             seed=settings.seed,
-            jobs=-1,
+            jobs=JOBS,
             progress=progress,
         )
         title = f"{opened.recording.name} in {settings.workcell}"
