@@ -16,6 +16,7 @@ Everything is a pure function over arrays; a leading batch axis steps many at on
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import ceil
 from typing import Any
 
@@ -81,6 +82,18 @@ class State:
     reference_position_m: Array
     reference_orientation_wxyz: Array
     reference_velocity: Array
+
+    # What stays as it is while a primitive runs is taken apart once; `changed` hands it on.
+
+    @cached_property
+    def goal(self) -> Components:
+        """`goal_position_m`, then `goal_orientation_wxyz`."""
+        return [*components(self.goal_position_m), *components(self.goal_orientation_wxyz)]
+
+    @cached_property
+    def shaping(self) -> tuple[Components, Components]:
+        """`scale` and `hold`."""
+        return components(self.scale), components(self.hold)
 
 
 @dataclass(frozen=True, eq=False)
@@ -210,11 +223,11 @@ def _advance(
     """One integration step; also the reference acceleration y_r'' at its beginning."""
     c = primitive.constants
     here, wxyz = components(state.position_m), components(state.orientation_wxyz)
-    ahead = turns.difference(components(state.goal_orientation_wxyz), wxyz)
-    left = [*_between(state.goal_position_m, here), *ahead]
-    force = forces(primitive, state.phase, state.scale, state.hold)
+    ahead = turns.difference(state.goal[3:], wxyz)
+    left = [*_between(state.goal[:3], here), *ahead]
+    force = forces(primitive, state.phase, *state.shaping)
     turn = turns.shortest_difference(components(measured.orientation_wxyz), wxyz)
-    away = [*_between(measured.position_m, here), *turn]
+    away = [*_between(components(measured.position_m), here), *turn]
     error, z, tau = components(state.error_m), components(state.z), number(state.tau)
     error_rate = [
         c.alpha_e * (weight * d - e)
@@ -243,8 +256,8 @@ def _advance(
     return advanced, acceleration
 
 
-def _between(to_m: Array, here: Components) -> Components:
-    return [there - y for there, y in zip(components(to_m), here, strict=True)]
+def _between(to_m: Components, here: Components) -> Components:
+    return [there - y for there, y in zip(to_m, here, strict=True)]
 
 
 def _reference(state: State, measured: Measured, acceleration: Components, h: float) -> Reference:

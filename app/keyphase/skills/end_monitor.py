@@ -58,6 +58,7 @@ class EndMonitor:
         position_m, force_N (3,) and orientation_wxyz (4,) as measured, phase of the primitive.
         """
         at_m = position_m - self.shift_m
+        beyond_m = _beyond_contact(self.skill, at_m)
         change = force_N - self.start_force_N
         beyond = float(change.dot(change)) > self.skill.force_limit_N**2
         done = progress(self.skill.primitive, phase)
@@ -65,39 +66,38 @@ class EndMonitor:
             self,
             time_s=self.time_s + h,
             beyond_s=self.beyond_s + h if beyond else 0.0,
-            **self._got_on(at_m, min(done, 1.0), h),
-            **self._taken_in(at_m, force_N, done, h),
+            **self._got_on(beyond_m, min(done, 1.0), h),
+            **self._taken_in(beyond_m, force_N, done, h),
         )
-        return following, following._outcome(at_m, orientation_wxyz, done)
+        return following, following._outcome(at_m, beyond_m, orientation_wxyz, done)
 
-    def _got_on(self, at_m: Array, fraction: float, h: float) -> dict[str, Any]:
+    def _got_on(self, beyond_m: float, fraction: float, h: float) -> dict[str, Any]:
         """The fields that say since when nothing has been gained."""
-        beyond_m = _beyond_contact(self.skill, at_m)
         gained = beyond_m >= self.beyond_m + PROGRESS_M
         if gained or fraction >= self.fraction + PROGRESS_FRACTION:
             furthest = max(beyond_m, self.beyond_m)
             return {"stalled_s": 0.0, "fraction": fraction, "beyond_m": furthest}
         return {"stalled_s": self.stalled_s + h}
 
-    def _taken_in(self, at_m: Array, force_N: Array, done: float, h: float) -> dict[str, Any]:
+    def _taken_in(self, beyond_m: float, force_N: Array, done: float, h: float) -> dict[str, Any]:
         """The fields that a force changes in a skill that ends at a contact."""
         end, arming = self.skill.end_condition, self.skill.arming
         if not isinstance(end, ContactEnd) or arming is None:
             return {}
         along = _along(force_N, end.direction)
-        if not (self.armed or _is_near(self.skill, arming, at_m, done)):
+        if not (self.armed or _is_near(self.skill, arming, beyond_m, done)):
             following = min(h / arming.level_s, 1.0)
             return {"level_N": self.level_N + following * (along - self.level_N)}
         over = along - self.level_N > end.threshold_N
         return {"armed": True, "over_s": self.over_s + h if over else 0.0}
 
-    def _outcome(self, at_m: Array, wxyz: Array, done: float) -> Outcome | None:
+    def _outcome(self, at_m: Array, beyond_m: float, wxyz: Array, done: float) -> Outcome | None:
         debounce_s = self.skill.debounce_s
         if _lasts(self.over_s, debounce_s):
             return "contact"
         if _lasts(self.beyond_s, debounce_s):
             return "unexpected contact"
-        if _beyond_contact(self.skill, at_m) > self.skill.travel_limit_m:
+        if beyond_m > self.skill.travel_limit_m:
             return "too far"
         if _is_reached(self.skill, at_m, wxyz, done):
             return "reached"
@@ -135,10 +135,10 @@ def _along(vector: Array, direction: tuple[float, float, float]) -> float:
     return a * x + b * y + c * z
 
 
-def _is_near(skill: Skill, arming: Arming, at_m: Array, done: float) -> bool:
+def _is_near(skill: Skill, arming: Arming, beyond_m: float, done: float) -> bool:
     if done * skill.primitive.duration_s < arming.after_s - 1e-6:
         return False
-    return _beyond_contact(skill, at_m) >= -arming.within_m
+    return beyond_m >= -arming.within_m
 
 
 def _is_reached(skill: Skill, at_m: Array, wxyz: Array, done: float) -> bool:

@@ -152,10 +152,10 @@ def scale_and_hold(primitive: Primitive, displacement: Array) -> tuple[Array, Ar
 
 def forcing(primitive: Primitive, phase: Array, scale: Array, hold: Array) -> Array:
     """Forcing term f (..., 6) at phases (...)."""
-    return joined(forces(primitive, phase, scale, hold))
+    return joined(forces(primitive, phase, components(scale), components(hold)))
 
 
-def forces(primitive: Primitive, phase: Array, scale: Array, hold: Array) -> Components:
+def forces(primitive: Primitive, phase: Array, scale: Components, hold: Components) -> Components:
     """The same by component."""
     # Written for one phase at a time: normalising seven sums is cheaper than all basis functions.
     psi = np.subtract.outer(phase, primitive.centres)
@@ -163,7 +163,7 @@ def forces(primitive: Primitive, phase: Array, scale: Array, hold: Array) -> Com
     psi *= primitive.falloff
     *shape, total = components(np.exp(psi, psi).dot(primitive.summing_weights))
     x, share = number(phase), 1.0 / (total + _TINY)
-    parts = zip(shape, components(scale), components(hold), strict=True)
+    parts = zip(shape, scale, hold, strict=True)
     return [x * (share * w * s - b) for w, s, b in parts]
 
 

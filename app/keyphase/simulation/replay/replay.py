@@ -8,7 +8,7 @@ from itertools import count
 
 from numpy.typing import ArrayLike
 
-from keyphase.demonstration import Demonstration
+from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import SimulationError
 from keyphase.simulation.impedance import Reference
 from keyphase.simulation.replay.hand import Hand
@@ -100,9 +100,10 @@ class Replay:
         self._hand.act()
         run = self._executor.run
         self.simulation.be_at(self._moment(), None if run is None else run.skill.demonstrated_s)
-        sample = self.simulation.step(_followed(reference))
+        followed = _followed(reference)
+        sample = self.simulation.step(followed)
         self._course.watch(self.simulation)
-        self._note(sample, reference)
+        self._note(sample, followed, reference.acceleration)
         self._executor.step(self._sensed(sample), waits=self._hand.is_on)
         return self.state
 
@@ -148,7 +149,7 @@ class Replay:
             return end_s + min(executor.in_stage_s, PRESSED_S[0])
         return min(run.moment_s, end_s + LATEST_S)
 
-    def _note(self, sample: Sample, reference: coupling.Reference) -> None:
+    def _note(self, sample: Sample, followed: Reference, acceleration: Array) -> None:
         """Keep the tick that the executor's present stage and skill asked for."""
         executor, run = self._executor, self._executor.run
         if len(self.states) % _FRAME_TICKS == 0:
@@ -161,8 +162,8 @@ class Replay:
                 fraction=1.0 if run is None else min(run.fraction, 1.0),
                 demonstrated_s=None if run is None else run.demonstrated_s,
                 sample=sample,
-                reference=_followed(reference),
-                acceleration=reference.acceleration,
+                reference=followed,
+                acceleration=acceleration,
                 held=self._hand.is_on,
             )
         )
