@@ -36,10 +36,15 @@ def gains_for(demonstration: Demonstration) -> SkillGains:
     The reference stays within 10 mm of the tool, so that K caps what can be pressed: with 2 kN/m
     at 20 N. The damping grows with the root of K.
     """
-    if demonstration.force_N is None:
-        return SkillGains()
-    size = np.linalg.norm(demonstration.force_N - free_force(demonstration), axis=1)
     least, most = STIFFNESS_N_M
-    peak = float(np.quantile(size, _PEAK))
-    stiffness = min(max(SPARE * peak / REFERENCE_REACH[0], least), most)
+    wanted = SPARE * demonstrated_peak(demonstration) / REFERENCE_REACH[0]
+    stiffness = min(max(wanted, least), most)
     return SkillGains(stiffness, _DAMPING_NS_M * sqrt(stiffness / least))
+
+
+def demonstrated_peak(demonstration: Demonstration) -> float:
+    """The largest force that was demonstrated, its level in free space aside [N]."""
+    if demonstration.force_N is None:
+        return 0.0
+    size = np.linalg.norm(demonstration.force_N - free_force(demonstration), axis=1)
+    return float(np.quantile(size, _PEAK))

@@ -17,7 +17,7 @@ from keyphase.simulation.recorded.reaching import Pose
 from keyphase.simulation.recorded.robot_arm import robot_arm
 from keyphase.simulation.recorded.surfaces import Surface, surfaces_of
 from keyphase.simulation.recorded.world import RecordedWorld
-from keyphase.skills.coupling import REFERENCE_REACH
+from keyphase.skills.gains import demonstrated_peak, gains_for
 
 NAME = "recording"
 
@@ -25,8 +25,6 @@ WITHIN_M = 0.005
 """A replay that strays further than this from the recorded path has not repeated it."""
 
 _WINDOW_S = 0.6
-_STIFFEST_N_M = 8000.0
-_RESERVE = 1.5
 _POSES = 12
 
 
@@ -65,16 +63,15 @@ class RecordedCell:
 
     @cached_property
     def gains(self) -> Gains:
-        """Stiff enough to press as the demonstration did with the reference 10 mm away."""
-        peak = float(np.percentile(np.linalg.norm(self.even.force_N, axis=1), 99.5))
-        usual = Gains()
-        wanted = _RESERVE * peak / REFERENCE_REACH[0]
-        stiffness = min(max(wanted, usual.stiffness_N_m), _STIFFEST_N_M)
+        """Those of the skills, and no bound on what the demonstration pressed."""
+        of_skills, usual = gains_for(self.demonstration), Gains()
         return replace(
             usual,
-            stiffness_N_m=stiffness,
-            damping_Ns_m=usual.damping_Ns_m * sqrt(stiffness / usual.stiffness_N_m),
-            greatest_force_N=max(usual.greatest_force_N, 2.0 * peak),
+            stiffness_N_m=of_skills.stiffness_N_m,
+            damping_Ns_m=of_skills.damping_Ns_m,
+            greatest_force_N=max(
+                usual.greatest_force_N, 2.0 * demonstrated_peak(self.demonstration)
+            ),
         )
 
     def _some_poses(self) -> list[Pose]:
