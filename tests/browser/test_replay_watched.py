@@ -94,7 +94,7 @@ def test_trials_tell_how_far_they_are_and_can_be_cancelled(page: KeyphasePage) -
     button(page, "Cancel").click()
     expect(page.panel.get_by_text("Cancelled.")).to_be_visible(timeout=30_000)
     expect(button(page, "Cancel")).to_be_hidden()
-    assert page.page.locator("dialog.trials").count() == 0
+    assert page.page.locator("dialog.picture").count() == 0
 
 
 def test_skills_and_force_are_named_in_the_scene_and_outcomes_told_in_the_panel(
