@@ -22,7 +22,7 @@ ABOVE_PATH = -0.05
 lower, since the parts lie there."""
 
 _ELEVATION_RAD = 0.42
-_ROOM = 1.15
+_ROOM = 1.35
 _ROOM_WITH_ROBOT = 1.4
 """How much more than what is looked at is seen; with a robot the parts around it, too."""
 
