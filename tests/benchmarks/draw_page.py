@@ -28,6 +28,9 @@ SMALL = (1280, 720)
 WAIT_S = 120.0
 REAL = ("lund_yumi", "hiro_snap_assembly", "lasa_peeling")
 
+_PARTS_SHOWN = """() => Object.keys(window.__viserMutable?.nodeRefFromName ?? {})
+  .some(name => name.startsWith("/parts/"))"""
+
 Take = Callable[[str], None]
 
 
@@ -89,7 +92,7 @@ def _explained(server: PageServer, page: KeyphasePage, take: Take, theme: str) -
     row = page.row("boundaries")
     page.page.mouse.move(page.x(contact["time_s"]), row.y + row.height / 2)
     page.page.locator("#why").wait_for()
-    _at_rest(server, page)
+    _with_parts(server, page)
     take(f"page_{theme}")
     page.page.evaluate("() => keyphase.actions.undo()")
     page.until("keyphase.state.document.edits === 0")
@@ -99,7 +102,7 @@ def _pressing(server: PageServer, page: KeyphasePage, take: Take) -> None:
     """The robot where the parts meet."""
     contact = next(b for b in page.document["boundaries"] if b["contact_change"])
     page.page.evaluate("time => keyphase.actions.seek(time)", contact["time_s"])
-    _at_rest(server, page)
+    _with_parts(server, page)
     take("page_robot_light")
 
 
@@ -127,6 +130,12 @@ def _at_rest(server: PageServer, page: KeyphasePage) -> None:
     assert server.scenes.wait_until_drawn(WAIT_S)
     page.wait_for_scene()
     page.settle()
+
+
+def _with_parts(server: PageServer, page: KeyphasePage) -> None:
+    """The parts of the recording's workcell come after the robot."""
+    page.scene.wait_for_function(_PARTS_SHOWN, polling=200)
+    _at_rest(server, page)
 
 
 def _some(real: Path, copies: Path) -> Path:

@@ -17,14 +17,14 @@ BESIDE_ROBOT_RAD = -0.75
 WITH_ROBOT_M = 0.34
 """With a robot so much is seen at least."""
 
-ABOVE_PATH = -0.05
+ABOVE_PATH = -0.03
 """With a robot the picture's middle lies so much higher than the path's, as a share of its size;
 lower, since the parts lie there."""
 
 _ELEVATION_RAD = 0.42
 _ROOM = 1.35
-_ROOM_WITH_ROBOT = 1.4
-"""How much more than what is looked at is seen; with a robot the parts around it, too."""
+_ROOM_WITH_ROBOT = 1.15
+"""How much more than what is looked at is seen; a robot's view has room around the path anyway."""
 
 
 @dataclass(frozen=True, eq=False)
