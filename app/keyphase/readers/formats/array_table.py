@@ -59,9 +59,13 @@ class ArrayTable:
             )
         return tuple(found)
 
-    @cached_property
+    @property
     def names(self) -> tuple[str, ...]:
         """The names of all columns of numbers, then those of text."""
+        return self._names
+
+    @cached_property
+    def _names(self) -> tuple[str, ...]:
         return (*(shown for shown, _, _ in self._columns), *self.texts)
 
     @property

@@ -115,5 +115,6 @@ def _control_rate(episodes: Any) -> float | None:
         rate = json.loads(raw)["env_kwargs"]["control_freq"] if raw is not None else None
     except (ValueError, KeyError, TypeError, RecursionError):
         return None
-    usable = isinstance(rate, int | float) and not isinstance(rate, bool) and 0 < rate < 1e6
-    return float(rate) if usable else None
+    if not isinstance(rate, int | float) or isinstance(rate, bool) or not 0 < rate < 1e6:
+        return None
+    return float(rate)

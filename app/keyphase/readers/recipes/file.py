@@ -6,7 +6,7 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeGuard
 
 from keyphase.errors import RecipeError
 from keyphase.files.reading import read_regular
@@ -89,16 +89,21 @@ def _named(several: Any, name: str) -> list[tuple[str, dict[str, Any]]]:
     """Each [[demonstration]] by its name, without it."""
     found: dict[str, dict[str, Any]] = {}
     for one in several if isinstance(several, list) else [None]:
-        part = one.get("name") if isinstance(one, dict) else None
-        plain = isinstance(part, str) and 0 < len(part) <= 100 and part.isprintable()
-        if not plain or part in found or set(part) & set("#/\\"):
+        own = dict(one) if isinstance(one, dict) else {}
+        part = own.pop("name", None)
+        if not _is_plain(part) or part in found:
             raise RecipeError(
                 f"{name}: each [[demonstration]] needs a name of its own, without # and /; add it."
             )
-        found[part] = {key: value for key, value in one.items() if key != "name"}
+        found[part] = own
     if not 0 < len(found) <= _MAX_PARTS:
         raise RecipeError(f"{name}: expected 1 to {_MAX_PARTS} of [[demonstration]].")
     return list(found.items())
+
+
+def _is_plain(name: object) -> TypeGuard[str]:
+    short = isinstance(name, str) and 0 < len(name) <= 100
+    return short and name.isprintable() and not set(name) & set("#/\\")
 
 
 def _one(values: Mapping[str, Any], name: str) -> Recipe:

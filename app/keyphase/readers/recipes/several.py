@@ -31,7 +31,7 @@ def recipe_of_part(recipe: Recipe, part: str | None, file: str) -> Recipe:
                 f"#{part[:80]}."
             )
         return recipe
-    if part not in recipe.parts:
+    if part is None or part not in recipe.parts:
         raise _unknown(file, part, recipe.parts)
     return recipe.parts[part]
 

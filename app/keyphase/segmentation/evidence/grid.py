@@ -66,7 +66,7 @@ def _even_times(motion: Motion) -> tuple[Array, Array, float]:
     step = max(BIN_S, motion.step_s)
     steps = np.minimum(np.diff(motion.time_s), max(MAX_GAP_S, 3.0 * step))
     even = np.concatenate([[0.0], np.cumsum(steps)])
-    return even, step * np.arange(int(even[-1] / step + 1e-6) + 1), step
+    return even, step * np.arange(int(even[-1] / step + 1e-6) + 1, dtype=np.float64), step
 
 
 def _at(cells: Array, times: Array, values: Array) -> Array:

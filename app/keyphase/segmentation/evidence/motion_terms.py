@@ -165,7 +165,7 @@ class _Valleys:
                 (dwell < REST_S) * float(self.grid.wrench is None),
                 np.zeros(len(early)),
             ]
-        )
+        ).astype(np.float64)
 
 
 def _stops(grid: Grid, speed: Speed, coarse: _Valleys) -> Indices:
@@ -199,7 +199,7 @@ def _inside_a_stop(cell: Array, stops: Indices, rate_hz: float) -> np.ndarray:
 
 
 def _edge_rows(
-    early: Array, late: Array, dwell: Array, terms: Array, use: np.ndarray, long_s: float
+    early: Indices, late: Indices, dwell: Array, terms: Array, use: np.ndarray, long_s: float
 ) -> Array:
     """Two rows where a valley is long, else one in its middle: cell, interval, rest, terms."""
     long, short = use & (dwell > long_s), use & (dwell <= long_s)
@@ -214,10 +214,10 @@ def _edge_rows(
         np.column_stack([cell[u], first[u], last[u], dwell[u] >= REST_S, terms[u]])
         for cell, first, last, u in parts
     ]
-    return np.vstack(rows)
+    return np.vstack(rows).astype(np.float64)
 
 
-def _crowding(at: Array, crowd: Indices, rate_hz: float) -> Array:
+def _crowding(at: Indices, crowd: Indices, rate_hz: float) -> Array:
     """Log of how many valleys lie within a second: a swing has many, a phase has not."""
     low = np.searchsorted(crowd, at - rate_hz)
     high = np.searchsorted(crowd, at + rate_hz, side="right")

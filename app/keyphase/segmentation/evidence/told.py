@@ -92,7 +92,10 @@ class Told:
 
     def candidates(self, selection: Selection) -> tuple[Candidate, ...]:
         """The likeliest candidates of both kinds in time order, given or not."""
-        codes = {"contact": selection.contact.tolist(), "motion": selection.motion.tolist()}
+        codes: dict[CandidateKind, list[int]] = {
+            "contact": selection.contact.tolist(),
+            "motion": selection.motion.tolist(),
+        }
         keys = [(kind, index, codes[kind][index]) for _, kind, index in self._told]
         known = self._known
         return tuple([known.get(key) or self._candidate(*key) for key in keys])
@@ -139,7 +142,7 @@ class Told:
             ("contact", scores.contact, self._evidence.contact_s),
             ("motion", scores.motion, self._evidence.motion_s),
         )
-        worth = [
+        worth: list[tuple[float, float, CandidateKind, int]] = [
             (float(score), float(times[index]), kind, index)
             for kind, values, times in sides
             for index, score in enumerate(values.tolist())

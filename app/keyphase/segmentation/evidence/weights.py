@@ -131,8 +131,10 @@ def _short(values: Array) -> list[float]:
 
 def _line(content: Mapping[str, Any]) -> Line:
     terms = content["terms"]
-    columns = [[term[key] for term in terms.values()] for key in ("mean", "scale", "weight")]
-    return Line(tuple(terms), *map(np.array, columns), content["bias"])
+    mean, scale, weight = (
+        np.array([term[key] for term in terms.values()]) for key in ("mean", "scale", "weight")
+    )
+    return Line(tuple(terms), mean, scale, weight, content["bias"])
 
 
 @lru_cache(maxsize=1)

@@ -1,3 +1,5 @@
+# MuJoCo tells no types.
+# pyright: reportAttributeAccessIssue=false
 """A free tool body on keyphase's Cartesian impedance, without a robot."""
 
 from dataclasses import dataclass

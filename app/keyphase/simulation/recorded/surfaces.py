@@ -8,6 +8,7 @@ With n = F/|F|, f = |F| and stiffness k the unloaded surface lies at p = x + n f
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.recorded_force import RATE_HZ, Even, running_mean
@@ -103,7 +104,7 @@ def contact_spans(force_N: Array) -> list[tuple[int, int]]:
     return [(first, last) for first, last in spans if last - first > MIN_DURATION_S * RATE_HZ]
 
 
-def _with_hysteresis(size: Array, on: float, off: float) -> Array:
+def _with_hysteresis(size: Array, on: float, off: float) -> NDArray[np.bool_]:
     """True from above `on` until below `off`."""
     marks = np.where(size > on, 1, np.where(size < off, -1, 0))
     last = np.maximum.accumulate(np.where(marks != 0, np.arange(len(marks)), 0))

@@ -188,8 +188,8 @@ def run_trial(
     )
 
 
-def _drawn(worlds: Worlds, seed: np.random.SeedSequence) -> World:
-    random = np.random.default_rng(seed)
+def _drawn(worlds: Worlds, drawn_from: np.random.SeedSequence) -> World:
+    random = np.random.default_rng(drawn_from)
     disturbance = Disturbance(
         part_height_m=worlds.part_height_m.drawn(random),
         part_offset_m=(worlds.part_offset_m.drawn(random), worlds.part_offset_m.drawn(random)),

@@ -1,12 +1,8 @@
 """The course of a task: what has to happen in a workcell, in which order, and whether it did."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
-from keyphase.simulation.simulation import Simulation
-
-if TYPE_CHECKING:
-    from keyphase.simulation.workcells.workcell import Workcell
+from keyphase.simulation.simulated import Cell, Simulated
 
 ASKED_EVERY = 5
 """Events are asked for every so many ticks (20 ms): they last, or they are none."""
@@ -19,12 +15,12 @@ class Course:
     before it: a cap pushed to the wall before it was snapped on has not been brought there.
     """
 
-    def __init__(self, cell: "Workcell") -> None:
+    def __init__(self, cell: Cell) -> None:
         self._cell = cell
         self._happened: dict[str, int] = {}
         self._ticks = 0
 
-    def watch(self, simulation: Simulation) -> None:
+    def watch(self, simulation: Simulated) -> None:
         """Take in the newest tick."""
         self._ticks += 1
         if self._ticks % ASKED_EVERY:
@@ -33,7 +29,7 @@ class Course:
             if event.name not in self._happened and event.holds(simulation):
                 self._happened[event.name] = self._ticks
 
-    def checks(self, simulation: Simulation) -> Mapping[str, bool]:
+    def checks(self, simulation: Simulated) -> Mapping[str, bool]:
         """Every goal of the workcell by name: its events in their order, then what holds now."""
         return {**self._in_order(), **self._cell.checks(simulation)}
 

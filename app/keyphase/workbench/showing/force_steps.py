@@ -10,17 +10,18 @@ _NEAR_S = 0.1
 
 def force_step(boundary: LabeledBoundary, labeling: Labeling) -> tuple[float, float, float] | None:
     """The change of force (3,) [N] at a contact change; None where there is none to show."""
-    if not boundary.contact_change or boundary.automatic is None:
+    found = boundary.automatic
+    if not boundary.contact_change or found is None:
         return None
-    if boundary.automatic.peak is not None:
-        return boundary.automatic.peak.force_step_N
+    if found.peak is not None:
+        return found.peak.force_step_N
     given = [
         one
         for one in labeling.segmentation.candidates
         if one.given and one.force_step_N is not None
     ]
-    nearest = min(given, key=lambda one: abs(one.time_s - boundary.automatic.time_s), default=None)
-    low, high = boundary.automatic.interval_s
+    nearest = min(given, key=lambda one: abs(one.time_s - found.time_s), default=None)
+    low, high = found.interval_s
     if nearest is None or not low - _NEAR_S <= nearest.time_s <= high + _NEAR_S:
         return None
     return nearest.force_step_N

@@ -51,8 +51,10 @@ def merged(below: Mapping[str, Any], above: Mapping[str, Any]) -> dict[str, Any]
     for key, value in above.items():
         under = out.get(key)
         whole = isinstance(value, dict) and not {"columns", "column", "rate_hz"}.isdisjoint(value)
-        both = isinstance(under, dict) and isinstance(value, dict)
-        out[key] = {**under, **value} if both and not whole else value
+        if isinstance(under, dict) and isinstance(value, dict) and not whole:
+            out[key] = {**under, **value}
+        else:
+            out[key] = value
     return out
 
 

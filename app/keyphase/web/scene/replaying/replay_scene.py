@@ -8,6 +8,7 @@ import viser
 
 from keyphase.demonstration import Array
 from keyphase.simulation.replay.result import ReplayState
+from keyphase.simulation.simulation import Simulation
 from keyphase.web.scene.figures.force_arrow import ForceArrow
 from keyphase.web.scene.figures.part_figures import PartFigures
 from keyphase.web.scene.page_robot import PageRobot
@@ -97,7 +98,8 @@ class ReplayScene:
             self._yumi.take()
             self._shown = put_up(self._client, running)
             simulation = running.run.replay.simulation
-            self._yumi.pose(np.array(simulation.posture_rad))
+            if isinstance(simulation, Simulation):
+                self._yumi.pose(simulation.posture_rad)
             self._stage.cover(middle_of(running), SEEN_M, running)
             self._tool_m = simulation.here().position_m
             self._show_gizmo()
