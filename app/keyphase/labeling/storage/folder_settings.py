@@ -20,7 +20,9 @@ from keyphase.segmentation.parameters import Parameters
 FILE_NAME = "folder.json"
 
 _LIMIT_BYTES = 16 * 1024**2
-_PATIENCE_S = 10.0
+_PATIENCE_S = 30.0
+_ASK_EVERY_S = 0.01
+"""Often, so that of two who write again and again neither waits for long."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +60,8 @@ def change_folder_settings(
     """
     folder = state_folder(recordings)
     try:
-        with FileLock(folder.path / f"{FILE_NAME}.lock", timeout=_PATIENCE_S):
+        path = folder.path / f"{FILE_NAME}.lock"
+        with FileLock(path, timeout=_PATIENCE_S, poll_interval=_ASK_EVERY_S):
             return _changed(folder, change)
     except Timeout as error:
         raise JournalError(

@@ -13,7 +13,7 @@ from keyphase.labeling.label import label
 from keyphase.labeling.labeling import LabeledSegment, Labeling
 from keyphase.labeling.spreading import Change, preview
 from keyphase.labeling.storage.journal import Journal
-from keyphase.segmentation import Parameters, Segmenter
+from keyphase.segmentation import Parameters, Segmentation, Segmenter
 from keyphase.workbench.desks.desk_state import Cause, DeskState
 from keyphase.workbench.desks.folder import Folder
 from keyphase.workbench.recordings import Recording, State
@@ -46,6 +46,7 @@ class OpenRecording:
         self.journal = journal
         self._segmenter = Segmenter(self.demonstration)
         self._saved_at: datetime | None = None
+        self._found: tuple[Parameters, Segmentation] | None = None
         self._folder_kept: str | None = None
         self._compared: Document | None = None
         self._now: Labeling | None = None
@@ -245,8 +246,14 @@ class OpenRecording:
             self.folder.learn(name, segment.color)
             self.recolor()
 
+    def _segmentation_under(self, parameters: Parameters) -> Segmentation:
+        """Edits change no parameter: what was found is kept until one changes, once for all."""
+        if self._found is None or self._found[0] != parameters:
+            self._found = parameters, self._segmenter.segment(parameters)
+        return self._found[1]
+
     def _labeling_under(self, parameters: Parameters) -> Labeling:
-        segmentation = self._segmenter.segment(parameters)
+        segmentation = self._segmentation_under(parameters)
         labeling = label(segmentation, self.document.edits, self._segmenter.segment_between)
         return self.folder.colored(labeling)
 
