@@ -81,6 +81,13 @@ def test_nothing_is_taken_over_what_was_done_meanwhile(labeled: Path, tmp_path: 
             journal.take_over(journal.elsewhere)
 
 
+def test_a_copy_is_offered_nothing_while_the_labeled_one_is_there(labeled: Path) -> None:
+    copy = labeled.with_name("copy.npz")
+    shutil.copy(labeled, copy)
+    with Journal(demonstration(path=copy)) as journal:
+        assert journal.elsewhere is None
+
+
 def test_another_recording_of_that_name_is_not_meant(labeled: Path, tmp_path: Path) -> None:
     other = tmp_path / "monday" / "other.npz"
     other.write_bytes(b"other bytes")

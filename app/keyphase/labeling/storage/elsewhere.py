@@ -1,6 +1,7 @@
 """What was done to a recording under another name or in another folder, found by its hash.
 
-It is offered, never assumed: whoever renamed a file wants its labels, whoever copied it may not.
+It is offered, never assumed, and only where the recording is gone from where it was labeled:
+whoever renamed a file wants its labels, whoever copied it may not.
 """
 
 import contextlib
@@ -10,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from keyphase.errors import KeyphaseError
+from keyphase.files.parts import split_part
 from keyphase.files.reading import read_regular
 from keyphase.labeling.finished import is_done
 from keyphase.labeling.storage.readings import Reading, read_journal
@@ -89,7 +91,7 @@ def remember_folder(recordings: Path) -> None:
 def _about(recording: Path, sha256: str, own: Path) -> Iterator[Reading]:
     """Journals with steps that are about these bytes; a damaged one is passed over."""
     left, known = MAX_LOOKED_AT_BYTES, sha256.encode()
-    for path in _journals(recording.parent):
+    for path, folder in _journals(recording.parent):
         if path == own:
             continue
         with contextlib.suppress(KeyphaseError, OSError, ValueError):
@@ -98,20 +100,24 @@ def _about(recording: Path, sha256: str, own: Path) -> Iterator[Reading]:
             if known not in data:
                 continue
             reading = read_journal(path)
-            if reading.state.sha256 == sha256 and reading.state.history.steps:
+            is_about = reading.state.sha256 == sha256 and reading.state.history.steps
+            # Of a copy the labels stay with what was copied.
+            labeled, _ = split_part(folder / _name(reading))
+            if is_about and not os.path.lexists(labeled):
                 yield reading
         if left <= 0:
             return
 
 
-def _journals(folder: Path) -> Iterator[Path]:
-    for each in dict.fromkeys(_places(folder)):
+def _journals(folder: Path) -> Iterator[tuple[Path, Path]]:
+    """Journals, each with the folder its recording was in."""
+    for state, recordings in dict.fromkeys(_places(folder)):
         with contextlib.suppress(OSError):
-            yield from sorted(each.glob("*.journal"))
+            yield from ((path, recordings) for path in sorted(state.glob("*.journal")))
 
 
-def _places(folder: Path) -> Iterator[Path]:
-    """State folders, the likeliest first."""
+def _places(folder: Path) -> Iterator[tuple[Path, Path]]:
+    """State folders with their folders of recordings, the likeliest first."""
     yield from _of(folder)
     yield from _of(folder.parent)
     for around in (folder, folder.parent):
@@ -123,9 +129,9 @@ def _places(folder: Path) -> Iterator[Path]:
         yield from _of(Path(known))
 
 
-def _of(folder: Path) -> tuple[Path, Path]:
+def _of(folder: Path) -> tuple[tuple[Path, Path], ...]:
     state = state_folder(folder, create=False)
-    return state.path, state.other
+    return (state.path, folder), (state.other, folder)
 
 
 def _folders(path: Path) -> list[str]:
