@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 PICTURES := tests/pictures
 SOURCES := app tests examples
 
-.PHONY: demo quick test check bench compare wheel clean browser page-scripts
+.PHONY: demo quick test check bench compare wheel clean browser page-scripts protocol
 
 # The environment and the browser are installed at the same time.
 MAKEFLAGS += --jobs=2
@@ -29,6 +29,10 @@ test: $(VENV)/ready-to-test browser page-scripts
 
 browser:
 	sh tests/ensure_chromium.sh
+
+# The page's types and docs/protocol.md, made of the structs of the protocol.
+protocol: $(VENV)/ready-to-test
+	PYTHONPATH=app $(BIN)/python tests/web/write_protocol.py
 
 # The page's scripts are read as they are written; Node checks them and is not needed to run them.
 page-scripts: node_modules/ready

@@ -25,7 +25,6 @@ def comparison_message(state: DeskState, other: str | None) -> ComparisonMessage
         only_first_s=tuple(map(float, result.only_first_s)),
         only_second_s=tuple(map(float, result.only_second_s)),
         f1=float(result.f1),
-        covering=float(result.covering),
         same_label=float(result.same_label),
         timing_s=found.timing_s,
     )

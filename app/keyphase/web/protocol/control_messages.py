@@ -8,7 +8,9 @@ from msgspec import Struct
 from keyphase.simulation.recorded.cell import RecordedCell
 from keyphase.simulation.workcells.registry import workcell, workcell_names
 from keyphase.workbench.leading.status import LeadThroughStatus
+from keyphase.workbench.replaying.margin import MarginRun
 from keyphase.workbench.replaying.settings import RANGES, EndBy, ReplaySettings
+from keyphase.workbench.replaying.trials import TrialsRun
 
 FULL_FORCE_N = 20.0
 """The force at which the bar beside a recording is full."""
@@ -49,7 +51,6 @@ class ReplaySettingsMessage(Struct, frozen=True, tag_field="type", tag="replay_s
     sensor_noise: float
     end_by: EndBy
     speed: float
-    seed: int
     choices: tuple[WorkcellChoice, ...]
     ends: tuple[str, ...]
     ranges: dict[str, tuple[float, float]]
@@ -64,9 +65,8 @@ class PushMessage(Struct, frozen=True, tag_field="type", tag="push"):
 class TrialsMessage(Struct, frozen=True, tag_field="type", tag="trials_run"):
     """Trials on the way, or what came of them.
 
-    outcome    in one line, once they are over
-    svg        their picture; null on the way, and where they were cancelled
-    succeeded  in how many worlds the plan did; null likewise
+    outcome  in one line, once they are over
+    svg      their picture; null on the way, and where they were cancelled
     """
 
     count: int
@@ -75,7 +75,6 @@ class TrialsMessage(Struct, frozen=True, tag_field="type", tag="trials_run"):
     title: str = ""
     outcome: str | None = None
     svg: str | None = None
-    succeeded: int | None = None
 
 
 class MarginMessage(Struct, frozen=True, tag_field="type", tag="margin_run"):
@@ -117,6 +116,20 @@ def record_message(status: LeadThroughStatus) -> RecordMessage:
     )
 
 
+def trials_message(trials: TrialsRun) -> TrialsMessage:
+    """How trials stand."""
+    return TrialsMessage(
+        trials.count, trials.done, trials.over, trials.title, trials.outcome, trials.svg
+    )
+
+
+def margin_message(margin: MarginRun) -> MarginMessage:
+    """How a margin stands."""
+    return MarginMessage(
+        margin.count, margin.done, margin.over, margin.title, margin.outcome, margin.svg
+    )
+
+
 def replay_settings_message(settings: ReplaySettings) -> ReplaySettingsMessage:
     """What was chosen for the next replay."""
     return ReplaySettingsMessage(
@@ -127,7 +140,6 @@ def replay_settings_message(settings: ReplaySettings) -> ReplaySettingsMessage:
         sensor_noise=settings.sensor_noise,
         end_by=settings.end_by,
         speed=settings.speed,
-        seed=settings.seed,
         choices=world_choices(),
         ends=get_args(EndBy),
         ranges=dict(RANGES),

@@ -5,11 +5,8 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import asdict
 
-import msgspec
-
-from keyphase import __version__
 from keyphase.errors import FileInTheWayError, KeyphaseError, RequestError
-from keyphase.segmentation.parameters import RANGES, Parameters
+from keyphase.segmentation.parameters import Parameters
 from keyphase.web.protocol import list_messages as say
 from keyphase.web.protocol import requests as ask
 from keyphase.web.protocol.dispatch import do
@@ -64,7 +61,7 @@ class Conversation:
             request = ask.parse(message)
         except KeyphaseError as error:
             kind, event = ask.about(message)
-            self.send(say.Refused(kind, None, None, event, str(error)))
+            self.send(say.Refused(kind, None, event, str(error)))
             return
         try:
             if self._looking and not isinstance(request, ask.LOOKING_REQUESTS):
@@ -85,10 +82,8 @@ class Conversation:
             say.Refused(
                 request=str(request.__struct_config__.tag),
                 recording=about.recording if about else None,
-                revision=about.revision if about else None,
                 event=about.event if about else None,
                 text=text,
-                edit=msgspec.to_builtins(request.edit) if isinstance(request, ask.Edit) else None,
             )
         )
 
@@ -167,9 +162,7 @@ class Conversation:
 
 def _hello(page: str, looking: bool) -> say.Hello:
     return say.Hello(
-        version=__version__,
         client=page,
         read_only=looking,
-        ranges=dict(RANGES),
         defaults=asdict(Parameters()),
     )

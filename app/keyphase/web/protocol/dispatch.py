@@ -11,10 +11,10 @@ from keyphase.errors import RequestError
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web.protocol import requests as ask
 from keyphase.web.protocol.comparison_content import comparison_message
+from keyphase.web.protocol.signals_frame import signals_frame
 from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.desks.parameters import with_parameter
-from keyphase.workbench.showing.signals import signals_frame
 from keyphase.workbench.uploads import copy_of_shipped
 
 if TYPE_CHECKING:
@@ -113,16 +113,7 @@ def _spread(page: "Conversation", desk: Desk, request: ask.Spread) -> None:
 
 
 def _send_signals(page: "Conversation", desk: Desk, request: ask.Signals) -> None:
-    frame = signals_frame(
-        _state(desk).tracks,
-        request=request.request,
-        recording=request.recording,
-        names=request.tracks,
-        from_s=request.from_s,
-        to_s=request.to_s,
-        width=request.width,
-    )
-    page.send(frame)
+    page.send(signals_frame(_state(desk).tracks, request))
 
 
 def _state(desk: Desk) -> DeskState:

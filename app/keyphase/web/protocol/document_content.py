@@ -9,7 +9,7 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.labeling.labeling import LabeledBoundary, LabeledSegment, Labeling, PlanEntry
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
-from keyphase.segmentation.segmentation import Peak
+from keyphase.segmentation.segmentation import Candidate, Peak, Reason
 from keyphase.web.protocol import document_messages as say
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.recordings import printable
@@ -24,6 +24,9 @@ from keyphase.workbench.showing.thresholds import (
 
 CONNECTING_MM = 1.0
 """A plan entry that starts nearer than this to where the last one ended needs no connection."""
+
+MOST_REASONS = 4
+"""So many reasons of a boundary are told."""
 
 _AXES = ("x", "y", "z")
 
@@ -52,20 +55,11 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         automatic_threshold=automatic_threshold(segmentation),
         motion_threshold=segmentation.motion_threshold,
         automatic_motion_threshold=automatic_motion_threshold(segmentation),
-        unlike=float(segmentation.unlike),
         boundaries=boundaries_of(labeling),
         segments=_segments(labeling),
         peaks=tuple(map(_peak, segmentation.peaks)),
-        gaussians=tuple(
-            say.GaussianMessage(one.weight, one.mean_time_s, one.sigma_time_s)
-            for one in segmentation.gaussians
-        ),
-        candidates=tuple(
-            say.CandidateMessage(
-                one.time_s, one.kind, float(one.probability), one.given, one.why_not
-            )
-            for one in segmentation.candidates
-        ),
+        gaussians=len(segmentation.gaussians),
+        candidates=tuple(map(_candidate, segmentation.candidates)),
         plan=plan_of(labeling),
         proposed_drops=tuple(labeling.proposed_drops),
         inapplicable=tuple(labeling.inapplicable),
@@ -140,15 +134,19 @@ def _why(boundary: LabeledBoundary, threshold: float | None, meeting: Meeting) -
     peak = found.peak if found else None
     return say.Why(
         sentences=tuple(sentences(boundary, threshold, meeting)),
-        reasons=tuple(
-            say.ReasonMessage(reason.sentence, float(reason.contribution))
-            for reason in (found.reasons if found else ())
-        ),
+        reasons=_reasons(found.reasons if found else ()),
         height=peak.height if peak else None,
         times_threshold=peak.height / threshold if peak and threshold else None,
         position_s=found.position_s if found else None,
         steps=_steps(peak),
     )
+
+
+@lru_cache(maxsize=8192)
+def _reasons(reasons: tuple[Reason, ...]) -> tuple[say.ReasonMessage, ...]:
+    """Those that weigh most, either way; the rest would not be read."""
+    weighty = sorted(reasons, key=lambda one: -abs(one.contribution))[:MOST_REASONS]
+    return tuple(say.ReasonMessage(one.name, float(one.contribution)) for one in weighty)
 
 
 @lru_cache(maxsize=8192)
@@ -176,17 +174,10 @@ def _at_m(demonstration: Demonstration, times_s: Sequence[float]) -> list[say.Po
 def _segments(labeling: Labeling) -> tuple[say.SegmentMessage, ...]:
     demonstration = labeling.segmentation.demonstration
     middles_m = _at_m(demonstration, [segment.middle_s for segment in labeling.segments])
-    details = _details(labeling)
-    return tuple(map(_segment, labeling.segments, middles_m, details))
+    return tuple(map(_segment, labeling.segments, middles_m))
 
 
-def _details(labeling: Labeling) -> list[str]:
-    """How far or how strong each segment is, where it is one that the program found."""
-    found = {(s.start_s, s.end_s): s.measure for s in labeling.segmentation.segments}
-    return [found.get((s.start_s, s.end_s), "") for s in labeling.segments]
-
-
-def _segment(segment: LabeledSegment, middle_m: say.Point, detail: str) -> say.SegmentMessage:
+def _segment(segment: LabeledSegment, middle_m: say.Point) -> say.SegmentMessage:
     return say.SegmentMessage(
         start_s=segment.start_s,
         end_s=segment.end_s,
@@ -197,7 +188,6 @@ def _segment(segment: LabeledSegment, middle_m: say.Point, detail: str) -> say.S
         color=segment.color,
         end_condition=_end_condition(segment.end_condition),
         short=short_labels(segment.label),
-        detail=detail,
         middle_m=middle_m,
     )
 
@@ -218,6 +208,12 @@ def _end_condition(condition: EndCondition) -> say.EndConditionMessage:
         position_tolerance_m=condition.position_tolerance_m,
         rotation_tolerance_rad=condition.rotation_tolerance_rad,
         timeout_s=condition.timeout_s,
+    )
+
+
+def _candidate(one: Candidate) -> say.CandidateMessage:
+    return say.CandidateMessage(
+        one.time_s, one.kind, float(one.probability), one.given, one.why_not
     )
 
 

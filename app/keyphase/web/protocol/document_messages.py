@@ -6,7 +6,7 @@ from msgspec import UNSET, Struct, UnsetType
 
 from keyphase.labeling.labeling import Inapplicable
 from keyphase.labeling.vocabulary import VocabularyLabel
-from keyphase.segmentation.segmentation import Origin
+from keyphase.segmentation.segmentation import CandidateKind, Origin
 from keyphase.workbench.recordings import State
 
 Point = tuple[float, float, float]
@@ -29,14 +29,14 @@ class StepMessage(Struct, frozen=True):
 
 
 class ReasonMessage(Struct, frozen=True):
-    """One term of a boundary's probability: in words, and what it adds to the log-odds."""
+    """One term of a boundary's probability: what it says, and what it adds to the log-odds."""
 
-    sentence: str
+    name: str
     contribution: float
 
 
 class Why(Struct, frozen=True):
-    """Why a boundary is where it is, in words and figures; the strongest reason first."""
+    """Why a boundary is where it is, in words and figures; the few strongest reasons."""
 
     sentences: tuple[str, ...]
     reasons: tuple[ReasonMessage, ...]
@@ -89,7 +89,6 @@ class SegmentMessage(Struct, frozen=True):
     proposed  its name is not accepted yet
     color     number of its colour
     short     the label, shorter, shortest
-    detail    how far, how much or how strong; "" where nobody knows
     middle_m  where the tool was in its middle
     """
 
@@ -102,7 +101,6 @@ class SegmentMessage(Struct, frozen=True):
     color: int
     end_condition: EndConditionMessage
     short: tuple[str, str, str]
-    detail: str
     middle_m: Point
 
 
@@ -119,18 +117,10 @@ class CandidateMessage(Struct, frozen=True):
     """A place where a boundary could be; `why_not` says what would let it in."""
 
     time_s: float
-    kind: str
+    kind: CandidateKind
     probability: float
     given: bool
     why_not: str
-
-
-class GaussianMessage(Struct, frozen=True):
-    """One component of the mixture over time."""
-
-    weight: float
-    mean_time_s: float
-    sigma_time_s: float
 
 
 class PlanEntryMessage(Struct, frozen=True):
@@ -162,7 +152,7 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     folder        name of the folder it lies in
     notices       what was done on reading, and what journal and folder say
     threshold     the force threshold in force; null without force
-    unlike        over 0.2: unlike anything the weights were fitted on
+    gaussians     how many the movement is described by; none without a mixture
     candidates    where boundaries could be, and what became of each
     greatest_step_N  the change of force that the longest arrow of the scene stands for
     locked        why nothing can be changed; null where it can
@@ -190,11 +180,10 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     automatic_threshold: float | None
     motion_threshold: float | None
     automatic_motion_threshold: float | None
-    unlike: float
     boundaries: tuple[BoundaryMessage, ...]
     segments: tuple[SegmentMessage, ...]
     peaks: tuple[PeakMessage, ...]
-    gaussians: tuple[GaussianMessage, ...]
+    gaussians: int
     candidates: tuple[CandidateMessage, ...]
     plan: tuple[PlanEntryMessage, ...]
     proposed_drops: tuple[int, ...]

@@ -7,27 +7,22 @@ from msgspec import UNSET, Struct, UnsetType, field
 from keyphase.workbench.exporting.beside import InTheWay
 from keyphase.workbench.recording_list import Listing
 from keyphase.workbench.recordings import Recording, State, folder_name, printable
-from keyphase.workbench.showing.doubts import UNSURE_BELOW, Piece
+from keyphase.workbench.showing.doubts import Piece
 from keyphase.workbench.spread import Spread, SpreadItem
 
 
 class Hello(Struct, frozen=True, tag_field="type", tag="hello"):
     """What a page is told first.
 
-    client        its id, as in the cause of a document
-    read_only     it may only look
-    ranges        least and greatest value of each number among the parameters
-    defaults      the parameters as they are where nobody chose any
-    unsure_below  a boundary counts as unsure below this confidence
-    command       how the server is started again; null where that is not known
+    client     its id, as in the cause of a document
+    read_only  it may only look
+    defaults   the parameters as they are where nobody chose any
+    command    how the server is started again; null where that is not known
     """
 
-    version: str
     client: str
     read_only: bool
-    ranges: dict[str, tuple[float, float]]
     defaults: dict[str, Any]
-    unsure_below: float = UNSURE_BELOW
     command: str | None = None
 
 
@@ -90,21 +85,18 @@ class Notice(Struct, frozen=True, tag_field="type", tag="notice"):
 
 
 class Refused(Struct, frozen=True, tag_field="type", tag="refused"):
-    """A request that was not done, and why; `edit` gives an edit back that was not made."""
+    """A request that was not done, and why; its type, recording and event where it has them."""
 
     request: str
     recording: str | None
-    revision: int | None
     event: int | None
     text: str
-    edit: dict[str, Any] | None = None
 
 
 class Saved(Struct, frozen=True, tag_field="type", tag="saved"):
     """A file was written."""
 
     path: str
-    kind: str
 
 
 class InTheWayMessage(Struct, frozen=True, tag_field="type", tag="in_the_way"):
@@ -156,7 +148,6 @@ class SpreadLine(Struct, frozen=True):
 
     id: str
     name: str
-    state: State
     error: str | None
     comes_s: tuple[float, ...] | UnsetType = UNSET
     goes_s: tuple[float, ...] | UnsetType = UNSET
@@ -194,7 +185,6 @@ class ComparisonMessage(Struct, frozen=True, tag_field="type", tag="comparison")
     only_first_s: tuple[float, ...] = ()
     only_second_s: tuple[float, ...] = ()
     f1: float | None = None
-    covering: float | None = None
     same_label: float | None = None
     timing_s: float | None = None
 
@@ -235,11 +225,10 @@ def _line(recording: Recording, pages: tuple[PageThere, ...]) -> RecordingLine:
 def _spread_line(item: SpreadItem) -> SpreadLine:
     recording, change = item.recording, item.change
     if change is None:
-        return SpreadLine(recording.id, recording.name, recording.state, item.error)
+        return SpreadLine(recording.id, recording.name, item.error)
     return SpreadLine(
         recording.id,
         recording.name,
-        recording.state,
         None,
         tuple(map(float, change.comes_s)),
         tuple(map(float, change.goes_s)),

@@ -47,13 +47,11 @@ class ForceArrowMessage(Struct, frozen=True):
 class SkillMessage(Struct, frozen=True):
     """One skill of a replay.
 
-    entry           index in the plan; null in a connecting move
     middle_m        where it is named
     demonstrated_s  (from, to) in the recording
     met_s           when a contact was met
     """
 
-    entry: int | None
     segment: int | None
     color: int | None
     label: str
@@ -82,9 +80,7 @@ class ReplayMessage(Struct, frozen=True, tag_field="type", tag="replay"):
 
     run: int
     phase: Phase
-    recording: str
     name: str
-    workcell: str
     words: str
     world: str
     goal: str
@@ -97,13 +93,10 @@ class ReplayMessage(Struct, frozen=True, tag_field="type", tag="replay"):
     skills: tuple[SkillMessage, ...]
     outcome: str | None
     succeeded: bool | None
-    stopped: bool | None
 
 
-class ReplayClosed(Struct, frozen=True, tag_field="type", tag="replay"):
+class ReplayClosed(Struct, frozen=True, tag_field="type", tag="replay_closed"):
     """The replay is shown no more."""
-
-    phase: None = None
 
 
 class ReplaySamples(Struct, frozen=True, tag_field="type", tag="replay_samples"):
@@ -129,9 +122,7 @@ def replay_message(running: Running) -> ReplayMessage:
     return ReplayMessage(
         run=running.number,
         phase=run.phase,
-        recording=running.opened.recording.id,
         name=running.opened.recording.name,
-        workcell=settings.workcell,
         words=settings.in_words(),
         world=settings.world(),
         goal=f"Success when {' and '.join(running.goals)}",
@@ -147,7 +138,6 @@ def replay_message(running: Running) -> ReplayMessage:
         ),
         outcome=None if result is None else result.outcome(),
         succeeded=None if result is None else result.succeeded,
-        stopped=None if result is None else result.stopped,
     )
 
 
@@ -213,7 +203,6 @@ def _skill(
     contact = skill.end_condition if isinstance(skill.end_condition, ContactEnd) else None
     way_m = np.linalg.norm(skill.end_position_m - skill.primitive.start_position_m)
     return SkillMessage(
-        entry=one.entry,
         segment=one.segment,
         color=one.color,
         label=skill.label,

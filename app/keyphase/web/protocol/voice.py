@@ -3,18 +3,17 @@
 import threading
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import asdict
 from pathlib import Path
 from typing import Protocol
 
 import msgspec
-from msgspec import Struct
 
 from keyphase.simulation.part_shapes import Shape
 from keyphase.web.protocol import control_messages as controls
 from keyphase.web.protocol import document_messages as documents
 from keyphase.web.protocol import list_messages as lists
 from keyphase.web.protocol.document_content import document_message, ghosts
+from keyphase.web.protocol.messages import Message
 from keyphase.web.protocol.replay_messages import ReplayClosed, Streamed, replay_message
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.exporting.beside import InTheWay
@@ -41,7 +40,7 @@ TOLD_EVERY_S = 0.1
 class Send(Protocol):
     """Sends a message to one page, from any thread; `may_drop` where a newer one will follow."""
 
-    def __call__(self, message: Struct | bytes, may_drop: bool = False) -> None:
+    def __call__(self, message: Message | bytes, may_drop: bool = False) -> None:
         """Send it."""
         ...
 
@@ -105,11 +104,11 @@ class Voice(Watcher):
 
     def show_trials(self, trials: TrialsRun) -> None:
         """Trials on the way, or over."""
-        self._send(controls.TrialsMessage(**asdict(trials)))
+        self._send(controls.trials_message(trials))
 
     def show_margin(self, margin: MarginRun) -> None:
         """A margin on the way, or over."""
-        self._send(controls.MarginMessage(**asdict(margin)))
+        self._send(controls.margin_message(margin))
 
     # -- a replay
 
@@ -166,9 +165,9 @@ class Voice(Watcher):
         """What is known of a look at the folder."""
         self._send(lists.spread_message(spread))
 
-    def show_saved(self, path: Path, kind: str) -> None:
+    def show_saved(self, path: Path, kind: str) -> None:  # noqa: ARG002
         """A file was written."""
-        self._send(lists.Saved(printable(str(path)), kind))
+        self._send(lists.Saved(printable(str(path))))
 
     def show_in_the_way(self, recording: str, kind: str, files: Sequence[InTheWay]) -> None:
         """Files that were not replaced."""

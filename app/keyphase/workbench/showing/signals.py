@@ -1,8 +1,6 @@
 """The curves of the timeline: computed once per recording, decimated for the range in view."""
 
-import json
-import struct
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
@@ -127,42 +125,3 @@ def rotation_from_start_deg(demonstration: Demonstration) -> Array:
     """(N, 3) rotation vector from the first sample, base frame, however far it turns [deg]."""
     assert demonstration.orientation_wxyz is not None
     return np.rad2deg(from_first(demonstration.orientation_wxyz))
-
-
-def signals_frame(
-    tracks: SignalTracks,
-    *,
-    request: int,
-    recording: str,
-    names: Sequence[str],
-    from_s: float,
-    to_s: float,
-    width: int,
-) -> bytes:
-    """The binary frame of docs/protocol.md for some tracks in a range `width` pixels wide."""
-    header_tracks: list[dict[str, object]] = []
-    arrays: list[bytes] = []
-    for name in names:
-        series = []
-        for curve in tracks.track(name):
-            time, values = curve.decimated(from_s, to_s, POINTS_PER_PIXEL * width)
-            series.append({"key": curve.key, "rows": len(time), "scale": curve.scale})
-            arrays += [time.tobytes(), values.tobytes()]
-        if series:
-            header_tracks.append({"name": name, "series": series})
-    header = {
-        "type": "signals",
-        "request": request,
-        "id": recording,
-        "from_s": from_s,
-        "to_s": to_s,
-        "tracks": header_tracks,
-    }
-    return _with_header(header, arrays)
-
-
-def _with_header(header: Mapping[str, object], arrays: Sequence[bytes]) -> bytes:
-    """Length, JSON padded with spaces so that what follows is aligned to 8 bytes, then arrays."""
-    text = json.dumps(header, separators=(",", ":"), allow_nan=False).encode()
-    text += b" " * (-(len(text) + 4) % 8)
-    return b"".join([struct.pack("<I", len(text)), text, *arrays])

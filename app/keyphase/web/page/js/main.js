@@ -79,7 +79,10 @@ const menu = createMenu(store, actions);
 const notices = createNotices(store);
 const playback = createPlayback(store);
 
-/** The overview needs the error or the speed even where their tracks are hidden; so does snapping. */
+/**
+ * The overview needs the error or the speed even where their tracks are hidden; so does snapping.
+ * @param {import("./lib/store.js").State} state
+ */
 function wantedTracks(state) {
   const channels = state.document?.channels ?? [];
   const always = channels.includes("force")

@@ -4,7 +4,6 @@
  */
 
 import { middle, segmentAt } from "../model/segments.js";
-import { isUnsure } from "../model/unsure.js";
 import { SPEEDS } from "../model/playback.js";
 import { createPanelActions } from "./panel_actions.js";
 import { createPlanActions } from "./plan_actions.js";
@@ -19,7 +18,7 @@ const PLAYED = ["playing", "speed", "loop"];
 
 /**
  * @param {import("../lib/store.js").Store} store
- * @param {(message: import("../model/types.js").Message) => boolean} send
+ * @param {import("../model/types.js").Send} send
  * @param {ReturnType<typeof import("../model/latency.js").createLatency>} latency
  * @param {ReturnType<typeof import("../model/own_changes.js").createOwnChanges>} own
  */
@@ -82,9 +81,13 @@ export function createActions(store, send, latency, own) {
     send,
     open: (id) => send({ type: "open", id }),
     exportAs: (kind) => doc() && send({ type: "export", kind }),
-    /** Once more, after files were in the way: "replace" them or "keep both". */
+    /**
+     * Once more, after files were in the way.
+     * @param {import("../messages/list_messages").InTheWayMessage} inTheWay
+     * @param {"replace"|"keep both"} ifThere
+     */
     exportAgain: ({ recording, kind }, ifThere) =>
-      send({ type: "export", recording, kind, if_there: ifThere }),
+      send({ type: "export", recording, kind: /** @type {any} */ (kind), if_there: ifThere }),
 
     seek(time) {
       if (!doc()) return;
@@ -161,10 +164,9 @@ export function createActions(store, send, latency, own) {
     removeBoundary(index = state.current) {
       const boundary = doc()?.boundaries[index];
       if (!boundary || state.readOnly) return;
-      const wasUnsure = isUnsure(boundary);
       store.set({ current: null, explained: null });
       edit({ kind: "remove", time_s: boundary.time_s });
-      if (wasUnsure) actions.nextDoubt();
+      if (boundary.unsure) actions.nextDoubt();
     },
     moveBoundary(from, to) {
       if (Math.abs(to - from) > 1e-6) edit({ kind: "move", from_s: from, to_s: to });

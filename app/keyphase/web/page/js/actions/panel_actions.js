@@ -4,7 +4,7 @@ import { addressOf } from "../model/address.js";
 
 /**
  * @param {import("../lib/store.js").Store} store
- * @param {(message: import("../model/types.js").Message) => boolean} send
+ * @param {import("../model/types.js").Send} send
  */
 export function createPanelActions(store, send) {
   const own = {

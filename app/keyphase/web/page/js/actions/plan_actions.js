@@ -4,7 +4,7 @@ import { middle } from "../model/segments.js";
 
 /**
  * @param {import("../lib/store.js").Store} store
- * @param {{edit: (change: import("../model/pending.js").Edit) => void,
+ * @param {{edit: (change: import("../model/types.js").Edit) => void,
  *   onSegment: (action: (segment: import("../model/types.js").Segment, index: number) => void) => void}} given
  *   makes an edit; does something with the segment that is meant
  */

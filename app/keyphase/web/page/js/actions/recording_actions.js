@@ -6,7 +6,7 @@ import { unsureBoundaries } from "../model/unsure.js";
 
 /**
  * @param {import("../lib/store.js").Store} store
- * @param {(message: import("../model/types.js").Message) => boolean} send
+ * @param {import("../model/types.js").Send} send
  * @param {any} actions those these build on
  */
 export function createRecordingActions(store, send, actions) {

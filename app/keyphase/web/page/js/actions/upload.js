@@ -2,6 +2,11 @@
 
 import { byId, el, icon } from "../lib/dom.js";
 
+/**
+ * What the server says of a file.
+ * @typedef {Extract<import("../model/types.js").Message, {type: "uploaded"|`upload_${string}`}>} UploadMessage
+ */
+
 const PIECE_BYTES = 256 * 1024;
 /** No more than this waits in the browser, so that a large file does not fill its memory. */
 const WAITING_BYTES = 4 * PIECE_BYTES;
@@ -28,8 +33,9 @@ export function createUpload(store, socket, actions) {
   const waiting = [];
   let sending = false;
   let cancelled = false;
-  /** @type {(message: import("../model/types.js").Message) => void} */
+  /** @type {(message: UploadMessage) => void} */
   let hear = () => {};
+  /** @returns {Promise<UploadMessage>} */
   const answer = () => new Promise((resolve) => (hear = resolve));
 
   input.addEventListener("change", () => {
@@ -71,22 +77,27 @@ export function createUpload(store, socket, actions) {
     sending = true;
     for (let file = waiting.shift(); file; file = waiting.shift()) {
       store.set({ sending: { name: file.name, fraction: 0, more: waiting.length } });
-      const { type, text, name, compares } = await send(file);
-      if (type === "upload_refused") store.set({ notice: { level: "warning", text } });
-      if (type === "upload_cancelled")
-        store.set({ notice: { level: "info", text: `${file.name} was not added.` } });
-      if (compares) actions.compare(name);
+      tell(file, await send(file));
     }
     sending = cancelled = false;
     store.set({ sending: null });
   }
 
-  /** Sends one file and waits for what the server says to it. */
+  /** @param {File} file @param {UploadMessage} answer */
+  function tell(file, answer) {
+    if (answer.type === "upload_refused")
+      store.set({ notice: { level: "warning", text: answer.text } });
+    if (answer.type === "upload_cancelled")
+      store.set({ notice: { level: "info", text: `${answer.name} was not added.` } });
+    if (answer.type === "uploaded" && answer.compares) actions.compare(answer.name);
+  }
+
+  /** Sends one file and waits for what the server says to it. @param {File} file @returns {Promise<UploadMessage>} */
   async function send(file) {
-    const lost = {
+    const lost = /** @type {const} */ ({
       type: "upload_refused",
       text: `The connection broke while ${file.name} was sent; drop it again.`,
-    };
+    });
     const first = answer();
     if (!socket.send({ type: "upload", name: file.name, size: file.size })) return lost;
     const greeting = await first;
@@ -99,7 +110,7 @@ export function createUpload(store, socket, actions) {
       if (isOver || cancelled) break;
       if (!socket.sendPiece(piece)) return lost;
       store.set({
-        sending: { name: file.name, fraction: at / file.size, more: waiting.length },
+        sending: { name: greeting.name, fraction: at / file.size, more: waiting.length },
       });
     }
     return last;
@@ -129,7 +140,10 @@ export function createUpload(store, socket, actions) {
   };
 }
 
-/** What is being sent, how far it is, and how to stop that; below the list of recordings. */
+/**
+ * What is being sent, how far it is, and how to stop that; below the list of recordings.
+ * @param {import("../lib/store.js").Store} store
+ */
 function createSending(store, cancel) {
   const name = el("span", { class: "queue-name" });
   const share = el("span", { class: "quiet" });

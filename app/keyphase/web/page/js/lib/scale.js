@@ -21,7 +21,10 @@ export function createScale({ from, to }, width) {
   };
 }
 
-/** The shortest stretch one can zoom into: four samples. */
+/**
+ * The shortest stretch one can zoom into: four samples.
+ * @param {import("../model/types.js").Doc} doc
+ */
 function shortest(doc) {
   return Math.min(doc.end_s - doc.start_s, Math.max(4 / doc.rate_hz, 1e-4));
 }
@@ -43,6 +46,7 @@ export function clampView(from, to, doc) {
 /**
  * Zooms by `factor` (above one: closer) and keeps `anchor` where it is on the screen.
  * @param {import("../model/types.js").View} view
+ * @param {import("../model/types.js").Doc} doc
  */
 export function zoomView(view, factor, anchor, doc) {
   const span = Math.max((view.to - view.from) / factor, shortest(doc));

@@ -3,7 +3,8 @@
  * back by itself after it broke.
  *
  * @typedef {import("../model/types.js").Message} Message
- * @typedef {{send: (message: Message) => boolean, sendPiece: (piece: ArrayBuffer) => boolean,
+ * @typedef {import("../model/types.js").Request} Request
+ * @typedef {{send: (message: Request) => boolean, sendPiece: (piece: ArrayBuffer) => boolean,
  *   roomFor: (most: number) => Promise<void>, drop: () => void}} Socket
  */
 

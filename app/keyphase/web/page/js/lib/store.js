@@ -74,6 +74,7 @@ export function createStore(initial) {
   };
 }
 
+/** @param {State} state */
 function tell(listeners, names, state) {
   for (const { names: wanted, draw } of listeners) {
     if (wanted.some((name) => names.includes(name))) draw(state);

@@ -1,5 +1,6 @@
 /** Requests about a document name the recording and the revision they are made on. */
 
+/** @type {Set<import("./types.js").Request["type"]>} */
 const ABOUT = new Set([
   "edit",
   "set",
@@ -18,13 +19,17 @@ const ABOUT = new Set([
 ]);
 
 /**
- * @param {import("./types.js").Message} message
+ * @param {import("./types.js").Asked} message
  * @param {import("./types.js").Doc|null} doc
- * @returns {import("./types.js").Message}
+ * @returns {import("./types.js").Request}
  */
 export function aboutDocument(message, doc) {
-  if (!doc) return message;
-  if (message.type === "signals") return { recording: doc.id, ...message };
-  if (!ABOUT.has(message.type)) return message;
-  return { recording: doc.id, revision: doc.revision, ...message };
+  const place = doc && placeFor(message.type, doc);
+  return /** @type {import("./types.js").Request} */ (place ? { ...place, ...message } : message);
+}
+
+/** @param {import("./types.js").Request["type"]} type @param {import("./types.js").Doc} doc */
+function placeFor(type, { id, revision }) {
+  if (type === "signals") return { recording: id };
+  return ABOUT.has(type) ? { recording: id, revision } : null;
 }

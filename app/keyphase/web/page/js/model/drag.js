@@ -1,7 +1,7 @@
 /** What the document looks like while a boundary is being dragged, before the server knows. */
 
 /**
- * @typedef {{boundary: number, time: number, snapped: string}} Drag
+ * @typedef {{boundary: number, time: number, snapped: string, x: number, y: number}} Drag
  * @param {import("./types.js").Doc} doc
  * @param {Drag|null} drag
  * @returns {import("./types.js").Doc}

@@ -16,9 +16,11 @@ export function shortName(label) {
 /**
  * From the full label to its first word; at last only the segment's number remains, which is not
  * in this list. What a person wrote is cut, never put in other words.
- * @param {import("./types.js").Segment} segment
+ * @param {import("./types.js").Segment|import("./types.js").Skill} named
  */
-export function formsOf({ label, short, proposed }) {
-  const others = proposed ? [withoutMeasure(label), shortName(label), ...(short ?? [])] : [];
-  return [...new Set([label, ...others, ...(short?.slice(-1) ?? [])])];
+export function formsOf(named) {
+  const { label, short } = named;
+  const proposed = "proposed" in named && named.proposed;
+  const others = proposed ? [withoutMeasure(label), shortName(label), ...short] : [];
+  return [...new Set([label, ...others, ...short.slice(-1)])];
 }

@@ -13,7 +13,7 @@ const SCENE_WAIT_MS = 3000;
 
 /**
  * @param {import("../lib/store.js").Store} store
- * @param {(message: import("./types.js").Message) => boolean} send
+ * @param {import("./types.js").Send} send
  * @param {() => number|undefined} sceneFrames how many frames the 3D scene has drawn
  */
 export function createLatency(store, send, sceneFrames) {

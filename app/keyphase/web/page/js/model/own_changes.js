@@ -34,7 +34,7 @@ export function createOwnChanges(store) {
   }
 
   return {
-    /** The person made an edit. @param {number} event @param {import("./pending.js").Edit} edit */
+    /** The person made an edit. @param {number} event @param {import("./types.js").Edit} edit */
     edited: (event, edit) => show([...state.pending, { event, edit }]),
     /** The person moved a parameter, and holds it still or has let it go. */
     moved(event, name, value, held) {

@@ -208,14 +208,19 @@ const COURSES = {
  */
 export function automaticValue(doc, defaults, name) {
   if (name === "force_threshold") return doc.automatic_threshold;
-  if (name === "motion_threshold") return doc.automatic_motion_threshold ?? null;
+  if (name === "motion_threshold") return doc.automatic_motion_threshold;
   return defaults[name] ?? null;
 }
 
-/** What is in force: as it is being held, as it was set, or as it was found. */
+/**
+ * What is in force: as it is being held, as it was set, or as it was found.
+ * @param {import("./types.js").Doc} doc
+ * @param {Object<string, *>} held
+ * @param {string} name
+ */
 export function valueInForce(doc, held, name) {
   if (name in held) return held[name] ?? automaticValue(doc, {}, name);
   if (name === "force_threshold") return doc.threshold;
-  if (name === "motion_threshold") return doc.motion_threshold ?? null;
+  if (name === "motion_threshold") return doc.motion_threshold;
   return doc.parameters[name] ?? null;
 }

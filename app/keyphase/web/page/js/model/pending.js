@@ -4,7 +4,7 @@
  *
  * @typedef {import("./types.js").Doc} Doc
  * @typedef {import("./types.js").Segment} Segment
- * @typedef {{kind: string} & Object<string, *>} Edit  as in docs/protocol.md
+ * @typedef {import("./types.js").Edit} Edit
  * @typedef {{event: number, edit: Edit}} Pending
  */
 
@@ -19,7 +19,10 @@ const SAME_S = 1e-6;
  */
 export function withPending(doc, pending) {
   if (!doc) return doc;
-  return pending.reduce((shown, { edit }) => DRAWN[edit.kind]?.(shown, edit) ?? shown, doc);
+  return pending.reduce((shown, { edit }) => {
+    const draw = /** @type {(doc: Doc, edit: Edit) => Doc|null} */ (DRAWN[edit.kind]);
+    return draw?.(shown, edit) ?? shown;
+  }, doc);
 }
 
 /**
@@ -31,7 +34,10 @@ export function stillPending(pending, event) {
   return pending.filter((one) => one.event > event);
 }
 
-/** How each kind of edit looks before the server knows of it. @type {Object<string, (doc: Doc, edit: Edit) => Doc|null>} */
+/**
+ * How each kind of edit looks before the server knows of it.
+ * @type {{[E in Edit as E["kind"]]?: (doc: Doc, edit: E) => Doc|null}}
+ */
 const DRAWN = {
   move(doc, { from_s: from, to_s: to }) {
     const index = boundaryAt(doc, from);
@@ -41,6 +47,7 @@ const DRAWN = {
       ...moved,
       time_s: to,
       was_s: moved.was_s ?? moved.time_s,
+      unsure: false,
       origin: /** @type {const} */ ("user"),
     });
     const segments = doc.segments
@@ -71,9 +78,9 @@ const DRAWN = {
     return inside ? without(doc, first, inside) : null;
   },
   label: (doc, { time_s: time, label }) =>
-    withSegment(doc, time, { label, short: [label], proposed: false }),
+    withSegment(doc, time, { label, short: [label, label, label], proposed: false }),
   keep: (doc, { time_s: time, kept }) => withSegment(doc, time, { kept }),
-  accept: (doc, { time_s: time }) => withBoundary(doc, time, { accepted: true }),
+  accept: (doc, { time_s: time }) => withBoundary(doc, time, { accepted: true, unsure: false }),
   contact: (doc, { time_s: time, contact_change: contact }) =>
     withBoundary(doc, time, { contact_change: contact }),
   drop_idle: (doc) => ({
@@ -130,7 +137,10 @@ function withBoundary(doc, time, change) {
     : null;
 }
 
-/** Without so many boundaries from `first` on; the segments they parted are one. */
+/**
+ * Without so many boundaries from `first` on; the segments they parted are one.
+ * @param {import("./types.js").Doc} doc
+ */
 function without(doc, first, count) {
   const joined = { ...doc.segments[first], end_s: doc.segments[first + count].end_s };
   const boundaries = doc.boundaries.toSpliced(first, count);
@@ -159,9 +169,18 @@ function placed(time) {
     interval_s: [time, time],
     confidence: 1,
     contact_change: false,
+    change: "",
     was_s: null,
     accepted: true,
+    unsure: false,
     at_m: null,
-    why: { sentences: [], height: null, times_threshold: null, position_s: null, steps: [] },
+    why: {
+      sentences: [],
+      reasons: [],
+      height: null,
+      times_threshold: null,
+      position_s: null,
+      steps: [],
+    },
   };
 }

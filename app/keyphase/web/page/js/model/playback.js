@@ -29,7 +29,10 @@ export function createPlayback(store) {
   };
 }
 
-/** Turns the page when the playhead leaves the view. */
+/**
+ * Turns the page when the playhead leaves the view.
+ * @param {import("../lib/store.js").Store} store
+ */
 function follow(store, clock) {
   const { view, document: doc } = store.state;
   if (!view || (clock >= view.from && clock <= view.to)) return;

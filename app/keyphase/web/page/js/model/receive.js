@@ -12,8 +12,10 @@ export function createReceiver(
 ) {
   const { state } = store;
   let client = "";
+  /** @type {Map<number, import("../messages/list_messages").TaskMessage>} */
   const tasks = new Map();
 
+  /** @type {{[M in import("./types.js").Message as M["type"]]?: (message: M) => void}} */
   const hear = {
     hello(message) {
       client = message.client;
@@ -21,8 +23,8 @@ export function createReceiver(
         greeted: true,
         lookingOnly: message.read_only,
         readOnly: message.read_only,
-        defaults: message.defaults ?? {},
-        command: message.command ?? null,
+        defaults: message.defaults,
+        command: message.command,
       });
       tasks.clear();
     },
@@ -30,7 +32,7 @@ export function createReceiver(
       store.set({ recordings: message });
       if (!message.items.length) own.closed();
     },
-    record: (message) => store.set({ record: message, workcell: message.workcell !== null }),
+    record: (message) => store.set({ record: message }),
     replay_settings: (message) => store.set({ replaySettings: message }),
     robot: (message) => store.set({ robot: message }),
     following: (message) => store.set({ following: message.page }),
@@ -71,7 +73,7 @@ export function createReceiver(
     selection: (message) => store.set({ selected: message.segment }),
     task(message) {
       if (message.done) tasks.delete(message.id);
-      else tasks.set(message.id, { ...message, what: message.name });
+      else tasks.set(message.id, message);
       store.set({ progress: [...tasks.values()].at(-1) ?? null });
     },
     nothing: () => own.closed(),
@@ -82,14 +84,17 @@ export function createReceiver(
       upload().heard(message);
       notices.show({ level: "info", text: `${message.name} has arrived.` });
     },
-    comparison: (message) => store.set({ comparison: message }),
+    comparison(message) {
+      if (message.recording === state.recording) store.set({ comparison: message });
+    },
     spread: (message) => store.set({ spread: state.lookingOnly ? null : message }),
-    replay: (message) => replay.replay(message),
+    replay: (message) => store.set({ replay: message }),
+    replay_closed: () => store.set({ replay: null, samples: null, replayView: null }),
     replay_samples: (message) => replay.samples(message),
     refused(message) {
       store.set({ saving: false });
       own.refused(message.event);
-      notices.show({ level: "warning", text: message.text });
+      notices.show({ level: "warning", text: refusalText(state, message) });
     },
     notice(message) {
       store.set({ saving: false });
@@ -103,10 +108,13 @@ export function createReceiver(
     },
   };
 
-  return (message) => hear[message.type]?.(message);
+  return (message) => /** @type {(message: any) => void} */ (hear[message.type])?.(message);
 }
 
-/** What belongs to one recording only and begins anew with another. */
+/**
+ * What belongs to one recording only and begins anew with another.
+ * @param {import("./types.js").Doc} doc
+ */
 function fresh(doc) {
   return {
     view: { from: doc.start_s, to: doc.end_s },
@@ -125,4 +133,15 @@ function fresh(doc) {
     comparison: null,
     spread: null,
   };
+}
+
+/**
+ * Why something was not done; where that is not seen on the page, also with what recording.
+ * @param {import("../lib/store.js").State} state
+ * @param {import("../messages/list_messages").Refused} refused
+ */
+function refusalText({ recording, recordings }, { recording: about, text }) {
+  if (about === null || about === recording) return text;
+  const name = recordings.items.find(({ id }) => id === about)?.name;
+  return name ? `${name}: ${text}` : text;
 }

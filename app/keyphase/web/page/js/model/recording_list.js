@@ -5,8 +5,8 @@
  * @typedef {import("./types.js").Recording} Recording
  */
 
-/** Confidence below which a recording asks for a look. */
-export const LOOK_BELOW = 0.7;
+/** Whether a recording asks for a look. @param {Recording} item */
+export const asksForALook = ({ unsure, state }) => unsure > 0 && state !== "done";
 
 /** So much of a common beginning is worth cutting, and so much of it stays. */
 const WORTH_CUTTING = 8;
@@ -27,6 +27,7 @@ export function shownRecordings({ recordings, leastCertainFirst, filter }) {
 /**
  * The recording so many rows below the one that is open (above, for negative), among those shown.
  * @returns {Recording|undefined}
+ * @param {import("../lib/store.js").State} state
  */
 export function recordingBeside(state, direction) {
   const shown = shownRecordings(state);
@@ -35,7 +36,10 @@ export function recordingBeside(state, direction) {
   return shown[at + direction];
 }
 
-/** The next one, in the order shown and then from its start, that nobody has finished. */
+/**
+ * The next one, in the order shown and then from its start, that nobody has finished.
+ * @param {import("../lib/store.js").State} state
+ */
 export function nextUndone(state) {
   const shown = shownRecordings(state);
   const at = shown.findIndex(({ id }) => id === state.recording);

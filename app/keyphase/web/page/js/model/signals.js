@@ -17,13 +17,16 @@ const LENS_TRACKS = ["force", "error", "speed"];
  */
 export function parseSignals(frame) {
   const length = new DataView(frame).getUint32(0, true);
+  /** @type {import("../messages/signals_frame").SignalsHeader} */
   const header = JSON.parse(new TextDecoder().decode(new Uint8Array(frame, 4, length)));
   let offset = 4 + length;
+  /** @param {number} rows */
   const take = (rows) => {
     const values = new Float64Array(frame.slice(offset, offset + 8 * rows));
     offset += 8 * rows;
     return values;
   };
+  /** @type {import("./types.js").Signals["tracks"]} */
   const tracks = new Map();
   for (const { name, series } of header.tracks) {
     const read = series.map(({ key, rows }) => ({ key, times: take(rows), values: take(rows) }));
@@ -35,7 +38,7 @@ export function parseSignals(frame) {
 
 /**
  * @param {import("../lib/store.js").Store} store
- * @param {(message: import("./types.js").Message) => boolean} send
+ * @param {import("./types.js").Send} send
  * @param {() => string[]} tracksShown names of the tracks that need curves
  */
 export function createSignals(store, send, tracksShown) {
@@ -108,6 +111,7 @@ export function createSignals(store, send, tracksShown) {
   };
 }
 
+/** @param {import("./types.js").Doc} doc */
 function isWhole(view, doc) {
   return view.from <= doc.start_s && view.to >= doc.end_s;
 }

@@ -42,7 +42,10 @@ export function nearestEvidence(state, time, reach, own = -1) {
   return found.length && Math.abs(found[0].time - time) <= reach ? found[0] : null;
 }
 
-/** Where the tool is slowest inside a window; null when it is slowest at the window's edge. */
+/**
+ * Where the tool is slowest inside a window; null when it is slowest at the window's edge.
+ * @param {import("../lib/store.js").State} state
+ */
 function speedMinimum(state, from, to) {
   const series = curvesOf(state, "speed")?.series[0];
   if (!series) return null;

@@ -4,35 +4,52 @@ import { firstChoice } from "./rows.js";
 
 /**
  * What the server told
+ * @typedef {import("../messages/list_messages").Recordings} Recordings
+ * @typedef {import("../messages/control_messages").RecordMessage} RecordMessage
+ * @typedef {import("../messages/control_messages").ReplaySettingsMessage} ReplaySettings
+ * @typedef {import("../messages/control_messages").RobotMessage} Robot
+ * @typedef {import("../messages/control_messages").TrialsMessage} Trials
+ * @typedef {import("../messages/list_messages").TaskMessage} Task
+ * @typedef {import("../messages/list_messages").ComparisonMessage} Comparison
+ * @typedef {import("../messages/list_messages").SpreadMessage} Spread
+ * @typedef {import("./types.js").Signals} Signals
+ * @typedef {{level: string, text: string|null, act?: {text: string, run: () => void}}} Notice
  * @typedef {{
  *   connected: boolean|null, greeted: boolean, lookingOnly: boolean, readOnly: boolean,
- *   recordings: {folder: string, current: string|null, items: import("./types.js").Recording[]},
- *   recording: string|null, method: string|null, document: import("./types.js").Doc|null,
- *   labels: {name: string, color: string}[],
- *   ghost: {time_s: number, origin: import("./types.js").Origin, fate: "comes"|"goes"}[],
- *   whole: import("./types.js").Signals|null, fine: import("./types.js").Signals|null,
- *   lens: import("./types.js").Signals|null, playhead: import("./types.js").Playhead,
- *   progress: any, sending: any, notice: ?{level: string, text: string}, comparison: any, spread: any,
- *   replay: any, samples: any, replayShown: boolean, defaults: Object<string, *>,
- *   record: any, replaySettings: any, robot: any, pushOffered: boolean, trials: any, margin: any,
- *   shown: Object<string, boolean>, saved: ?{path: string, recording: string},
- *   inTheWay: ?{recording: string, kind: string, files: {name: string, whose: string}[]},
+ *   recordings: Omit<Recordings, "type">, recording: string|null, method: string|null,
+ *   document: import("./types.js").Doc|null,
+ *   labels: import("../messages/document_messages").VocabularyLabel[],
+ *   ghost: import("../messages/document_messages").Ghost[],
+ *   whole: Signals|null, fine: Signals|null, lens: Signals|null,
+ *   playhead: import("./types.js").Playhead,
+ *   progress: Task|null, sending: ?{name: string, fraction: number, more: number},
+ *   notice: Notice|null, comparison: Comparison|null, spread: Spread|null,
+ *   replay: import("./types.js").Replay|null,
+ *   samples: import("../replay/samples.js").Samples|null, replayShown: boolean,
+ *   defaults: Object<string, *>, record: RecordMessage|null, replaySettings: ReplaySettings|null,
+ *   robot: Robot|null, pushOffered: boolean, trials: Trials|null,
+ *   margin: import("../messages/control_messages").MarginMessage|null,
+ *   shown: Object<string, boolean>, saved: ?{path: string, recording: string|null},
+ *   inTheWay: import("../messages/list_messages").InTheWayMessage|null,
  *   following: string|null, lostAt: Date|null, command: string|null}} Told
  *
  * What a person looks at and holds; `hovered`, `current` and `explained` are numbers of boundaries,
  * `selected` and `renaming` of segments, `candidate` of a candidate, `pointer` and `clock` are times
+ * @typedef {import("./types.js").View} View
  * @typedef {{
- *   view: import("./types.js").View|null, viewBefore: import("./types.js").View|null, clock: number, selected: number|null,
- *   hovered: number|null, candidate: number|null, current: number|null, explained: number|null, pointer: number|null,
- *   drag: any, range: [number, number]|null, planDrag: any, renaming: number|null,
- *   held: Object<string, *>, pending: import("./pending.js").Pending[], tab: string,
- *   drawer: "panel"|"queue"|null,
- *   holding: boolean, saving: boolean, small: boolean,
- *   dark: boolean|null, snap: boolean|null, logarithmic: boolean, leastCertainFirst: boolean, filter: string, firstSteps: boolean,
- *   folded: Set<string>, hidden: Set<string>, replayFolded: Set<string>, replayView: ?import("./types.js").View, plotWidth: number,
- *   paneHeight: number, paneWidth: number, layout: ?import("./rows.js").Layout}} Seen
+ *   view: View|null, viewBefore: View|null, clock: number, selected: number|null,
+ *   hovered: number|null, candidate: number|null, current: number|null, explained: number|null,
+ *   pointer: number|null, drag: import("./drag.js").Drag|null, range: [number, number]|null,
+ *   planDrag: any, renaming: number|null, held: Object<string, *>,
+ *   pending: import("./pending.js").Pending[], tab: string, drawer: "panel"|"queue"|null,
+ *   holding: boolean, saving: boolean, small: boolean, dark: boolean|null, snap: boolean|null,
+ *   logarithmic: boolean, leastCertainFirst: boolean, filter: string,
+ *   firstSteps: boolean,
+ *   folded: Set<string>, hidden: Set<string>, replayFolded: Set<string>, replayView: View|null,
+ *   plotWidth: number, paneHeight: number, paneWidth: number,
+ *   layout: import("./rows.js").Layout|null}} Seen
  *
- * @typedef {Told & Seen & {[name: string]: any}} State
+ * @typedef {Told & Seen} State
  */
 
 /** Before anything was told. @param {boolean} small @returns {State} */

@@ -34,7 +34,11 @@ export function createBanners(store, actions) {
   });
 }
 
-/** The server has stopped, or cannot be reached; the page comes back by itself. */
+/**
+ * The server has stopped, or cannot be reached; the page comes back by itself.
+ * @param {import("../lib/store.js").State} state
+ * @param {any} actions
+ */
 function serverGone({ document: doc, lostAt, command }, actions) {
   const until = doc.saved_at ?? lostAt?.toTimeString().slice(0, 8);
   const text = `keyphase stopped. Everything up to ${until} is saved. Waiting for it to come back.`;
@@ -44,10 +48,10 @@ function serverGone({ document: doc, lostAt, command }, actions) {
   return lost;
 }
 
-/** Whose page this one goes with. */
+/** Whose page this one goes with. @param {import("../lib/store.js").State} state @param {any} actions */
 function followed({ following, recordings }, actions) {
   if (!following) return [];
-  const pages = recordings.items.flatMap((item) => item.pages ?? []);
+  const pages = recordings.items.flatMap((item) => item.pages);
   const name = pages.find(({ id }) => id === following)?.name ?? "another page";
   return [
     line(
@@ -57,6 +61,7 @@ function followed({ following, recordings }, actions) {
   ];
 }
 
+/** @param {import("../model/types.js").Doc} doc @param {boolean} lookingOnly @param {any} actions */
 function toDecide(doc, lookingOnly, actions) {
   const lines = [];
   if (lookingOnly) lines.push(line("This link is for looking: nothing can be changed here."));
@@ -84,7 +89,12 @@ function toDecide(doc, lookingOnly, actions) {
   return lines;
 }
 
-/** Edits whose place is gone under the present parameters. */
+/**
+ * Edits whose place is gone under the present parameters.
+ * @param {import("../model/types.js").Doc} doc
+ * @param {any} actions
+ * @param {number} most
+ */
 function inapplicable({ inapplicable: lost }, actions, most) {
   const more = lost.length - most;
   return lost.slice(0, most).map(({ edit, text }, k) =>

@@ -11,10 +11,10 @@ import { byId, el } from "../lib/dom.js";
 export function createEmpty(store, actions, dialogs) {
   const node = byId("empty");
   store.later(
-    ["document", "recordings", "connected", "progress", "greeted", "workcell"],
-    ({ document: doc, connected, workcell }) => {
+    ["document", "recordings", "connected", "progress", "greeted", "record"],
+    ({ document: doc, connected, record }) => {
       const content =
-        doc || (workcell && connected) ? null : contentFor(store.state, actions, dialogs);
+        doc || (record?.workcell && connected) ? null : contentFor(store.state, actions, dialogs);
       node.hidden = !content;
       byId("timeline").classList.toggle("vacant", !doc);
       node.classList.toggle("bad", Boolean(content?.bad));
@@ -27,7 +27,7 @@ function contentFor({ recordings, connected, progress, greeted, lookingOnly }, a
   const { items } = recordings;
   if (!greeted) return connected ? null : notConnected();
   if (progress && !progress.done)
-    return { nodes: [el("h2", { text: "Opening" }), el("p", { text: progress.what })] };
+    return { nodes: [el("h2", { text: "Opening" }), el("p", { text: progress.name })] };
   if (!items.length) return noRecording(lookingOnly ? [] : firstSteps(actions, dialogs));
   const broken = items.find(({ error }) => error);
   if (broken) return unreadable(broken, items, actions);

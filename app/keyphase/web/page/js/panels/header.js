@@ -50,6 +50,7 @@ function setUndo(button, name, verb, key, readOnly) {
   button.setAttribute("aria-label", what);
 }
 
+/** @param {import("../model/types.js").Doc} doc */
 function facts({ start_s: start, end_s: end, rate_hz: rate, channels }) {
   const hertz =
     rate >= 1000 && rate % 1000 === 0 ? `${rate / 1000} kHz` : `${Number(rate.toPrecision(4))} Hz`;
@@ -58,7 +59,10 @@ function facts({ start_s: start, end_s: end, rate_hz: rate, channels }) {
   return `${lasts} · ${hertz} · ${channels.join(", ")}`;
 }
 
-/** What became of the last edit; never "saved" before the server has said so. */
+/**
+ * What became of the last edit; never "saved" before the server has said so.
+ * @param {import("../lib/store.js").State} state
+ */
 function drawSaved({ document: doc, connected, saving, readOnly }) {
   const node = byId("saved");
   node.className = `saved ${connected ? (saving ? "waiting" : "") : "lost"}`;

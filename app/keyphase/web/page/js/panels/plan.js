@@ -49,6 +49,7 @@ export function createPlan(store, actions) {
   attachDragging(chips, store, actions);
 }
 
+/** @param {import("../model/types.js").Doc} doc */
 function describe(doc, small) {
   const skills = plural(doc.plan.length, "skill");
   const seconds = doc.plan.reduce(
@@ -58,12 +59,16 @@ function describe(doc, small) {
   return small || !doc.plan.length ? skills : `${skills}, about ${seconds.toFixed(1)} s`;
 }
 
+/**
+ * @param {import("../model/types.js").PlanEntry} entry
+ * @param {number} k
+ * @param {import("../model/types.js").Doc} doc
+ * @param {number|null} selected
+ * @param {import("../lib/store.js").State} state
+ */
 function drawChip(entry, k, doc, selected, { small }) {
   const segment = doc.segments[entry.segment];
-  const repeated = doc.plan.slice(0, k).some(({ segment: other }) => other === entry.segment);
-  const times = doc.plan
-    .slice(0, k + 1)
-    .filter(({ segment: other }) => other === entry.segment).length;
+  const repeated = entry.repeat > 0;
   const contact = segment.end_condition.kind === "contact";
   const doubted = segment.end_condition.agrees === false;
   const how = repeated ? "repeated" : howItEnds(segment.end_condition);
@@ -87,7 +92,7 @@ function drawChip(entry, k, doc, selected, { small }) {
       "div",
       { class: "chip-text" },
       el("b", { text: name }),
-      repeated ? el("span", { class: "repeat", text: `×${times}` }) : "",
+      repeated ? el("span", { class: "repeat", text: `×${entry.repeat + 1}` }) : "",
       el(
         "small",
         {},
@@ -99,7 +104,11 @@ function drawChip(entry, k, doc, selected, { small }) {
   );
 }
 
-/** An arrow, or a dashed connecting move where the next skill starts somewhere else. */
+/**
+ * An arrow, or a dashed connecting move where the next skill starts somewhere else.
+ * @param {import("../model/types.js").PlanEntry} entry
+ * @param {any} planDrag
+ */
 function between(entry, planDrag) {
   if (planDrag || entry.connect_mm === null)
     return el("span", { class: "arrow" }, icon("right", "small"));
@@ -112,6 +121,7 @@ function between(entry, planDrag) {
   );
 }
 
+/** @param {import("../model/types.js").Doc} doc */
 function drawDrops(doc, { small, readOnly }, actions) {
   const proposed = doc.proposed_drops;
   if (!proposed.length || readOnly) return [];
@@ -140,7 +150,10 @@ function drawDrops(doc, { small, readOnly }, actions) {
   ];
 }
 
-/** Drag a chip to reorder; with Ctrl it is repeated; dragged out of the strip it is taken out. */
+/**
+ * Drag a chip to reorder; with Ctrl it is repeated; dragged out of the strip it is taken out.
+ * @param {import("../lib/store.js").Store} store
+ */
 function attachDragging(chips, store, actions) {
   chips.addEventListener("pointerdown", (event) => {
     const chip = /** @type {HTMLElement} */ (event.target).closest(".chip");
@@ -173,6 +186,7 @@ function attachDragging(chips, store, actions) {
   });
 }
 
+/** @param {import("../model/types.js").Doc} doc */
 function dropAt(chips, doc, entry, { clientX, clientY, ctrlKey, metaKey }) {
   const repeat = ctrlKey || metaKey;
   const all = doc.plan.map((_, k) => k);

@@ -2,9 +2,15 @@
 
 import { leastCertainOf } from "../actions/recording_actions.js";
 import { byId, el } from "../lib/dom.js";
-import { byFolder, commonBeginning, LOOK_BELOW, shownRecordings } from "../model/recording_list.js";
+import {
+  asksForALook,
+  byFolder,
+  commonBeginning,
+  shownRecordings,
+} from "../model/recording_list.js";
 import { drawRow, rowId, stateMark } from "./queue_row.js";
 
+/** @type {import("../model/types.js").Recording["state"][]} */
 const STATES = ["done", "touched", "automatic"];
 /** With more recordings than this a filter helps. */
 const FILTER_FROM = 8;
@@ -70,7 +76,10 @@ function drawFolders(shown, leastCertainFirst, rowOf) {
   });
 }
 
-/** The list is one stop of the Tab key; arrows go from row to row, Enter opens. */
+/**
+ * The list is one stop of the Tab key; arrows go from row to row, Enter opens.
+ * @param {import("../lib/store.js").Store} store
+ */
 function attachRowKeys(rows, store, actions) {
   const move = (to) => {
     const shown = shownRecordings(store.state);
@@ -110,7 +119,7 @@ function drawLeastCertain(recordings) {
   const least = leastCertainOf(recordings);
   const value = byId("least-certain-value");
   value.textContent = least ? least.confidence.toFixed(2) : "";
-  value.classList.toggle("low", Boolean(least && least.confidence < LOOK_BELOW));
+  value.classList.toggle("low", Boolean(least && asksForALook(least)));
   const button = /** @type {HTMLButtonElement} */ (byId("least-certain"));
   button.disabled = !least;
   button.title = least ? `Open ${least.name}, where doubt is greatest (U)` : "Nothing is unsure";

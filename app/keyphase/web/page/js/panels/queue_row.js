@@ -2,7 +2,7 @@
 
 import { segmentFill } from "../lib/colors.js";
 import { el, svg } from "../lib/dom.js";
-import { cutName, LOOK_BELOW } from "../model/recording_list.js";
+import { asksForALook, cutName } from "../model/recording_list.js";
 
 const MOST_PIECES = 90;
 const MOST_PAGES = 3;
@@ -17,9 +17,9 @@ export const rowId = ({ id }) => `recording-${id}`;
  */
 export function drawRow(item, { on, common, open, menu }) {
   const { confidence, state, error, name } = item;
-  const low = confidence !== null && confidence < LOOK_BELOW && state !== "done";
+  const low = asksForALook(item);
   const sure = confidence === null ? "" : confidence.toFixed(2);
-  const others = item.pages ?? [];
+  const others = item.pages;
   return el(
     "div",
     {
@@ -41,23 +41,27 @@ export function drawRow(item, { on, common, open, menu }) {
   );
 }
 
-/** Somebody else's page. @param {import("../model/types.js").OtherPage} page */
+/** Somebody else's page. @param {import("../messages/list_messages").PageThere} page */
 function pageMark({ name, color }) {
   return el("i", {
     class: "page-mark",
     title: `${name} is here`,
     text: name.slice(0, 1),
-    style: { background: color },
+    style: { background: segmentFill({ color }) },
   });
 }
 
+/** @param {import("../model/types.js").Recording} item */
 function strip({ strip: pieces }) {
   return coarse(pieces).map(({ share, color }) =>
     el("i", { style: { flex: String(share), background: segmentFill({ color }) } }),
   );
 }
 
-/** Dotted ring automatic, half ring touched, tick done. */
+/**
+ * Dotted ring automatic, half ring touched, tick done.
+ * @param {import("../model/types.js").Recording["state"]} state
+ */
 export function stateMark(state) {
   const mark = svg("svg", {
     class: "state",
@@ -102,7 +106,10 @@ export function stateMark(state) {
   return mark;
 }
 
-/** A strip of many segments in as many pieces as there are pixels to show them. */
+/**
+ * A strip of many segments in as many pieces as there are pixels to show them.
+ * @param {import("../model/types.js").Recording["strip"]} strip
+ */
 function coarse(strip) {
   if (strip.length <= MOST_PIECES) return strip;
   const pieces = [];

@@ -61,7 +61,7 @@ export function createStatus(store) {
   store.later(["progress"], ({ progress: state }) => {
     progressGroup.hidden = !state || state.done;
     if (!state || state.done) return;
-    progressText.textContent = state.what;
+    progressText.textContent = state.name;
     progress.style.setProperty("width", `${100 * (state.fraction ?? 0.15)}%`);
   });
 }

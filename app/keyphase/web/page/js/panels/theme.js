@@ -18,7 +18,7 @@ function remembered() {
 
 /**
  * @param {import("../lib/store.js").Store} store
- * @param {(message: import("../model/types.js").Message) => boolean} send
+ * @param {import("../model/types.js").Send} send
  */
 export function createTheme(store, send) {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", ({ matches }) => {

@@ -182,7 +182,10 @@ function createUnsure(actions) {
   };
 }
 
-/** The zoom slider: logarithmic, from the whole recording to a thousandth of it. */
+/**
+ * The zoom slider: logarithmic, from the whole recording to a thousandth of it.
+ * @param {import("../lib/store.js").Store} store
+ */
 function createZoom(store, actions) {
   const input = /** @type {HTMLInputElement} */ (
     el("input", { type: "range", min: 0, max: 100, step: 1, value: 0, "aria-label": "Zoom" })

@@ -22,7 +22,11 @@ export const endColor = ({ good, skill }) =>
       ? "var(--origin-force)"
       : "var(--origin-position)";
 
-/** The skills in small. */
+/**
+ * The skills in small.
+ * @param {import("./schedule.js").Slot[]} slots
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 export function drawWholePlan(slots, scale, { y, height }) {
   const strip = slots.map((slot) =>
     svg("rect", {
@@ -37,7 +41,11 @@ export function drawWholePlan(slots, scale, { y, height }) {
   return [svg("rect", { y, width: scale.width, height, class: "overview-ground" }), ...strip];
 }
 
-/** A mark where each skill's end condition was met, and a line down over the tracks. */
+/**
+ * A mark where each skill's end condition was met, and a line down over the tracks.
+ * @param {import("./schedule.js").Slot[]} slots
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 export function drawEnds(slots, scale, { y, height }, bottom) {
   const middle = y + height / 2;
   let free = 0;
@@ -85,7 +93,11 @@ export function drawEnds(slots, scale, { y, height }, bottom) {
     });
 }
 
-/** Done skills are solid, the running one is striped up to now, waiting ones are pale. */
+/**
+ * Done skills are solid, the running one is striped up to now, waiting ones are pale.
+ * @param {import("./schedule.js").Slot[]} slots
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 export function drawSkills(slots, scale, row, now) {
   const box = { top: row.y + 3, height: row.height - 6 };
   const nodes = [
@@ -104,6 +116,10 @@ export function drawSkills(slots, scale, row, now) {
   return ring ? [...nodes, ring] : nodes;
 }
 
+/**
+ * @param {import("./schedule.js").Slot} slot
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 function drawSkill(slot, place, scale, now) {
   const { left, top, width, height } = place;
   const rect = (across, fill, opacity = 1) =>
@@ -129,6 +145,7 @@ function drawSkill(slot, place, scale, now) {
   return group;
 }
 
+/** @param {import("./schedule.js").Slot} slot */
 function skillText(slot, { left, top, width, height }, now) {
   const { skill } = slot;
   const number = String(skill.segment + 1);
@@ -154,7 +171,10 @@ function skillText(slot, { left, top, width, height }, now) {
   return nodes;
 }
 
-/** "running 1.14 s", "contact 8.4 N", "waiting". */
+/**
+ * "running 1.14 s", "contact 8.4 N", "waiting".
+ * @param {import("./schedule.js").Slot} slot
+ */
 export function stateText(slot, now) {
   if (slot.progress === "done") return outcomeText(slot.skill);
   return slot.progress === "running"
@@ -168,6 +188,7 @@ function secondLine(text, x, y, room, on) {
     : [];
 }
 
+/** @param {import("./schedule.js").Slot} slot */
 function connectingText(slot, { left, top, width, height }) {
   const plate = textWidth("connect", "11.5px") + 14;
   const middle = top + height / 2;
@@ -213,7 +234,11 @@ function drawRing({ left, top, width, height }) {
   );
 }
 
-/** The stretch of the running skill, tinted in its colour over all tracks. */
+/**
+ * The stretch of the running skill, tinted in its colour over all tracks.
+ * @param {import("./schedule.js").Slot[]} slots
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 export function drawCurrent(slots, scale, top, bottom) {
   return slots
     .filter(({ progress, skill }) => progress === "running" && skill.segment !== null)

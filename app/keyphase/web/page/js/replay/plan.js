@@ -42,6 +42,7 @@ export function createReplayPlan(store) {
   });
   store.on(["samples"], tell);
 
+  /** @param {import("../lib/store.js").State} state */
   function tell(state) {
     if (!running || !state.replay) return;
     const slot = slotsOf(state.replay, nowOf(state)).find(({ progress }) => progress === "running");
@@ -50,6 +51,7 @@ export function createReplayPlan(store) {
   }
 }
 
+/** @param {import("./schedule.js").Slot} slot */
 function chip(slot) {
   const { skill, progress } = slot;
   return el(
@@ -69,6 +71,7 @@ function chip(slot) {
   );
 }
 
+/** @param {import("./schedule.js").Slot} slot */
 function how({ skill, progress, good }) {
   if (progress === "waiting") return el("small", { text: "waits" });
   if (progress === "running") return el("small", { class: "running" });
@@ -84,6 +87,7 @@ function how({ skill, progress, good }) {
   );
 }
 
+/** @param {import("./schedule.js").Slot} slot */
 function connecting({ skill }) {
   return el(
     "div",
@@ -94,6 +98,7 @@ function connecting({ skill }) {
   );
 }
 
+/** @param {HTMLElement} node @param {import("../model/types.js").Replay} replay */
 function drawVerdict(node, { phase, succeeded, outcome, goal }) {
   node.classList.toggle("good", phase === "over" && succeeded === true);
   node.classList.toggle("bad", phase === "over" && succeeded !== true);

@@ -14,7 +14,7 @@ const PLACES = ["timeline", "transport", "plan"];
 /**
  * What a person can ask of a replay, as one function each.
  * @param {import("../lib/store.js").Store} store
- * @param {(message: import("../model/types.js").Message) => boolean} send
+ * @param {import("../model/types.js").Send} send
  */
 export function createReplayActions(store, send) {
   const ask = (what) => () => send({ type: "replay", do: what });
@@ -60,12 +60,6 @@ export function createReplay(store, actions) {
       );
   });
   return {
-    replay: (message) =>
-      store.set(
-        message.phase === null
-          ? { replay: null, samples: null, replayView: null }
-          : { replay: message },
-      ),
     samples: (message) => store.set({ samples: withRows(store.state.samples, message) }),
   };
 }
@@ -81,12 +75,15 @@ function paceScene({ state }) {
   frame.addEventListener("load", () => setTimeout(() => pace.watch(frame.contentWindow)));
 }
 
-/** When the skill that runs will be over. */
+/** When the skill that runs will be over. @param {import("../model/types.js").Replay} replay */
 function ending({ skills, current }) {
   return current === null ? "" : `${skills[current].label}: ${skills[current].until}`;
 }
 
-/** What is replayed where, and how far and how fast it is, over the scene; and the legend of it. */
+/**
+ * What is replayed where, and how far and how fast it is, over the scene; and the legend of it.
+ * @param {import("../lib/store.js").Store} store
+ */
 function createReplayHud(store) {
   const what = byId("replay-what");
   const how = byId("replay-how");
@@ -113,6 +110,10 @@ function createReplayHud(store) {
   );
 }
 
+/**
+ * @param {import("../model/types.js").Replay} replay
+ * @param {import("./samples.js").Samples|null} samples
+ */
 function pace({ phase, held }, samples) {
   if (phase !== "running") return [phase];
   return [

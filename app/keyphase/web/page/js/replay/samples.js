@@ -24,7 +24,7 @@ const FIRST_ROOM = 4096;
  * The samples with a message's rows; the same object where nothing fits, else a new one, so that
  * whoever compares notices.
  * @param {Samples|null} before
- * @param {import("../model/types.js").Message} message
+ * @param {import("../messages/replay_messages").ReplaySamples} message
  * @returns {Samples|null}
  */
 export function withRows(before, { run, first, factor, rows, demonstrated }) {

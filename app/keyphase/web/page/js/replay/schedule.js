@@ -3,13 +3,13 @@
  *
  * @typedef {"done"|"running"|"waiting"} Progress
  * @typedef {{index: number, start: number, end: number, met: number|null, progress: Progress,
- *   good: boolean, skill: Object<string, *>}} Slot
+ *   good: boolean, skill: import("../model/types.js").Skill}} Slot
  */
 
 const GOOD = ["reached", "contact"];
 
 /**
- * @param {Object<string, *>} replay the `replay` message
+ * @param {import("../model/types.js").Replay} replay
  * @param {number} now replay time
  * @returns {Slot[]}
  */
@@ -32,7 +32,10 @@ export function slotsOf(replay, now) {
   });
 }
 
-/** The stretch of time that is shown: the whole plan and what has been of it. */
+/**
+ * The stretch of time that is shown: the whole plan and what has been of it.
+ * @param {Slot[]} slots
+ */
 export function viewOf(slots, now) {
   const end = Math.max(slots.at(-1)?.end ?? 1, now, 0.5);
   return { from: 0, to: 1.02 * end };
@@ -41,14 +44,14 @@ export function viewOf(slots, now) {
 /** The skills of the plan without connecting moves. @param {Slot[]} slots */
 export const planned = (slots) => slots.filter(({ skill }) => skill.segment !== null);
 
-/** "contact 8.4 N", "reached", "timeout". @param {Object<string, *>} skill */
+/** "contact 8.4 N", "reached", "timeout". @param {import("../model/types.js").Skill} skill */
 export function outcomeText({ outcome, peak_N: peak }) {
   return outcome === "contact" ? `contact ${peak.toFixed(1)} N` : outcome;
 }
 
 /**
  * Which planned skill is on and how many there are: "skill 4 of 4".
- * @param {Object<string, *>} replay
+ * @param {import("../model/types.js").Replay} replay
  */
 export function placeText(replay) {
   const { skills, current, phase } = replay;

@@ -53,6 +53,7 @@ export function createReplayTimeline(store) {
   const playhead = createPlayhead(groups.playhead);
   let layout = layOutReplay(store.state, 0);
 
+  /** @param {import("../lib/store.js").State} state */
   function arrange(state) {
     if (!state.replay) return;
     const size = state.small ? "small" : "large";
@@ -83,6 +84,7 @@ export function createReplayTimeline(store) {
     left: pane.getBoundingClientRect().left + left(),
   }));
 
+  /** @param {import("../lib/store.js").State} state */
   function draw(state) {
     const { replay, samples } = state;
     if (!replay || !samples || !pane.clientWidth) return;
@@ -154,9 +156,10 @@ function drawPart({ view, whole: all }, whole, { y, height }) {
   ];
 }
 
-/** Replay time now: that of the newest sample. */
+/** Replay time now: that of the newest sample. @param {import("../lib/store.js").State} state */
 export function nowOf({ samples, replay }) {
-  return samples?.count && samples.run === replay?.run ? samples.time[samples.count - 1] : 0;
+  if (!samples?.count || samples.run !== replay?.run) return replay?.time_s ?? 0;
+  return samples.time[samples.count - 1];
 }
 
 function buildTrack({ key, title, unit }, content, fold) {
@@ -190,6 +193,7 @@ function createGutters(pane) {
   return gutters;
 }
 
+/** @param {import("./schedule.js").Slot[]} slots */
 function describe(gutter, slots) {
   const skills = planned(slots).length;
   const moves = slots.length - skills;

@@ -126,6 +126,7 @@ const FORCE_NOTES = () =>
  * Where the demonstration of each skill lies on the replay's axis: from where the skill starts; of
  * one that met its contact, so that both contacts coincide.
  * @param {import("./schedule.js").Slot[]} slots
+ * @param {import("./samples.js").Samples} samples
  */
 export function layDemonstrated(slots, samples) {
   return slots.flatMap((slot) => {
@@ -166,7 +167,10 @@ function rangeOf(series, more, height, least, key) {
   };
 }
 
-/** A dot at the newest value of each curve. */
+/**
+ * A dot at the newest value of each curve.
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 function dots(live, scale, y, curves) {
   const last = live[0].times.length - 1;
   if (last < 0) return [];
@@ -182,7 +186,12 @@ function dots(live, scale, y, curves) {
 
 const AXIS_NAMES = ["x", "y", "z"];
 
-/** The force along the main axis of its direction at which each skill is over. */
+/**
+ * The force along the main axis of its direction at which each skill is over.
+ * @param {import("./schedule.js").Slot[]} slots
+ * @param {import("./samples.js").Samples} samples
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 function drawEndConditions(slots, samples, scale, y) {
   return slots
     .filter(({ skill }) => skill.contact)
@@ -205,7 +214,11 @@ function drawEndConditions(slots, samples, scale, y) {
     });
 }
 
-/** The usual force in a skill before its contact: measured once there is enough, else demonstrated. */
+/**
+ * The usual force in a skill before its contact: measured once there is enough, else demonstrated.
+ * @param {import("./schedule.js").Slot} slot
+ * @param {import("./samples.js").Samples} samples
+ */
 function levelBefore(slot, samples, axis) {
   const from = indexAt(samples, slot.start);
   const to = slot.progress === "waiting" ? from : indexAt(samples, (slot.met ?? Infinity) - 0.05);

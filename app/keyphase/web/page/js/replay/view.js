@@ -8,7 +8,11 @@ const RATE_HZ = 125;
 
 /** @typedef {import("../model/types.js").View} View */
 
-/** All there is, and what of it is shown. @param {View|null} chosen null: all of it */
+/**
+ * All there is, and what of it is shown.
+ * @param {View|null} chosen null: all of it
+ * @param {import("./schedule.js").Slot[]} slots
+ */
 export function shownOf(slots, now, chosen) {
   const whole = viewOf(slots, now);
   return { whole, view: chosen ? clampView(chosen.from, chosen.to, bounds(whole)) : whole };

@@ -121,6 +121,7 @@ function namesOf(doc, selected, small) {
   ];
 }
 
+/** @param {import("../model/types.js").Doc} doc @param {number} index @param {number|null} selected @param {boolean} small */
 function segmentName(doc, index, selected, small) {
   const { middle_m: at, short, color: number, kept, label } = doc.segments[index];
   const isSelected = index === selected;
@@ -136,6 +137,7 @@ function segmentName(doc, index, selected, small) {
   };
 }
 
+/** @param {import("../model/types.js").Doc} doc @param {number} index */
 function contactName(doc, index) {
   const { at_m: at, origin, time_s: time } = doc.boundaries[index];
   return {

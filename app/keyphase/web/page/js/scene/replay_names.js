@@ -9,7 +9,7 @@ const MOST = 6;
 
 /**
  * A segment that is replayed several times is named once.
- * @param {any} replay the `replay` message
+ * @param {import("../model/types.js").Replay} replay
  * @returns {import("./names.js").Named[]}
  */
 export function skillNames({ skills, current }) {
@@ -45,7 +45,7 @@ export function forceName() {
 
 /**
  * The force's size at the tip of its arrow; null where the scene draws none.
- * @param {any} replay the `replay` message
+ * @param {import("../model/types.js").Replay} replay
  * @param {import("../replay/samples.js").Samples|null} samples
  * @returns {{at: number[], text: string}|null}
  */

@@ -49,9 +49,10 @@ export function createScene(store, page) {
 /** So many Gaussians the server draws at most (MOST_ELLIPSOIDS of path_geometry.py). */
 const MOST_ELLIPSOIDS = 60;
 
+/** @param {import("../model/types.js").Doc} doc */
 function legend(doc) {
   const parts = [];
-  if (doc.gaussians.length) {
+  if (doc.gaussians) {
     parts.push(
       el(
         "span",
@@ -67,8 +68,8 @@ function legend(doc) {
             style: { fill: "var(--segment-0)", opacity: ".45" },
           }),
         ),
-        doc.gaussians.length > MOST_ELLIPSOIDS
-          ? `Gaussian, 1 σ (${MOST_ELLIPSOIDS} heaviest of ${doc.gaussians.length})`
+        doc.gaussians > MOST_ELLIPSOIDS
+          ? `Gaussian, 1 σ (${MOST_ELLIPSOIDS} heaviest of ${doc.gaussians})`
           : "Gaussian, 1 σ",
       ),
     );

@@ -12,7 +12,7 @@ const LOOK_MS = 500;
 
 /**
  * @param {import("../lib/store.js").Store} store
- * @param {(message: import("../model/types.js").Message) => boolean} send
+ * @param {import("../model/types.js").Send} send
  * @param {() => Window|null} inside viser's window
  */
 export function askForShadows(store, send, inside) {

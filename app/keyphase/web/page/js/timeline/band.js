@@ -12,7 +12,7 @@ import { textWidth } from "../lib/text_width.js";
 
 /**
  * The longest of the label and its short forms that fits, else "".
- * @param {import("../model/types.js").Segment} segment
+ * @param {import("../model/types.js").Segment|import("../model/types.js").Skill} segment
  * @param {number} room px
  * @param {string} font
  */
@@ -153,7 +153,13 @@ function drawRing({ left, top, width, height }) {
   );
 }
 
-/** The segments dragged over, about to become one. */
+/**
+ * The segments dragged over, about to become one.
+ * @param {import("../model/types.js").Doc} doc
+ * @param {[number, number]} range
+ * @param {import("../lib/scale.js").Scale} scale
+ * @param {{top: number, height: number}} box
+ */
 function drawRange(doc, [first, last], scale, { top, height }) {
   const left = Math.max(scale.x(doc.segments[first].start_s), 0);
   const right = Math.min(scale.x(doc.segments[last].end_s), scale.width);

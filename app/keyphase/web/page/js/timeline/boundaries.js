@@ -1,7 +1,6 @@
 /** Boundaries: glyphs and times in their row, lines and uncertainty intervals over all tracks. */
 
 import { originColor } from "../lib/colors.js";
-import { isUnsure } from "../model/unsure.js";
 import { svg } from "../lib/dom.js";
 import { time as timeText } from "../lib/format.js";
 import { denseBoundaries, MOST_IN_DETAIL } from "./dense.js";
@@ -14,6 +13,9 @@ const DENSE_PX = 45;
 /**
  * Shaded bands where boundaries may lie, and the stretch of the selected segment; drawn below
  * the curves.
+ * @param {import("../lib/store.js").State} state
+ * @param {import("../lib/scale.js").Scale} scale
+ * @param {import("../model/rows.js").Layout} layout
  */
 export function drawIntervals(state, scale, layout, bottom) {
   const { document: doc, selected } = state;
@@ -59,7 +61,12 @@ function countInView({ boundaries }, { from, to }) {
   return boundaries.filter(({ time_s: time }) => time >= from && time <= to).length;
 }
 
-/** Lines over all tracks, ticks in the band, glyphs and times in the boundaries' own row. */
+/**
+ * Lines over all tracks, ticks in the band, glyphs and times in the boundaries' own row.
+ * @param {import("../lib/store.js").State} state
+ * @param {import("../lib/scale.js").Scale} scale
+ * @param {import("../model/rows.js").Layout} layout
+ */
 export function drawBoundaries(state, scale, layout, bottom) {
   const { document: doc, hovered, current, drag, folded } = state;
   const row = layout.rows.get("boundaries");
@@ -111,7 +118,10 @@ export function drawBoundaries(state, scale, layout, bottom) {
   return [...nodes, ...texts.draw()];
 }
 
-/** Where it was before a hand moved it. */
+/**
+ * Where it was before a hand moved it.
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 function drawWas(scale, was, row, bottom) {
   const x = scale.x(was);
   if (x < 0 || x > scale.width) return [];
@@ -135,7 +145,7 @@ function createTextRow(width) {
       wanted.push({ boundary, time, x, y, strong });
     },
     draw() {
-      const rank = ({ boundary, strong }) => (strong ? 0 : isUnsure(boundary) ? 1 : 2);
+      const rank = ({ boundary, strong }) => (strong ? 0 : boundary.unsure ? 1 : 2);
       const nodes = [];
       for (const text of wanted.sort((a, b) => rank(a) - rank(b))) {
         const node = placeText(text, taken, width);
@@ -148,7 +158,7 @@ function createTextRow(width) {
 
 function placeText({ boundary, time, x, y, strong }, taken, width) {
   const main = timeText(time);
-  const doubt = isUnsure(boundary) ? ` ${boundary.confidence.toFixed(2)}` : "";
+  const doubt = boundary.unsure ? ` ${boundary.confidence.toFixed(2)}` : "";
   const wide =
     textWidth(main, strong ? "700 11px" : "500 11px") + (doubt ? textWidth(doubt, "700 11px") : 0);
   const sides = [
@@ -177,11 +187,16 @@ function placeText({ boundary, time, x, y, strong }, taken, width) {
 
 const isOwn = ({ left, right }, x) => right - left === 14 && Math.abs(left + 7 - x) < 1e-6;
 
-/** Boundaries that would come or go if the held slider were let go now. */
+/**
+ * Boundaries that would come or go if the held slider were let go now.
+ * @param {import("../lib/store.js").State} state
+ * @param {import("../lib/scale.js").Scale} scale
+ * @param {import("../model/rows.js").Layout} layout
+ */
 export function drawGhosts(state, scale, layout, bottom) {
   const row = layout.rows.get("boundaries");
   const nodes = [];
-  for (const { time_s: time, origin, fate } of state.ghost ?? []) {
+  for (const { time_s: time, origin, fate } of state.ghost) {
     const x = scale.x(time);
     if (x < 0 || x > scale.width) continue;
     const color = originColor(origin);

@@ -38,7 +38,12 @@ export function drawComparison({ document: doc, comparison, labels: known }, sca
   ];
 }
 
-/** A label has the colour it has in the shown segmentation or in the vocabulary, else none. */
+/**
+ * A label has the colour it has in the shown segmentation or in the vocabulary, else none.
+ * @param {string} label
+ * @param {import("../model/types.js").Doc} doc
+ * @param {import("../lib/store.js").State["labels"]} known
+ */
 function fillOf(label, doc, known) {
   const same = doc.segments.find((segment) => segment.label === label && segment.kept);
   return same
@@ -46,6 +51,13 @@ function fillOf(label, doc, known) {
     : (known.find(({ name }) => name === label)?.color ?? "var(--idle)");
 }
 
+/**
+ * @param {{label: string, fill: string}} segment
+ * @param {number} from
+ * @param {number} to
+ * @param {import("../lib/scale.js").Scale} scale
+ * @param {{top: number, height: number}} place
+ */
 function drawOther({ label, fill }, from, to, scale, { top, height }) {
   const left = Math.max(scale.x(from), 0) + 1;
   const right = Math.min(scale.x(to), scale.width) - 1;
@@ -66,7 +78,10 @@ function drawOther({ label, fill }, from, to, scale, { top, height }) {
   ];
 }
 
-/** From where the shown segmentation has a boundary to where the other has it. */
+/**
+ * From where the shown segmentation has a boundary to where the other has it.
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 function link(scale, first, second, y) {
   return svg("path", {
     d: `M${scale.x(first)} ${y}v1.5L${scale.x(second)} ${y + LINK_PX - 1.5}v1.5`,
@@ -74,6 +89,7 @@ function link(scale, first, second, y) {
   });
 }
 
+/** @param {import("../lib/scale.js").Scale} scale */
 function tick(scale, time, { top, height }) {
   return svg("path", {
     d: `M${scale.x(time)} ${top - LINK_PX + 3}v${height + LINK_PX - 3}`,
@@ -81,7 +97,10 @@ function tick(scale, time, { top, height }) {
   });
 }
 
-/** A boundary only the shown segmentation has. */
+/**
+ * A boundary only the shown segmentation has.
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 function missing(scale, time, y) {
   const x = scale.x(time);
   return svg("path", {
@@ -96,7 +115,12 @@ export function nameOf(other) {
   return other === "automatic" ? "Program’s own" : other.replace(/\.segments\.json$/, "");
 }
 
-/** The row's gutter: whose it is, how well the two agree, and what can be done with it. */
+/**
+ * The row's gutter: whose it is, how well the two agree, and what can be done with it.
+ * @param {{node: HTMLElement, body: HTMLElement}} gutter
+ * @param {import("../lib/store.js").Store} store
+ * @param {any} actions
+ */
 export function createComparisonGutter({ node, body }, store, actions) {
   const name = el("b", { class: "other-name" });
   const score = el("span", { class: "other-score" });
@@ -123,7 +147,8 @@ export function createComparisonGutter({ node, body }, store, actions) {
     icon("close", "small"),
   );
   node.replaceChildren(el("div", { class: "other-head" }, name, take, close), score, body);
-  return ({
+  /** @param {import("../messages/list_messages").ComparisonMessage} comparison */
+  const show = ({
     with: other,
     f1,
     timing_s: timing,
@@ -140,4 +165,5 @@ export function createComparisonGutter({ node, body }, store, actions) {
       `${onlyFirst.length} only here (×), ${onlySecond.length} only there (red)`;
     /** @type {HTMLElement} */ (take).hidden = store.state.readOnly;
   };
+  return show;
 }

@@ -146,6 +146,10 @@ function invert(range, y, level) {
   return range.map === identity ? Math.max(mapped, 0) : 10 ** mapped;
 }
 
+/**
+ * @param {import("../lib/store.js").State} state
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 function drawPeaks(state, scale, y) {
   const { document: doc } = state;
   const threshold = thresholdOf(state);
@@ -176,7 +180,10 @@ function drawPeaks(state, scale, y) {
   return nodes;
 }
 
-/** Used peaks only, small and without their heights. */
+/**
+ * Used peaks only, small and without their heights.
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 function manyPeaks(peaks, scale, y) {
   const used = peaks.filter(({ rejection }) => !rejection);
   const d = used
@@ -214,7 +221,11 @@ function peakText({ height, rejection }, x, level, width, small, taken) {
   return null;
 }
 
-/** The line over the curve and its tag in the margin; both can be dragged. */
+/**
+ * The line over the curve and its tag in the margin; both can be dragged.
+ * @param {import("../lib/store.js").State} state
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 function drawThreshold(state, scale, y, height) {
   const threshold = thresholdOf(state);
   if (threshold === null) return [];
@@ -235,7 +246,10 @@ function drawThreshold(state, scale, y, height) {
   ];
 }
 
-/** What the gutter says of the error: channels, linear or logarithmic, the dotted line. */
+/**
+ * What the gutter says of the error: channels, linear or logarithmic, the dotted line.
+ * @param {import("../lib/store.js").Store} store
+ */
 function createLegend(gutter, store) {
   const channels = el("div", { class: "gutter-note" });
   const linear = el("button", {
@@ -256,6 +270,7 @@ function createLegend(gutter, store) {
     median,
   );
   return {
+    /** @param {import("../lib/store.js").State} state @param {import("../model/rows.js").Row} row */
     show({ document: doc, logarithmic, small }, { height }) {
       linear.textContent = small ? "Lin" : "Linear";
       linear.classList.toggle("on", !logarithmic);

@@ -54,6 +54,7 @@ function wholeScale({ document: doc, plotWidth }) {
   return createScale({ from: doc.start_s, to: doc.end_s }, plotWidth);
 }
 
+/** @param {import("../lib/store.js").Store} store */
 function moveWindow(store, start) {
   const { view, document: doc } = store.state;
   const whole = wholeScale(store.state);
@@ -68,6 +69,7 @@ function moveWindow(store, start) {
   return { cursor: "grabbing", move: show, end() {} };
 }
 
+/** @param {import("../lib/store.js").Store} store */
 function resizeWindow(store, side) {
   const { document: doc } = store.state;
   const whole = wholeScale(store.state);
@@ -94,6 +96,7 @@ function scrub(timeline, actions, start) {
   return { cursor: "ew-resize", move: seek, end() {} };
 }
 
+/** @param {import("../lib/store.js").Store} store */
 function pan(store, timeline, actions, start) {
   const { view, document: doc } = store.state;
   const perPixel = (view.to - view.from) / store.state.plotWidth;
@@ -109,6 +112,7 @@ function pan(store, timeline, actions, start) {
   };
 }
 
+/** @param {import("../lib/store.js").Store} store */
 function dragThreshold(store, timeline, actions) {
   const { document: doc } = store.state;
   const given = doc.parameters.force_threshold;
@@ -131,6 +135,7 @@ function caught(value, { automatic_threshold: automatic }) {
   return Number(value.toPrecision(4));
 }
 
+/** @param {import("../lib/store.js").Store} store */
 function dragBoundary(store, timeline, actions, index, start, readOnly) {
   const { document: doc } = store.state;
   const boundary = doc.boundaries[index];
@@ -163,6 +168,7 @@ function dragBoundary(store, timeline, actions, index, start, readOnly) {
   };
 }
 
+/** @param {import("../lib/store.js").Store} store */
 function dragSegments(store, timeline, actions, first, readOnly) {
   const under = ({ x }) => segmentAt(store.state.document, timeline.scale().time(x));
   const span = (point) => [Math.min(first, under(point)), Math.max(first, under(point))];

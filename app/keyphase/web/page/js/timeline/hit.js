@@ -52,11 +52,16 @@ function overviewHit({ document: doc, view, plotWidth }, x) {
   return { kind: "overview" };
 }
 
+/** @param {import("../lib/store.js").State} state */
 function nearThreshold(state, timeline, y, reach) {
   const at = timeline.thresholdY();
   return at !== null && Math.abs(at - y) <= reach;
 }
 
+/**
+ * @param {import("../model/types.js").Doc} doc
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 function boundaryAt(doc, scale, x, reach) {
   let best = -1;
   let distance = reach;

@@ -51,6 +51,7 @@ function place(canvas, timeline, { x, y }) {
   );
 }
 
+/** @param {import("../lib/store.js").State} state */
 function draw(ctx, ratio, state, drag, window) {
   ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
   ctx.clearRect(0, 0, WIDTH, HEIGHT);

@@ -11,7 +11,10 @@ const LOWEST = 0.3;
 const wholeScale = ({ document: doc }, width) =>
   createScale({ from: doc.start_s, to: doc.end_s }, width);
 
-/** The segments in small. */
+/**
+ * The segments in small.
+ * @param {import("../lib/store.js").State} state
+ */
 export function drawOverviewStrip(state, { y, height }, width) {
   const scale = wholeScale(state, width);
   const { segments } = state.document;
@@ -30,7 +33,10 @@ export function drawOverviewStrip(state, { y, height }, width) {
   });
 }
 
-/** The part in view, with a handle at either end. */
+/**
+ * The part in view, with a handle at either end.
+ * @param {import("../lib/store.js").State} state
+ */
 export function drawWindow(state, { y, height }, width) {
   const scale = wholeScale(state, width);
   const from = scale.x(state.view.from);
@@ -59,14 +65,21 @@ export function drawWindow(state, { y, height }, width) {
   ];
 }
 
-/** The ground of the row, and the curve of the whole recording on it. */
+/**
+ * The ground of the row, and the curve of the whole recording on it.
+ * @param {import("../lib/store.js").State} state
+ */
 export function drawOverviewCurve(state, { y, height }, width) {
   const ground = svg("rect", { y, width, height, class: "overview-ground" });
   const curve = drawCurve(state, wholeScale(state, width), y, height);
   return curve ? [ground, curve] : [ground];
 }
 
-/** The error over the whole recording, or the speed where no force was recorded. */
+/**
+ * The error over the whole recording, or the speed where no force was recorded.
+ * @param {import("../lib/store.js").State} state
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 function drawCurve(state, scale, y, height) {
   const whole = { ...state, fine: null };
   const error = curvesOf(whole, "error")?.series[0];

@@ -130,7 +130,10 @@ export function tickLabels({ ticks }, y, texts) {
 
 const LETTER_PX = 12;
 
-/** Every curve ends in its letter, so that colour never stands alone. */
+/**
+ * Every curve ends in its letter, so that colour never stands alone.
+ * @param {import("../lib/scale.js").Scale} scale
+ */
 function endLetters(series, curves, scale, y, height) {
   if (curves.length < 2) return [];
   const letters = curves

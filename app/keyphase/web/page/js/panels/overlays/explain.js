@@ -71,7 +71,10 @@ export function createExplain(store, timeline, actions) {
   });
 }
 
-/** Beside the boundary below the band of segments; in a small window above them. */
+/**
+ * Beside the boundary below the band of segments; in a small window above them.
+ * @param {import("../../model/types.js").Boundary} boundary
+ */
 function place(node, timeline, boundary, small) {
   const box = timeline.surface.getBoundingClientRect();
   const { rows } = timeline.layout();

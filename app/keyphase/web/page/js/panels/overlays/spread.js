@@ -81,6 +81,9 @@ export function createSpread(store, actions) {
   });
 }
 
+/** @typedef {import("../../messages/list_messages").SpreadLine} Line */
+
+/** @param {Line} item */
 const changes = (item) =>
   !item.error &&
   item.comes_s.length + item.goes_s.length + item.moves_s.length + item.newly_inapplicable.length >
@@ -93,6 +96,7 @@ function outcome(items) {
     : "No boundary would change.";
 }
 
+/** @param {Line} item @param {string|null} current */
 function drawItem(item, current) {
   return el(
     "div",
@@ -118,7 +122,7 @@ function drawItem(item, current) {
   );
 }
 
-/** What comes, goes and moves, what edits lose their place, and what is this recording's own. */
+/** What comes, goes and moves, what edits lose their place, and what is this recording's own. @param {Line} item */
 function lines({ comes_s: comes, goes_s: goes, moves_s: moves, newly_inapplicable: lost, own }) {
   const count = ({ length }) => (length === 1 ? "1 boundary" : `${length} boundaries`);
   const times = (list) => list.map((time) => timeText(time)).join(", ");

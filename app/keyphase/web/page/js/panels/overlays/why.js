@@ -1,7 +1,6 @@
 /** The popover that says why a boundary is there: the evidence, the interval, the confidence. */
 
 import { originColor } from "../../lib/colors.js";
-import { UNSURE_BELOW } from "../../model/unsure.js";
 import { el } from "../../lib/dom.js";
 import { halfWidth, signed, moment } from "../../lib/format.js";
 import { glyphIcon } from "../../timeline/glyphs.js";
@@ -34,6 +33,7 @@ export function createWhy(node, actions) {
         heading(boundary, index),
         tags(boundary),
         ...boundary.why.sentences.map((text, k) => (k ? el("p", { text }) : sentence(text))),
+        reasons(boundary),
         evidence(boundary),
         readOnly ? "" : buttons(boundary, index, actions),
       );
@@ -46,6 +46,7 @@ export function createWhy(node, actions) {
   };
 }
 
+/** @param {import("../../model/types.js").Boundary} boundary */
 function heading(boundary, index) {
   return el(
     "h2",
@@ -74,8 +75,28 @@ function sentence(text) {
   return el("p", {}, ...parts.map((part, k) => (k % 2 ? el("b", { text: part }) : part)));
 }
 
+/**
+ * What spoke for it and against it: each reason with what it adds to the log-odds.
+ * @param {import("../../model/types.js").Boundary} boundary
+ */
+function reasons({ why }) {
+  if (!why.reasons.length) return "";
+  const largest = Math.max(...why.reasons.map(({ contribution }) => Math.abs(contribution)), 1e-9);
+  const list = el("div", { class: "reasons" });
+  for (const { name: text, contribution } of why.reasons) {
+    const speaksFor = contribution >= 0;
+    list.append(
+      el("span", { text, title: text }),
+      bar(Math.abs(contribution) / largest, speaksFor ? "var(--good)" : "var(--unsure)", ""),
+      el("span", { class: "amount", text: signed(contribution, 1) }),
+    );
+  }
+  return list;
+}
+
+/** @param {import("../../model/types.js").Boundary} boundary */
 function evidence(boundary) {
-  const { why, confidence, interval_s: interval, origin } = boundary;
+  const { why, confidence, interval_s: interval, origin, unsure } = boundary;
   const grid = el("div", { class: "evidence" });
   const largest = Math.max(...why.steps.map(asForce), 1e-9);
   for (const step of why.steps.filter(
@@ -102,7 +123,7 @@ function evidence(boundary) {
     whiskers(originColor(origin)),
     el("span", { class: "amount", text: halfWidth(interval) }),
   );
-  const sure = confidence >= UNSURE_BELOW ? "var(--good)" : "var(--unsure)";
+  const sure = unsure ? "var(--unsure)" : "var(--good)";
   grid.append(
     el("span", { text: "Confidence" }),
     bar(confidence, sure, ""),
@@ -111,7 +132,10 @@ function evidence(boundary) {
   return grid;
 }
 
-/** Forces and torques side by side: a torque counts as the force that makes it at LEVER_M. */
+/**
+ * Forces and torques side by side: a torque counts as the force that makes it at LEVER_M.
+ * @param {import("../../messages/document_messages").StepMessage} step
+ */
 function asForce({ value, unit }) {
   return Math.abs(value) / (unit === "N" ? 1 : LEVER_M);
 }
@@ -128,6 +152,7 @@ function whiskers(color) {
   return el("div", { class: "whiskers", style: { color } });
 }
 
+/** @param {import("../../model/types.js").Boundary} boundary */
 function buttons(boundary, index, actions) {
   const button = (text, key, run, style = "") =>
     el(

@@ -79,7 +79,10 @@ function exportButton([kind, title, ending, hint], actions) {
   return { kind, ending, node, file };
 }
 
-/** Where the last one was written, and three lines that read it. */
+/**
+ * Where the last one was written, and three lines that read it.
+ * @param {import("../../lib/store.js").Store} store
+ */
 function createSavedCard(store, actions) {
   const path = el("code", { class: "path" });
   const lines = el("pre", { class: "lines" });

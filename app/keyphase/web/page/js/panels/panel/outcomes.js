@@ -45,6 +45,7 @@ export function createOutcomes(store, actions) {
   return el("div", {}, hint, table, verdict, after);
 }
 
+/** @param {import("../../model/types.js").Replay} replay @param {import("../../model/types.js").Skill} skill @param {number} index */
 function rowOf({ current, phase }, skill, index) {
   const running = index === current && phase !== "over";
   if (!skill.outcome && !running) return [];

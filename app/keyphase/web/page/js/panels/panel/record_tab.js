@@ -9,7 +9,7 @@ import { button, choice, row } from "./fields.js";
  */
 export function createRecordTab(store, actions) {
   let chosen = "";
-  const isOpen = () => store.state.record?.workcell !== null;
+  const isOpen = () => Boolean(store.state.record?.workcell);
   const workcell = choice("Workcell", "The workcell that is recorded in.", (name) => {
     chosen = name;
     if (isOpen()) actions.record("open", name);
@@ -77,7 +77,10 @@ export function createRecordTab(store, actions) {
   );
 }
 
-/** What the chosen workcell is. */
+/**
+ * What the chosen workcell is.
+ * @param {import("../../lib/store.js").Store} store
+ */
 function title(store) {
   const node = el("p", { class: "hint" });
   store.later(["record"], ({ record }) => {
@@ -91,6 +94,7 @@ function title(store) {
 
 const reading = (text, output) => el("div", { class: "field" }, el("span", { text }), output);
 
+/** @param {HTMLElement} meter @param {HTMLElement} bar @param {import("../../messages/control_messages").RecordMessage} record */
 function showMeter(meter, bar, { force_N: newtons, full_force_N: full }) {
   meter.setAttribute("aria-valuemax", String(full));
   meter.setAttribute("aria-valuenow", String(Math.min(newtons ?? 0, full)));

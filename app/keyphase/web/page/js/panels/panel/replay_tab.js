@@ -83,7 +83,10 @@ function worldSlider([name, title, unit, factor, hint], ranges, actions) {
   return { ...made, name, factor };
 }
 
-/** Speed, and the buttons that steer. */
+/**
+ * Speed, and the buttons that steer.
+ * @param {import("../../lib/store.js").Store} store
+ */
 function createRun(store, actions) {
   const speed = slider({
     title: "Speed",

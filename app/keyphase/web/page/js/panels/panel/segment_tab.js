@@ -34,6 +34,7 @@ export function createSegmentTab(store, actions) {
   let fields = [];
   let built = "";
 
+  /** @param {import("../../model/types.js").Doc} doc */
   function build(doc) {
     const groups = parameterGroups(doc);
     const now = JSON.stringify(groups.map(({ fields: own }) => own.map(({ name }) => name)));
@@ -117,9 +118,12 @@ function choiceField({ name, title, options, hint }, actions) {
   };
 }
 
-/** How many were found where that is left to the program, and more than are offered if given. */
+/**
+ * How many were found where that is left to the program, and more than are offered if given.
+ * @param {import("../../model/types.js").Doc} doc
+ */
 function gaussianOptions(options, doc, value) {
-  const found = value ? "" : ` (${doc.gaussians.length})`;
+  const found = value ? "" : ` (${doc.gaussians})`;
   const more = options.some((one) => one.value === value) ? [] : [{ value, text: value }];
   return [{ value: "", text: `automatic${found}` }, ...options.slice(1), ...more];
 }

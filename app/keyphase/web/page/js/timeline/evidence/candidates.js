@@ -11,15 +11,23 @@ const NOTE_PX = 240;
 
 const originOf = (kind) => LINES.find((line) => line.kind === kind).origin;
 
-/** @returns {{candidate: import("../../model/types.js").Candidate, index: number}[]} */
+/**
+ * @param {import("../../lib/store.js").State} state
+ * @param {import("../../lib/scale.js").Scale} scale
+ * @returns {{candidate: import("../../model/types.js").Candidate, index: number}[]}
+ */
 function inView({ document: doc }, scale) {
-  const all = (doc.candidates ?? [])
+  const all = doc.candidates
     .map((candidate, index) => ({ candidate, index }))
     .filter(({ candidate: { time_s: time } }) => time >= scale.from && time <= scale.to);
   return all.length > MOST_CANDIDATES ? all.filter(({ candidate }) => candidate.given) : all;
 }
 
-/** The marks, given ones on top. */
+/**
+ * The marks, given ones on top.
+ * @param {import("../../lib/store.js").State} state
+ * @param {import("../../lib/scale.js").Scale} scale
+ */
 export function drawCandidates(state, scale, y) {
   const shown = inView(state, scale);
   if (shown.length > MOST_CANDIDATES) return [];
@@ -41,7 +49,11 @@ export function drawCandidates(state, scale, y) {
   );
 }
 
-/** The candidate under the pointer, or null. */
+/**
+ * The candidate under the pointer, or null.
+ * @param {import("../../lib/store.js").State} state
+ * @param {import("../../lib/scale.js").Scale} scale
+ */
 export function nearestCandidate(state, scale, y, x, level) {
   let best = null;
   let distance = REACH_PX;
@@ -52,9 +64,14 @@ export function nearestCandidate(state, scale, y, x, level) {
   return best;
 }
 
-/** What the candidate under the pointer is, and what would let it in. */
+/**
+ * What the candidate under the pointer is, and what would let it in.
+ * @param {HTMLElement} note
+ * @param {import("../../lib/store.js").State} state
+ * @param {import("../../lib/scale.js").Scale} scale
+ */
 export function showNote(note, state, scale, y, height) {
-  const candidate = (state.document.candidates ?? [])[state.candidate];
+  const candidate = state.document.candidates[state.candidate];
   note.hidden = !candidate;
   if (!candidate) return;
   const { kind, probability, time_s: time, given, why_not: why } = candidate;

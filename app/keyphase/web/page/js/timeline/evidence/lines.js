@@ -13,7 +13,12 @@ export function tagLevels(lines, y, height) {
   return apart(wanted, TAG_PX, [9, height - 9]);
 }
 
-/** Lines, tags and notches. @param {ReturnType<typeof import("../../model/evidence.js").linesOf>} lines */
+/**
+ * Lines, tags and notches.
+ * @param {ReturnType<typeof import("../../model/evidence.js").linesOf>} lines
+ * @param {import("../../lib/store.js").State} state
+ * @param {import("../../lib/scale.js").Scale} scale
+ */
 export function drawLines(lines, state, scale, y, height) {
   const tags = tagLevels(lines, y, height);
   return lines.flatMap((line, k) => {

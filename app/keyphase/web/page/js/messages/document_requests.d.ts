@@ -1,0 +1,147 @@
+// Made by `make protocol` from the structs in app/keyphase: change those.
+
+import type { Edit } from "./edits";
+
+/** Change a parameter; `held` while the person is still dragging. */
+export interface SetRequest {
+  type: "set";
+  parameter: string;
+  value: number | string | null;
+  held?: boolean;
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** Parameters back to automatic. */
+export interface ResetRequest {
+  type: "reset";
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** Apply one edit. */
+export interface EditRequest {
+  type: "edit";
+  edit: Edit;
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** Take back the last edit or parameter change. */
+export interface UndoRequest {
+  type: "undo";
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** Do again what was taken back. */
+export interface RedoRequest {
+  type: "redo";
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** This recording is, or is not, finished. */
+export interface DoneRequest {
+  type: "done";
+  done: boolean;
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** The recording has changed since it was labeled, and the labels are to be kept. */
+export interface KeepLabelsRequest {
+  type: "keep_labels";
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** Take over what was done to the same bytes under another name. */
+export interface TakeJournalRequest {
+  type: "take_journal";
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** Take a label out of the folder's vocabulary. */
+export interface ForgetLabelRequest {
+  type: "forget_label";
+  label: string;
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/**
+ * Tell what these parameters would do to all recordings of the folder; do it; or never mind. With
+ * `include_done` those that are done are opened again; without, they are left alone.
+ */
+export interface SpreadRequest {
+  type: "spread";
+  step: "apply" | "leave" | "look";
+  include_done?: boolean;
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** Compare with another segmentation of this recording; null: tell with which one can. */
+export interface CompareRequest {
+  type: "compare";
+  with?: string | null;
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** Make another segmentation of this recording its own, as one edit. */
+export interface TakeOverRequest {
+  type: "take_over";
+  from: string;
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** Select a segment, or none. */
+export interface SelectRequest {
+  type: "select";
+  segment: number | null;
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** Ask for the visible range of some tracks. */
+export interface SignalsRequest {
+  type: "signals";
+  recording: string;
+  request: number;
+  tracks: string[];
+  from_s: number;
+  to_s: number;
+  width: number;
+}
+
+/**
+ * Write a file. The segment file as `json` or `csv`, or those of `all` recordings; the plan as
+ * `skills`, `behavior tree`, `program`, `urscript` or `rapid`; the replay that is over as a `page`
+ * that needs no server. `if_there` says what becomes of files that keyphase did not write as they
+ * are; without, `in_the_way` tells which there are.
+ */
+export interface ExportRequest {
+  type: "export";
+  kind: "all" | "behavior tree" | "csv" | "json" | "page" | "program" | "rapid" | "skills" | "urscript";
+  if_there?: "ask" | "keep both" | "replace";
+  recording: string;
+  revision: number;
+  event?: number | null;
+}

@@ -1,0 +1,190 @@
+// Made by `make protocol` from the structs in app/keyphase: change those.
+
+/** Put a boundary at `time_s`; None for contact change: as the force there says. */
+export interface AddEdit {
+  kind: "add";
+  time_s: number;
+  contact_change?: boolean | null;
+}
+
+/** Take the boundary at `time_s` away. */
+export interface RemoveEdit {
+  kind: "remove";
+  time_s: number;
+}
+
+/** Move the boundary at `from_s` to `to_s`. */
+export interface MoveEdit {
+  kind: "move";
+  from_s: number;
+  to_s: number;
+}
+
+/** Name the segment around `time_s`; an empty label gives it back the proposed one. */
+export interface LabelEdit {
+  kind: "label";
+  time_s: number;
+  label: string;
+  span_s?: [number, number] | null;
+}
+
+/** Keep or drop the segment around `time_s`. */
+export interface KeepEdit {
+  kind: "keep";
+  time_s: number;
+  kept: boolean;
+  span_s?: [number, number] | null;
+}
+
+/** Say whether the boundary at `time_s` is a contact change. */
+export interface ContactEdit {
+  kind: "contact";
+  time_s: number;
+  contact_change: boolean;
+}
+
+/** The boundary at `time_s` has been seen and found right. */
+export interface AcceptEdit {
+  kind: "accept";
+  time_s: number;
+}
+
+/** Make one segment of all from `from_s` to `to_s`: every boundary strictly between goes. */
+export interface MergeEdit {
+  kind: "merge";
+  from_s: number;
+  to_s: number;
+}
+
+/**
+ * Execute the segments around these times, in this order; a time may come again.
+ * - spans_s: the segments' spans, one for each time
+ * - left_out_s: spans of the kept segments that are not to be executed
+ */
+export interface PlanEdit {
+  kind: "plan";
+  order: number[];
+  spans_s?: [number, number][] | null;
+  left_out_s?: [number, number][];
+}
+
+/** Drop every idle segment. */
+export interface DropIdleEdit {
+  kind: "drop_idle";
+}
+
+/** Take the proposed label of every kept segment as it stands; `labels` is what they were. */
+export interface AcceptLabelsEdit {
+  kind: "accept_labels";
+  labels?: LabelEdit[] | null;
+}
+
+/** Make edit number `edit`, whose place is gone, apply again by adding its boundaries. */
+export interface BringBackEdit {
+  kind: "bring_back";
+  edit: number;
+}
+
+/** Leave out edit number `edit`, whose place is gone, from now on. */
+export interface ForgetEdit {
+  kind: "forget";
+  edit: number;
+}
+
+/** Back to what the program found; all edits before count no more. */
+export interface ResetEdit {
+  kind: "reset";
+}
+
+/**
+ * Take over another's segmentation of this recording; edits before count no more.
+ * - source: where it came from, for people
+ * - edits: what makes it of the automatic segmentation, in order; see `taking_over`
+ */
+export interface TakeOverEdit {
+  kind: "take_over";
+  source: string;
+  edits: (RemoveEdit | AddEdit | ContactEdit | LabelEdit | KeepEdit | PlanEdit)[];
+}
+
+/**
+ * The recording is finished: what is seen stays, whatever the program finds later.
+ * - frozen: what was seen; None in what a person asks for
+ */
+export interface DoneEdit {
+  kind: "done";
+  frozen?: Frozen | null;
+}
+
+/**
+ * Boundaries, segments and plan as values; `plan` holds indices of segments.
+ * - parameters, software: what had made them
+ */
+export interface Frozen {
+  boundaries: FrozenBoundary[];
+  segments: FrozenSegment[];
+  plan: number[];
+  parameters: { [name: string]: any };
+  software: string;
+}
+
+/** A boundary as it stood; see `LabeledBoundary`. */
+export interface FrozenBoundary {
+  time_s: number;
+  origin: "both" | "force" | "position" | "user";
+  interval_s: [number, number];
+  confidence: number;
+  contact_change: boolean;
+  was_s?: number | null;
+  accepted?: boolean;
+}
+
+/** A segment as it stood; see `LabeledSegment`. `undecided`: nobody said whether to keep it. */
+export interface FrozenSegment {
+  start_s: number;
+  end_s: number;
+  label: string;
+  proposed: boolean;
+  kept: boolean;
+  idle: boolean;
+  color: number;
+  end_condition: { [name: string]: any };
+  undecided?: boolean;
+}
+
+/** The recording is not finished after all: the program's boundaries and all edits count. */
+export interface ReopenEdit {
+  kind: "reopen";
+}
+
+/**
+ * Give the segment around `time_s` an end condition; None gives it back the program's own.
+ * - end: as a segment file has it: kind, direction, threshold_N, release, tolerances, offset_m,
+ *   timeout_s; whether the demonstration agrees is found anew
+ */
+export interface SetEndEdit {
+  kind: "end";
+  time_s: number;
+  end?: { [name: string]: any } | null;
+  span_s?: [number, number] | null;
+}
+
+export type Edit =
+  | AddEdit
+  | RemoveEdit
+  | MoveEdit
+  | LabelEdit
+  | KeepEdit
+  | ContactEdit
+  | AcceptEdit
+  | MergeEdit
+  | PlanEdit
+  | DropIdleEdit
+  | AcceptLabelsEdit
+  | BringBackEdit
+  | ForgetEdit
+  | ResetEdit
+  | TakeOverEdit
+  | DoneEdit
+  | ReopenEdit
+  | SetEndEdit;

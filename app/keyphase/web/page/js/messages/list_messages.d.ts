@@ -1,0 +1,188 @@
+// Made by `make protocol` from the structs in app/keyphase: change those.
+
+/**
+ * What a page is told first.
+ * - client: its id, as in the cause of a document
+ * - read_only: it may only look
+ * - defaults: the parameters as they are where nobody chose any
+ * - command: how the server is started again; null where that is not known
+ */
+export interface Hello {
+  type: "hello";
+  client: string;
+  read_only: boolean;
+  defaults: { [name: string]: any };
+  command: string | null;
+}
+
+/** The list, whenever it changes; `current` is what this page looks at. */
+export interface Recordings {
+  type: "recordings";
+  folder: string;
+  current: string | null;
+  items: RecordingLine[];
+}
+
+/**
+ * One line of the list.
+ * - folder: name of the folder it lies in
+ * - strip: its segments in small; `color` null: idle or dropped
+ * - unsure: how many boundaries a person should look at
+ * - pages: who else is there
+ */
+export interface RecordingLine {
+  id: string;
+  name: string;
+  folder: string;
+  state: "automatic" | "done" | "touched";
+  confidence: number | null;
+  unsure: number;
+  strip: Piece[];
+  error: string | null;
+  pages: PageThere[];
+}
+
+/** One segment in a strip: its share of the duration, its colour; None: idle or dropped. */
+export interface Piece {
+  share: number;
+  color: number | null;
+}
+
+/** Another page at a recording. */
+export interface PageThere {
+  id: string;
+  name: string;
+  color: number;
+}
+
+/** The page that is followed; null: none. */
+export interface Following {
+  type: "following";
+  page: string | null;
+}
+
+/** Something that takes long; `fraction` null: nobody knows how much is left. */
+export interface TaskMessage {
+  type: "task";
+  id: number;
+  name: string;
+  fraction: number | null;
+  done: boolean;
+}
+
+/** A line of text, never HTML. */
+export interface Notice {
+  type: "notice";
+  level: "error" | "info" | "warning";
+  text: string;
+}
+
+/** A request that was not done, and why; its type, recording and event where it has them. */
+export interface Refused {
+  type: "refused";
+  request: string;
+  recording: string | null;
+  event: number | null;
+  text: string;
+}
+
+/** A file was written. */
+export interface Saved {
+  type: "saved";
+  path: string;
+}
+
+/**
+ * Files that were not replaced, since keyphase did not write them as they are.
+ * - kind: of the export that met them; ask again with `if_there` "replace" or "keep both"
+ */
+export interface InTheWayMessage {
+  type: "in_the_way";
+  recording: string;
+  kind: string;
+  files: InTheWay[];
+}
+
+/** A file that would be replaced, and why that is asked first, for people. */
+export interface InTheWay {
+  name: string;
+  whose: string;
+}
+
+/**
+ * What parameters would do to a folder, again and again until all `total` are known. Each look has
+ * a number of its own, so that what was left is told from what is asked.
+ */
+export interface SpreadMessage {
+  type: "spread";
+  look: number;
+  total: number;
+  items: SpreadLine[];
+}
+
+/**
+ * What the parameters would do to one recording; with an `error` nothing is known.
+ * - newly_inapplicable: edits whose place would be gone
+ * - own: parameters set on that recording alone, which go on holding
+ * - done: a person has finished with it
+ */
+export interface SpreadLine {
+  id: string;
+  name: string;
+  error: string | null;
+  comes_s?: number[];
+  goes_s?: number[];
+  moves_s?: [number, number][];
+  newly_inapplicable?: string[];
+  own?: string[];
+  done: boolean;
+}
+
+/**
+ * With what a recording can be compared, and where `with` is not null how that agrees.
+ * - shared: (shown, other) times of boundaries both have
+ * - only_first_s, only_second_s: boundaries of what is shown alone, of the other alone
+ * - timing_s: median distance of shared boundaries
+ */
+export interface ComparisonMessage {
+  type: "comparison";
+  recording: string;
+  options: string[];
+  with: string | null;
+  boundaries_s: number[];
+  labels: string[];
+  shared: [number, number][];
+  only_first_s: number[];
+  only_second_s: number[];
+  f1: number | null;
+  same_label: number | null;
+  timing_s: number | null;
+}
+
+/** The pieces of the file may come; `name` is what it will be called. */
+export interface UploadReady {
+  type: "upload_ready";
+  name: string;
+}
+
+/** Why a file was not taken, before or after it came; nothing is left of it. */
+export interface UploadRefused {
+  type: "upload_refused";
+  text: string;
+}
+
+/** The answer to `upload_cancel`; nothing is left of the file. */
+export interface UploadCancelled {
+  type: "upload_cancelled";
+  name: string;
+}
+
+/**
+ * The file is whole, could be read, and has this name now. A recording is opened; a segment file
+ * (`compares`) is one of the options to compare with.
+ */
+export interface Uploaded {
+  type: "uploaded";
+  name: string;
+  compares: boolean;
+}

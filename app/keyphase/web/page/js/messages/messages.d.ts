@@ -1,0 +1,68 @@
+// Made by `make protocol` from the structs in app/keyphase: change those.
+
+import type {
+  MarginMessage,
+  PushMessage,
+  RecordMessage,
+  ReplaySettingsMessage,
+  RobotMessage,
+  TrialsMessage,
+} from "./control_messages";
+import type {
+  DocumentMessage,
+  GhostMessage,
+  NothingMessage,
+  PlayheadMessage,
+  SelectionMessage,
+  ShownMessage,
+} from "./document_messages";
+import type {
+  ComparisonMessage,
+  Following,
+  Hello,
+  InTheWayMessage,
+  Notice,
+  Recordings,
+  Refused,
+  Saved,
+  SpreadMessage,
+  TaskMessage,
+  UploadCancelled,
+  UploadReady,
+  UploadRefused,
+  Uploaded,
+} from "./list_messages";
+import type { ReplayClosed, ReplayMessage, ReplaySamples } from "./replay_messages";
+import type { SignalsHeader } from "./signals_frame";
+
+export type Message =
+  | Hello
+  | Recordings
+  | DocumentMessage
+  | NothingMessage
+  | GhostMessage
+  | SelectionMessage
+  | PlayheadMessage
+  | ShownMessage
+  | Following
+  | TaskMessage
+  | Notice
+  | Refused
+  | Saved
+  | InTheWayMessage
+  | SpreadMessage
+  | ComparisonMessage
+  | UploadReady
+  | UploadRefused
+  | UploadCancelled
+  | Uploaded
+  | RobotMessage
+  | RecordMessage
+  | ReplaySettingsMessage
+  | PushMessage
+  | ReplayMessage
+  | ReplaySamples
+  | ReplayClosed
+  | TrialsMessage
+  | MarginMessage
+  | SignalsHeader;

@@ -1,0 +1,76 @@
+// Made by `make protocol` from the structs in app/keyphase: change those.
+
+import type {
+  CompareRequest,
+  DoneRequest,
+  EditRequest,
+  ExportRequest,
+  ForgetLabelRequest,
+  KeepLabelsRequest,
+  RedoRequest,
+  ResetRequest,
+  SelectRequest,
+  SetRequest,
+  SignalsRequest,
+  SpreadRequest,
+  TakeJournalRequest,
+  TakeOverRequest,
+  UndoRequest,
+} from "./document_requests";
+import type {
+  MarginRequest,
+  PushRequest,
+  RecordRequest,
+  ReplayRequest,
+  ReplaySettingsRequest,
+  TrialsCancelRequest,
+  TrialsRequest,
+} from "./replay_requests";
+import type {
+  FollowRequest,
+  LatencyRequest,
+  OpenDemonstrationRequest,
+  OpenRequest,
+  PlayRequest,
+  RobotRequest,
+  SeekRequest,
+  ShowRequest,
+  ThemeRequest,
+  UploadCancelRequest,
+  UploadRequest,
+} from "./view_requests";
+
+export type Request =
+  | OpenRequest
+  | OpenDemonstrationRequest
+  | FollowRequest
+  | SetRequest
+  | ResetRequest
+  | EditRequest
+  | UndoRequest
+  | RedoRequest
+  | DoneRequest
+  | KeepLabelsRequest
+  | TakeJournalRequest
+  | ForgetLabelRequest
+  | SpreadRequest
+  | CompareRequest
+  | TakeOverRequest
+  | UploadRequest
+  | UploadCancelRequest
+  | SelectRequest
+  | SeekRequest
+  | PlayRequest
+  | SignalsRequest
+  | ExportRequest
+  | ShowRequest
+  | ThemeRequest
+  | ReplayRequest
+  | ReplaySettingsRequest
+  | PushRequest
+  | TrialsRequest
+  | TrialsCancelRequest
+  | MarginRequest
+  | RecordRequest
+  | RobotRequest
+  | LatencyRequest;

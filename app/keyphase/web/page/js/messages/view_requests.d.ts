@@ -1,0 +1,72 @@
+// Made by `make protocol` from the structs in app/keyphase: change those.
+
+/** Look at a recording. */
+export interface OpenRequest {
+  type: "open";
+  id: string;
+}
+
+/** Look at a copy of the recording that comes with keyphase. */
+export interface OpenDemonstrationRequest {
+  type: "open_demonstration";
+}
+
+/** See what another page sees; null: no more. */
+export interface FollowRequest {
+  type: "follow";
+  page: string | null;
+}
+
+/** A file follows in binary messages. */
+export interface UploadRequest {
+  type: "upload";
+  name: string;
+  size: number;
+}
+
+/** The file on its way is not wanted after all. */
+export interface UploadCancelRequest {
+  type: "upload_cancel";
+}
+
+/** Move the playhead. */
+export interface SeekRequest {
+  type: "seek";
+  time_s: number;
+}
+
+/** Start, pause, or change how playback runs. */
+export interface PlayRequest {
+  type: "play";
+  playing: boolean;
+  speed?: number;
+  loop?: boolean;
+}
+
+/** Show or hide a part of the scene. */
+export interface ShowRequest {
+  type: "show";
+  what: string;
+  visible: boolean;
+}
+
+/** The page has become light or dark. */
+export interface ThemeRequest {
+  type: "theme";
+  dark: boolean;
+}
+
+/** Which arm follows the recording, whether the robot can be moved, where it stands. */
+export interface RobotRequest {
+  type: "robot";
+  arm?: string | null;
+  moving?: boolean | null;
+  place?: "automatically" | null;
+}
+
+/** How long it took from an input event to the first frame that shows what it did. */
+export interface LatencyRequest {
+  type: "latency";
+  event: number;
+  milliseconds: number;
+}

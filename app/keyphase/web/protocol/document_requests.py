@@ -1,0 +1,121 @@
+"""What a page asks about one recording: changes, comparisons, files, curves."""
+
+from typing import Annotated, Literal
+
+import msgspec
+from msgspec import Meta
+
+from keyphase.labeling import edits as labeling
+from keyphase.labeling.storage.written_files import IfThere
+from keyphase.web.protocol.request_kinds import (
+    Counter,
+    Id,
+    Name,
+    OnDocument,
+    PageRequest,
+    Time,
+    Value,
+)
+
+Width = Annotated[int, Meta(ge=2, le=20_000)]
+"""Fewer than two pixels is no curve, and the decimation panics."""
+
+
+class Set(OnDocument, tag="set", frozen=True):
+    """Change a parameter; `held` while the person is still dragging."""
+
+    parameter: Name
+    value: Value | Name | None
+    held: bool = False
+
+
+class Reset(OnDocument, tag="reset", frozen=True):
+    """Parameters back to automatic."""
+
+
+class Edit(OnDocument, tag="edit", frozen=True):
+    """Apply one edit."""
+
+    edit: labeling.Edit
+
+
+class Undo(OnDocument, tag="undo", frozen=True):
+    """Take back the last edit or parameter change."""
+
+
+class Redo(OnDocument, tag="redo", frozen=True):
+    """Do again what was taken back."""
+
+
+class Done(OnDocument, tag="done", frozen=True):
+    """This recording is, or is not, finished."""
+
+    done: bool
+
+
+class KeepLabels(OnDocument, tag="keep_labels", frozen=True):
+    """The recording has changed since it was labeled, and the labels are to be kept."""
+
+
+class TakeJournal(OnDocument, tag="take_journal", frozen=True):
+    """Take over what was done to the same bytes under another name."""
+
+
+class ForgetLabel(OnDocument, tag="forget_label", frozen=True):
+    """Take a label out of the folder's vocabulary."""
+
+    label: Name
+
+
+class Spread(OnDocument, tag="spread", frozen=True):
+    """Tell what these parameters would do to all recordings of the folder; do it; or never mind.
+
+    With `include_done` those that are done are opened again; without, they are left alone.
+    """
+
+    step: Literal["look", "apply", "leave"]
+    include_done: bool = False
+
+
+class Compare(OnDocument, tag="compare", frozen=True):
+    """Compare with another segmentation of this recording; null: tell with which one can."""
+
+    other: Id | None = msgspec.field(name="with", default=None)
+
+
+class TakeOver(OnDocument, tag="take_over", frozen=True):
+    """Make another segmentation of this recording its own, as one edit."""
+
+    other: Id = msgspec.field(name="from")
+
+
+class Select(OnDocument, tag="select", frozen=True):
+    """Select a segment, or none."""
+
+    segment: Annotated[int, Meta(ge=0, le=1_000_000)] | None
+
+
+class Signals(PageRequest, tag="signals", frozen=True):
+    """Ask for the visible range of some tracks."""
+
+    recording: Id
+    request: Counter
+    tracks: Annotated[list[Name], Meta(max_length=20)]
+    from_s: Time
+    to_s: Time
+    width: Width
+
+
+class Export(OnDocument, tag="export", frozen=True):
+    """Write a file.
+
+    The segment file as `json` or `csv`, or those of `all` recordings; the plan as `skills`,
+    `behavior tree`, `program`, `urscript` or `rapid`; the replay that is over as a `page` that
+    needs no server. `if_there` says what becomes of files that keyphase did not write as they are;
+    without, `in_the_way` tells which there are.
+    """
+
+    kind: Literal[
+        "json", "csv", "all", "skills", "behavior tree", "program", "urscript", "rapid", "page"
+    ]
+    if_there: IfThere = "ask"

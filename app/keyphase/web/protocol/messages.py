@@ -1,0 +1,67 @@
+"""Everything the server says to a page; docs/protocol.md and the page's types are made of this."""
+
+from keyphase.web.protocol.control_messages import (
+    MarginMessage,
+    PushMessage,
+    RecordMessage,
+    ReplaySettingsMessage,
+    RobotMessage,
+    TrialsMessage,
+)
+from keyphase.web.protocol.document_messages import (
+    DocumentMessage,
+    GhostMessage,
+    NothingMessage,
+    PlayheadMessage,
+    SelectionMessage,
+    ShownMessage,
+)
+from keyphase.web.protocol.list_messages import (
+    ComparisonMessage,
+    Following,
+    Hello,
+    InTheWayMessage,
+    Notice,
+    Recordings,
+    Refused,
+    Saved,
+    SpreadMessage,
+    TaskMessage,
+    UploadCancelled,
+    Uploaded,
+    UploadReady,
+    UploadRefused,
+)
+from keyphase.web.protocol.replay_messages import ReplayClosed, ReplayMessage, ReplaySamples
+
+Message = (
+    Hello
+    | Recordings
+    | DocumentMessage
+    | NothingMessage
+    | GhostMessage
+    | SelectionMessage
+    | PlayheadMessage
+    | ShownMessage
+    | Following
+    | TaskMessage
+    | Notice
+    | Refused
+    | Saved
+    | InTheWayMessage
+    | SpreadMessage
+    | ComparisonMessage
+    | UploadReady
+    | UploadRefused
+    | UploadCancelled
+    | Uploaded
+    | RobotMessage
+    | RecordMessage
+    | ReplaySettingsMessage
+    | PushMessage
+    | ReplayMessage
+    | ReplaySamples
+    | ReplayClosed
+    | TrialsMessage
+    | MarginMessage
+)
