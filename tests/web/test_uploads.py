@@ -4,6 +4,7 @@ import io
 import json
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 from hypothesis import given
@@ -226,3 +227,40 @@ def test_any_name_becomes_plain(name: str, suffix: str) -> None:
 def test_any_other_name_is_refused(name: str) -> None:
     with pytest.raises(RequestError):
         safe_name(name + ".svg")
+
+
+def test_each_recording_of_a_file_of_many_comes_into_the_list(
+    page: PageClient, tmp_path: Path
+) -> None:
+    path = tmp_path / "low_dim.hdf5"
+    with h5py.File(path, "w") as file:
+        for name in ("demo_0", "demo_1"):
+            seen = file.create_group(f"data/{name}/obs")
+            seen["robot0_eef_pos"] = np.linspace(0, 0.2, 90).reshape(30, 3)
+            seen["robot0_eef_quat"] = np.tile([0.0, 0.0, 0.0, 1.0], (30, 1))
+        file["data"].attrs["env_args"] = json.dumps({"env_kwargs": {"control_freq": 20}})
+    _send(page, "low_dim.hdf5", path.read_bytes())
+
+    document = page.wait_for("document", lambda m: m["name"].startswith("low_dim"))
+    listed = page.wait_for("recordings", lambda m: len(m["items"]) == 3)
+
+    assert document["name"].endswith("demo_0")
+    assert listed["items"][2]["name"].endswith("demo_1")
+
+
+def test_a_recipe_that_is_sent_reads_what_waited_for_one(page: PageClient, own_copy: Path) -> None:
+    _send(page, "log.csv", b"t,a,b,c\n" + b"".join(b"%d,0.%d,0,0\n" % (i, i) for i in range(40)))
+    page.wait_for("table")
+    recipe = 'time = {column = "t", unit = "s"}\nposition = {columns = ["a", "b", "c"], unit = "m"}'
+    _send(page, "recipe.toml", recipe.encode())
+
+    assert page.wait_for("document", lambda m: m["name"] == "log")
+    assert _files(own_copy.parent) == {own_copy.name, "log.csv", "recipe.toml"}
+
+
+def test_a_recipe_never_takes_the_place_of_another(page: PageClient, own_copy: Path) -> None:
+    own_copy.with_name("recipe.toml").write_text("# mine")
+    _send(page, "recipe.toml", b'position = {columns = "p?", unit = "m"}\ntime = {rate_hz = 10}')
+
+    assert "never replaced" in _refusal(page)
+    assert own_copy.with_name("recipe.toml").read_text() == "# mine"

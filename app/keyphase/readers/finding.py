@@ -11,6 +11,7 @@ from keyphase.files.reading import DEFAULT_LIMIT_BYTES, first_bytes, read_whole
 from keyphase.readers.formats.known import format_of
 from keyphase.readers.native_csv import MAX_HEADER_BYTES, has_native_header
 from keyphase.readers.recipes.file import load_recipe
+from keyphase.readers.recipes.recipe import Recipe
 from keyphase.readers.recipes.several import parts_of_table
 from keyphase.readers.table import open_table
 
@@ -68,7 +69,7 @@ def _parts(recording: Found, recipe: Path | str | None) -> Iterator[Found]:
         yield Found(with_part(path, name), with_part(relative, name))
 
 
-def parts_of(path: Path, recipe: Path | str | None = None) -> tuple[str, ...]:
+def parts_of(path: Path, recipe: Recipe | Path | str | None = None) -> tuple[str, ...]:
     """The recordings in a file or dataset that holds many, or none where it is one.
 
     Raises DemonstrationError and RecipeError for what cannot be read.
@@ -77,19 +78,23 @@ def parts_of(path: Path, recipe: Path | str | None = None) -> tuple[str, ...]:
     chosen = recipe or own_recipe(path) or folder_recipe(path)
     if form is not None:
         inner = form.parts(path)
-        sides = tuple(load_recipe(chosen).parts) if chosen else ()
+        sides = tuple(_loaded(chosen).parts) if chosen else ()
         if not sides:
             return inner
         return tuple(f"{one}+{side}" for one in inner for side in sides) or sides
     if chosen is None or split_part(path)[1] is not None or not os.path.isfile(path):
         return ()
-    loaded = load_recipe(chosen)
+    loaded = _loaded(chosen)
     if loaded.split is None:
         return tuple(loaded.parts)
     file = read_whole(path, DEFAULT_LIMIT_BYTES)
     return parts_of_table(
         open_table(file.name, file.data, loaded.table, DEFAULT_LIMIT_BYTES), loaded
     )
+
+
+def _loaded(recipe: Recipe | Path | str) -> Recipe:
+    return recipe if isinstance(recipe, Recipe) else load_recipe(recipe)
 
 
 def own_recipe(path: Path) -> Path | None:
@@ -102,6 +107,22 @@ def folder_recipe(path: Path) -> Path | None:
     """The recipe of all tables in the folder of `path`, `recipe.toml`, where it is there."""
     recipe = path.with_name(FOLDER_RECIPE)
     return recipe if os.path.isfile(recipe) else None
+
+
+def undescribed_tables(folder: Path) -> tuple[Path, ...]:
+    """Tables right in a folder that nobody has said how to read, sorted."""
+    try:
+        paths = sorted(path for path in folder.iterdir() if not path.name.startswith("."))
+    except OSError:
+        return ()
+    return tuple(
+        path
+        for path in paths
+        if path.name.lower().endswith(_TABLE_SUFFIXES)
+        and not path.name.endswith(_SEGMENTS_SUFFIX)
+        and path.is_file()
+        and not _is_recording(path, recipe_given=False)
+    )
 
 
 def begins_native(path: Path) -> bool:

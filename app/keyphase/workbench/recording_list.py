@@ -1,11 +1,12 @@
 """The list of recordings of one workbench, and who is at which."""
 
 import threading
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from keyphase.errors import RequestError
+from keyphase.workbench.proposals import Proposal
 from keyphase.workbench.recordings import Recording, recording_at
 
 PAGE_COLORS = 8
@@ -28,6 +29,7 @@ class Listing:
 
     recordings: tuple[Recording, ...]
     presences: tuple[Presence, ...] = ()
+    proposals: Mapping[str, Proposal] = field(default_factory=dict)
 
 
 class RecordingList:
@@ -90,9 +92,23 @@ class RecordingList:
         """Who is at which recording by now."""
         with self._lock:
             if tuple(presences) != self._listing.presences:
-                self._listing = Listing(self.recordings, tuple(presences))
-                self._tell(self._listing)
+                self._change(presences=tuple(presences))
 
-    def _change(self, recordings: tuple[Recording, ...]) -> None:
-        self._listing = Listing(recordings, self._listing.presences)
+    def show_proposals(self, proposals: Mapping[str, Proposal]) -> None:
+        """What is proposed for which recording by now, by their ids."""
+        with self._lock:
+            self._change(proposals=proposals)
+
+    def _change(
+        self,
+        recordings: tuple[Recording, ...] | None = None,
+        presences: tuple[Presence, ...] | None = None,
+        proposals: Mapping[str, Proposal] | None = None,
+    ) -> None:
+        old = self._listing
+        self._listing = Listing(
+            old.recordings if recordings is None else recordings,
+            old.presences if presences is None else presences,
+            old.proposals if proposals is None else proposals,
+        )
         self._tell(self._listing)

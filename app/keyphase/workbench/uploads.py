@@ -13,21 +13,27 @@ from pathlib import Path
 from typing import BinaryIO
 
 from keyphase.errors import KeyphaseError, RequestError
+from keyphase.files.parts import with_part
 from keyphase.files.shipped import shipped
 from keyphase.labeling.segment_file import SUFFIX as SEGMENTS
 from keyphase.labeling.segment_file import read_segment_file
-from keyphase.readers import Recipe, read
+from keyphase.readers import Recipe, load_recipe, read
+from keyphase.readers.finding import parts_of
 
 DEFAULT_LIMIT_BYTES = 2 << 30
 """The largest file a browser may send unless the server is told otherwise."""
 
-SUFFIXES = frozenset({".npz", ".csv", ".tsv", ".txt", ".dat", ".log", ".asc"})
+SUFFIXES = frozenset(
+    {".npz", ".csv", ".tsv", ".txt", ".dat", ".log", ".asc"}
+    | {".hdf5", ".h5", ".zarr.zip", ".bag", ".mcap", ".mat", ".npy"}
+)
 """How recordings end; a segment file ends as it always does."""
 
 DEMONSTRATION = "setup1.npz"
 """The recording one is shown who has none yet."""
 
 _MAX_NAME_LENGTH = 80
+_RECIPE = ".toml"
 _UNSAFE = re.compile(r"[^A-Za-z0-9._-]+")
 _SPARE_BYTES = 64 << 20
 
@@ -42,12 +48,13 @@ class Upload:
         self, folder: Path, name: str, size: int, limit_bytes: int = DEFAULT_LIMIT_BYTES
     ) -> None:
         """Raises RequestError for a kind of file that is none of ours, or one too large."""
-        self._folder = folder
+        self.folder = folder
         self.name = safe_name(name)
         _check_size(self.name, size, limit_bytes, folder)
         self._left = size
         try:
-            descriptor, path = tempfile.mkstemp(prefix=".upload-", dir=folder)
+            suffix = _split(self.name)[1]
+            descriptor, path = tempfile.mkstemp(prefix=".upload-", suffix=suffix, dir=folder)
         except OSError as error:
             raise RequestError(
                 f"Nothing can be written into {folder} ({error.strerror})."
@@ -61,9 +68,19 @@ class Upload:
         return self._left == 0
 
     @property
+    def part(self) -> Path:
+        """Where its bytes lie until it has a name."""
+        return self._part
+
+    @property
     def is_segment_file(self) -> bool:
         """Whether it is another's segmentation, not a recording."""
         return self.name.endswith(SEGMENTS)
+
+    @property
+    def is_recipe(self) -> bool:
+        """Whether it says how tables are read."""
+        return self.name.endswith(_RECIPE)
 
     def write(self, piece: bytes) -> None:
         """Put the next piece on disk.
@@ -83,18 +100,22 @@ class Upload:
     def finish(self, recipe: Recipe | None = None, open_sha256: str | None = None) -> Path:
         """Read the whole file and give it its name, beside others of that name; where it now is.
 
-        Raises KeyphaseError with the reason where it is no recording, or no segment file of the
-        recording with the hash `open_sha256`; then nothing is left of it.
+        Raises RequestError with the reason where it is no recording, or no segment file of the
+        recording with the hash `open_sha256`; `abandon` it then, or try again otherwise.
         """
         try:
-            self._file.flush()
-            os.fsync(self._file.fileno())
-            self._file.close()
+            self.settle()
             self._check(recipe, open_sha256)
             return self._named()
         except (KeyphaseError, OSError) as error:
-            self.abandon()
             raise RequestError(str(error).replace(str(self._part), self.name)) from error
+
+    def settle(self) -> None:
+        """All of it is on disk; again and again without harm. Raises OSError where it is not."""
+        if not self._file.closed:
+            self._file.flush()
+            os.fsync(self._file.fileno())
+            self._file.close()
 
     def abandon(self) -> None:
         """Forget what has come so far."""
@@ -102,8 +123,12 @@ class Upload:
         self._part.unlink(missing_ok=True)
 
     def _check(self, recipe: Recipe | None, open_sha256: str | None) -> None:
+        if self.is_recipe:
+            load_recipe(self._part)
+            return
         if not self.is_segment_file:
-            read(self._part, recipe)
+            inner = parts_of(self._part, recipe)
+            read(with_part(self._part, inner[0]) if inner else self._part, recipe)
             return
         about = read_segment_file(self._part, check_recording=False).demonstration
         if about.sha256 != open_sha256:
@@ -113,8 +138,12 @@ class Upload:
             )
 
     def _named(self) -> Path:
+        if self.is_recipe and (self.folder / self.name).exists():
+            raise RequestError(
+                f"{self.name} is there already and is never replaced; move it away first."
+            )
         for name in _free_names(self.name):
-            path = self._folder / name
+            path = self.folder / name
             try:
                 # Claims the name, so that a file that appears meanwhile is not written over.
                 path.open("xb").close()
@@ -144,15 +173,15 @@ def copy_of_shipped(folder: Path) -> Path:
 def safe_name(name: str) -> str:
     """A name without folders, spaces and anything a shell or a browser could read otherwise.
 
-    Raises RequestError for a name that is neither a recording's nor a segment file's.
+    Raises RequestError for a name that is neither a recording's, a segment file's nor a recipe's.
     """
     last = re.split(r"[/\\]", name)[-1]
     stem, suffix = _split(last)
-    if suffix.lower() not in SUFFIXES | {SEGMENTS}:
+    if suffix.lower() not in SUFFIXES | {SEGMENTS, _RECIPE}:
         kinds = ", ".join(sorted(SUFFIXES))
         raise RequestError(
-            f"Expected a recording ({kinds}) or a segment file ({SEGMENTS}), but got "
-            f"{last[:80]!r}, which is of none of these kinds."
+            f"Expected a recording ({kinds}), a segment file ({SEGMENTS}) or a recipe "
+            f"({_RECIPE}), but got {last[:80]!r}, which is of none of these kinds."
         )
     stem = _UNSAFE.sub("_", stem).strip("._-")[:_MAX_NAME_LENGTH]
     return (stem or "recording") + suffix.lower()
@@ -176,8 +205,9 @@ def _check_size(name: str, size: int, limit_bytes: int, folder: Path) -> None:
 
 
 def _split(name: str) -> tuple[str, str]:
-    if name.lower().endswith(SEGMENTS):
-        return name[: -len(SEGMENTS)], SEGMENTS
+    for ending in (SEGMENTS, ".zarr.zip"):
+        if name.lower().endswith(ending):
+            return name[: -len(ending)], ending
     return os.path.splitext(name)
 
 

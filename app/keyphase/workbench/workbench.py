@@ -8,6 +8,7 @@ from pathlib import Path
 
 from keyphase.errors import RequestError
 from keyphase.labeling.storage.written_files import IfThere
+from keyphase.readers.finding import begins_native, folder_recipe
 from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.library import Library
 from keyphase.workbench.exporting.all_recordings import export_all
@@ -15,6 +16,7 @@ from keyphase.workbench.exporting.beside import require_own_names
 from keyphase.workbench.leading.takes import Takes
 from keyphase.workbench.looking import Looking
 from keyphase.workbench.playback import Clock
+from keyphase.workbench.proposals import Proposals
 from keyphase.workbench.recording_list import Listing, RecordingList
 from keyphase.workbench.recordings import Recording
 from keyphase.workbench.sharing import Sharing
@@ -58,7 +60,13 @@ class Workbench:
         self._numbers, self._looks = itertools.count(1), itertools.count(1)
         self._spreads: dict[str, int] = {}
         self.recordings = RecordingList(paths, self._tell_list)
-        self.library.on_change = lambda state: self.recordings.update(state.line)
+        self.proposals = Proposals(
+            lambda: self.recordings.recordings,
+            self.library,
+            self.tasks,
+            self.recordings.show_proposals,
+        )
+        self.library.on_change = lambda state: self._line_changed(state.line)
         self.takes = Takes(self.settings.folder)
         self.arms = self.settings.arms
         self.looking = Looking(self.recordings, self.library)
@@ -75,6 +83,7 @@ class Workbench:
                 timer.cancel()
         self._clock.stop()
         self.looking.stop()
+        self.proposals.stop()
         for view in views:
             view.close()
         self.library.close()
@@ -107,6 +116,7 @@ class Workbench:
                 view.open(first.id)
             if len(self.views) == 1:
                 self.looking.begin()
+                self.proposals.begin()
         return view
 
     def leave(self, page: str) -> None:
@@ -172,10 +182,15 @@ class Workbench:
         """A file that was sent, read and named; where it now is.
 
         `beside_sha256` is the hash of the recording a segment file is to be about. Raises
-        RequestError with the reason where it cannot be used.
+        RequestError with the reason where it cannot be used; it is there still.
         """
         with self.tasks.begin(f"{upload.name}: reading"):
             return self.library.take_in(upload, beside_sha256)
+
+    def is_undescribed(self, upload: Upload) -> bool:
+        """Whether a file that was sent is a table for which there is no recipe."""
+        given = self.settings.recipe is not None or folder_recipe(upload.part) is not None
+        return not (given or upload.is_segment_file or begins_native(upload.part))
 
     def export_all(self, view: View, if_there: IfThere = "ask") -> None:
         """Write a segment file for every recording, and tell a page what became of it."""
@@ -220,6 +235,13 @@ class Workbench:
     def leave_spread(self, view: View) -> None:
         """Look no further into what would change."""
         self._spreads.pop(view.id, None)
+
+    def _line_changed(self, line: Recording) -> None:
+        """A recording stands otherwise in the list; what it teaches the others may be new."""
+        before = next((one for one in self.recordings.recordings if one.id == line.id), None)
+        self.recordings.update(line)
+        if before and (before.state == "done") != (line.state == "done"):
+            self.proposals.begin()
 
     # -- telling
 

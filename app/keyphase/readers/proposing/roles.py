@@ -27,6 +27,7 @@ _FORCE = re.compile(r"force|kraft|(^|[\W_])f[\W_]?[xyz]|^f\d?[xyz]", re.I)
 _TORQUE = re.compile(r"torque|moment|(^|[\W_])[tm][\W_]?[xyz]($|[\W_])", re.I)
 _QUATERNION = re.compile(r"quat|orient|(^|[\W_])q[\W_]?[wxyz0-3]", re.I)
 _EULER = re.compile(r"roll|pitch|yaw|euler|rpy|(^|[\W_])r[xyz]|rot", re.I)
+_UNNAMED = re.compile(r"column \d+")
 _GRIPPER = re.compile(r"grip|greifer|width|opening|finger|backe", re.I)
 _JOINT = re.compile(r"joint|achse|axis_?\d|(^|[\W_])[qj]_?\d", re.I)
 _NO_JOINT = re.compile(r"header|stamp|seq|vel|effort|torque|current|cmd|soll", re.I)
@@ -60,7 +61,25 @@ def guesses_of(names: Sequence[str], values: Array) -> list[Guess]:
         if guess is not None:
             found.append(guess)
             free = [i for i in free if i not in guess.columns]
-    return found
+    before = _before_quaternion(names, values, free, found)
+    return [*found, before] if before else found
+
+
+def _before_quaternion(
+    names: Sequence[str], values: Array, free: list[int], found: Sequence[Guess]
+) -> Guess | None:
+    """A position without a name: most recorders write it right before the orientation."""
+    turns = next((guess for guess in found if guess.role == "quaternion"), None)
+    if turns is None or any(guess.role == "position" for guess in found):
+        return None
+    first = min(turns.columns) - 3
+    columns = (first, first + 1, first + 2)
+    if not set(columns) <= set(free) or any(_NO_POSITION.search(names[i]) for i in columns):
+        return None
+    reach = float(np.abs(values[:, columns]).max())
+    unit = "mm" if reach > 10 else "m"
+    evidence = ("the three before the quaternion", f"reaches {reach:.4g}: {unit} (by its size)")
+    return Guess("position", columns, unit, "", evidence)
 
 
 def _time(names: Sequence[str], values: Array, free: list[int]) -> Guess | None:
@@ -77,6 +96,8 @@ def _time(names: Sequence[str], values: Array, free: list[int]) -> Guess | None:
     told = _unit_in(names[column], dict(_TIME_UNITS))
     possible = [u for u, s in _TIME_UNITS if _MIN_RATE_HZ <= 1 / (step * s) <= _MAX_RATE_HZ]
     unit = told or (possible[0] if len(possible) == 1 else _by_size(step, possible))
+    if not (named or unit):
+        return None
     why = f"steps of {step:.6g}: {unit or '?'}, which makes {_rate(step, unit)}"
     return Guess("time", (column,), unit, "", (why, "the column never falls"))
 
@@ -113,9 +134,8 @@ def _quaternion(names: Sequence[str], values: Array, free: list[int]) -> Guess |
             continue
         norms = np.linalg.norm(values[:, columns], axis=1)
         spread = float(np.ptp(values[:, columns], axis=0).max())
-        if np.abs(norms - 1).max() > 0.02 or (
-            spread == 0 and not any(_QUATERNION.search(names[c]) for c in columns)
-        ):
+        told = any(_QUATERNION.search(names[c]) or _UNNAMED.fullmatch(names[c]) for c in columns)
+        if np.abs(norms - 1).max() > 0.02 or (spread == 0 and not told):
             continue
         order, why = _order([names[c] for c in columns], values[0, list(columns)])
         evidence = (f"norm of these four is {norms.mean():.3f} in every row: a quaternion", why)

@@ -56,6 +56,9 @@ SECTIONS = {
 Noted = tuple[Channels, tuple[str, ...]]
 """Channels, and what was done to them that a person should know."""
 
+_NORM_TOLD = 1e-5
+"""What rounding to six digits does to a norm is not worth a notice."""
+
 
 def channels_of(table: Columned, recipe: Recipe) -> Noted:
     """All channels of `table` that `recipe` describes, row by row as they are recorded.
@@ -208,5 +211,6 @@ def _quaternion(
     if not form.normalise:
         return from_quaternions(values, form.order, row_name), ()
     furthest = np.max(np.abs(np.linalg.norm(values, axis=1) - 1.0))
-    notice = f"Quaternions were normalised; the furthest had a norm {furthest:.3g} from one."
-    return from_quaternions(normalised(values, row_name), form.order, row_name), (notice,)
+    told = f"Quaternions were normalised; the furthest had a norm {furthest:.3g} from one."
+    notices = (told,) if furthest > _NORM_TOLD else ()
+    return from_quaternions(normalised(values, row_name), form.order, row_name), notices

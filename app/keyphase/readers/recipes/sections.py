@@ -29,14 +29,15 @@ from keyphase.readers.recipes.recipe import (
 from keyphase.readers.recipes.units import Quantity
 from keyphase.readers.table import TableForm
 
-_SEPARATORS: dict[str, str | None] = {
+SEPARATORS: dict[str, str | None] = {
     **{character: character for character in ",;|:\t"},
     "tab": "\t",
     "whitespace": None,
 }
-_ENCODINGS = {"utf-8": "utf-8-sig"} | {
+ENCODINGS = {"utf-8": "utf-8-sig"} | {
     name: name for name in ("utf-16", "latin-1", "cp1252", "shift_jis", "gb18030")
 }
+"""As a recipe names them, and as Python does."""
 _ORDERS: dict[str, QuaternionOrder] = {"wxyz": "wxyz", "xyzw": "xyzw"}
 _LAYOUTS: dict[str, MatrixLayout] = {"row_major": "row_major", "column_major": "column_major"}
 _EULER_SEQUENCE = re.compile("[xyz]{3}|[XYZ]{3}")
@@ -61,10 +62,10 @@ def table_of(keys: Keys | None) -> TableForm:
     if keys is None:
         return TableForm()
     form = TableForm(
-        separator=keys.choice("separator", _SEPARATORS, ","),
+        separator=keys.choice("separator", SEPARATORS, ","),
         skip_lines=keys.count("skip_lines", 0),
         header=keys.flag("header", True),
-        encoding=keys.choice("encoding", _ENCODINGS, "utf-8"),
+        encoding=keys.choice("encoding", ENCODINGS, "utf-8"),
         decimal=keys.choice("decimal", {".": ".", ",": ","}, "."),
     )
     keys.finish()

@@ -19,6 +19,11 @@ _SIZES: Mapping[Quantity, Mapping[str, float]] = {
 }
 
 
+def units_of(quantity: Quantity) -> tuple[str, ...]:
+    """The units a recipe may name for a quantity."""
+    return tuple(_SIZES[quantity])
+
+
 def unit_size(unit: str, quantity: Quantity, where: str) -> float:
     """The size of a unit in s, m, rad, N or N m; "N mm", "N·mm" and "Nmm" are the same.
 

@@ -2,16 +2,19 @@
 
 from keyphase.web.protocol.list_messages import ComparisonMessage
 from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.proposals import Proposal
 from keyphase.workbench.showing.comparing import comparison
 
 
-def comparison_message(state: DeskState, other: str | None) -> ComparisonMessage:
+def comparison_message(
+    state: DeskState, other: str | None, proposal: Proposal | None = None
+) -> ComparisonMessage:
     """With what a recording can be compared, and how `other` agrees.
 
     Raises RequestError for a name that is not offered, SegmentFileError and LabelingError for a
     file that cannot be compared.
     """
-    found = comparison(state, other)
+    found = comparison(state, other, proposal.outline if proposal else None)
     if found.outline is None or found.result is None:
         return ComparisonMessage(state.recording.id, found.options)
     outline, result = found.outline, found.result

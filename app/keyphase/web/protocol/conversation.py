@@ -6,9 +6,11 @@ from collections.abc import Callable
 from dataclasses import asdict
 
 from keyphase.errors import FileInTheWayError, KeyphaseError, RequestError
+from keyphase.readers import find_recordings
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web.protocol import list_messages as say
 from keyphase.web.protocol import requests as ask
+from keyphase.web.protocol.describing import Describing
 from keyphase.web.protocol.dispatch import do
 from keyphase.web.protocol.voice import Send, Voice
 from keyphase.workbench.desks.asked import Asked
@@ -42,6 +44,7 @@ class Conversation:
         self._upload: Upload | None = None
         self.send(_hello(page, looking))
         self.view = workbench.enter(page)
+        self._describing = Describing(workbench, self.view, send)
         self._voice = Voice(send, page, lambda: self.view.selected)
         self.view.watch(self._voice)
 
@@ -49,6 +52,7 @@ class Conversation:
         """The page has left."""
         if self._upload is not None:
             self._upload.abandon()
+        self._describing.close()
         self.view.unwatch(self._voice)
         self.workbench.leave(self.page)
 
@@ -105,6 +109,8 @@ class Conversation:
                 self._begin_upload(request)
             case ask.UploadCancel():
                 self._cancel_upload()
+            case ask.Describe() | ask.DescribeTry() | ask.DescribeConfirm() | ask.DescribeLeave():
+                self._describing.do(request)
             case _:
                 do(self, request)
 
@@ -153,11 +159,16 @@ class Conversation:
         try:
             path = self.workbench.take_in(upload, beside)
         except KeyphaseError as error:
+            if self._describing.waits_for(upload):
+                return
+            upload.abandon()
             self.send(say.UploadRefused(str(error)))
             return
         self.send(say.Uploaded(path.name, upload.is_segment_file))
-        if not upload.is_segment_file:
-            self.view.add(path)
+        if upload.is_recipe:
+            self._describing.recipe_arrived()
+        elif not upload.is_segment_file:
+            self._describing.take_in(tuple(found.path for found in find_recordings([path])))
 
 
 def _hello(page: str, looking: bool) -> say.Hello:

@@ -15,6 +15,7 @@ from keyphase.web.protocol.signals_frame import signals_frame
 from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.desks.parameters import with_parameter
+from keyphase.workbench.showing.comparing import PROPOSED
 from keyphase.workbench.uploads import copy_of_shipped
 
 if TYPE_CHECKING:
@@ -65,13 +66,25 @@ def _at_desk(page: "Conversation", desk: Desk, request: ask.OnDocument) -> None:
         case ask.ForgetLabel():
             page.wait_for(desk.forget_label(request.label, asked))
         case ask.TakeOver():
-            page.wait_for(desk.take_over(request.other, asked))
+            _take_over(page, desk, request)
         case ask.Export():
             _export(page, desk, request)
         case ask.Compare():
-            page.send(comparison_message(_state(desk), request.other))
+            proposal = page.workbench.proposals.of(request.recording)
+            page.send(comparison_message(_state(desk), request.other, proposal))
         case ask.Spread():
             _spread(page, desk, request)
+
+
+def _take_over(page: "Conversation", desk: Desk, request: ask.TakeOver) -> None:
+    asked = page.asked(request)
+    if request.other != PROPOSED:
+        page.wait_for(desk.take_over(request.other, asked))
+        return
+    proposal = page.workbench.proposals.of(request.recording)
+    if proposal is None or proposal.edit is None:
+        raise RequestError("Nothing is proposed for this recording by now.")
+    page.wait_for(desk.edit(proposal.edit, asked))
 
 
 def _set(page: "Conversation", desk: Desk, request: ask.Set) -> None:

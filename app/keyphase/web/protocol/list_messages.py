@@ -5,6 +5,7 @@ from typing import Any, Literal
 from msgspec import UNSET, Struct, UnsetType, field
 
 from keyphase.workbench.exporting.beside import InTheWay
+from keyphase.workbench.proposals import Proposal
 from keyphase.workbench.recording_list import Listing
 from keyphase.workbench.recordings import Recording, State, folder_name, printable
 from keyphase.workbench.showing.doubts import Piece
@@ -41,6 +42,10 @@ class RecordingLine(Struct, frozen=True):
     strip   its segments in small; `color` null: idle or dropped
     unsure  how many boundaries a person should look at
     pages   who else is there
+
+    proposed_from, proposed_confidence  from which finished recordings its segmentation is proposed,
+                                        and how sure the least sure of it is
+    outlier                             it fits none of the finished ones
     """
 
     id: str
@@ -52,6 +57,9 @@ class RecordingLine(Struct, frozen=True):
     strip: tuple[Piece, ...]
     error: str | None
     pages: tuple[PageThere, ...]
+    proposed_from: tuple[str, ...] = ()
+    proposed_confidence: float | None = None
+    outlier: bool = False
 
 
 class Recordings(Struct, frozen=True, tag_field="type", tag="recordings"):
@@ -198,7 +206,10 @@ def recordings_message(listing: Listing, current: str | None, page: str) -> Reco
     return Recordings(
         folder_name(listing.recordings),
         current,
-        tuple(_line(line, tuple(there.get(line.id, ()))) for line in listing.recordings),
+        tuple(
+            _line(line, tuple(there.get(line.id, ())), listing.proposals.get(line.id))
+            for line in listing.recordings
+        ),
     )
 
 
@@ -208,7 +219,9 @@ def spread_message(spread: Spread) -> SpreadMessage:
     return SpreadMessage(spread.look, len(spread.recordings), items)
 
 
-def _line(recording: Recording, pages: tuple[PageThere, ...]) -> RecordingLine:
+def _line(
+    recording: Recording, pages: tuple[PageThere, ...], proposal: Proposal | None
+) -> RecordingLine:
     return RecordingLine(
         recording.id,
         recording.name,
@@ -219,7 +232,16 @@ def _line(recording: Recording, pages: tuple[PageThere, ...]) -> RecordingLine:
         recording.strip,
         recording.error,
         pages,
+        *_proposed(proposal),
     )
+
+
+def _proposed(proposal: Proposal | None) -> tuple[tuple[str, ...], float | None, bool]:
+    if proposal is None:
+        return (), None, False
+    if proposal.is_outlier:
+        return (), None, True
+    return proposal.teachers, proposal.confidence, False
 
 
 def _spread_line(item: SpreadItem) -> SpreadLine:

@@ -16,6 +16,7 @@ from keyphase.web.protocol.document_messages import (
     SelectionMessage,
     ShownMessage,
 )
+from keyphase.web.protocol.import_messages import TableDone, TableProposal
 from keyphase.web.protocol.list_messages import (
     ComparisonMessage,
     Following,
@@ -55,6 +56,8 @@ Message = (
     | UploadRefused
     | UploadCancelled
     | Uploaded
+    | TableProposal
+    | TableDone
     | RobotMessage
     | RecordMessage
     | ReplaySettingsMessage

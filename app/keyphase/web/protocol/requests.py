@@ -25,6 +25,12 @@ from keyphase.web.protocol.document_requests import (
     TakeOver,
     Undo,
 )
+from keyphase.web.protocol.import_requests import (
+    Describe,
+    DescribeConfirm,
+    DescribeLeave,
+    DescribeTry,
+)
 from keyphase.web.protocol.replay_requests import (
     Margin,
     Push,
@@ -67,6 +73,10 @@ Request = (
     | TakeOver
     | Upload
     | UploadCancel
+    | Describe
+    | DescribeTry
+    | DescribeConfirm
+    | DescribeLeave
     | Select
     | Seek
     | Play

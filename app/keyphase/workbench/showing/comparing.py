@@ -20,6 +20,9 @@ from keyphase.workbench.showing.found_now import NOW
 AUTOMATIC = "automatic"
 """Compare with what the program found, without anybody's edits."""
 
+PROPOSED = "proposed"
+"""Compare with what is proposed from other recordings that are done."""
+
 MAX_FILES = 50
 """So many segment files of a folder are offered."""
 
@@ -40,26 +43,28 @@ class Comparison:
         return float(median(abs(pair.distance_s) for pair in pairs)) if pairs else None
 
 
-def comparison(state: DeskState, other: str | None) -> Comparison:
+def comparison(state: DeskState, other: str | None, proposed: Outline | None = None) -> Comparison:
     """With what the recording can be compared, and how `other` agrees.
 
-    `other` is None, "automatic", "found now" for a recording that is done, or the name of a segment
-    file beside the recording. Raises RequestError for a name that is not offered, SegmentFileError
-    and LabelingError for a file that cannot be compared.
+    `other` is None, "automatic", "found now" for a recording that is done, "proposed" where
+    something is, or the name of a segment file beside the recording. Raises RequestError for a name
+    that is not offered, SegmentFileError and LabelingError for a file that cannot be compared.
     """
     names = _segment_files(state)
-    now = () if state.found_now is None else (NOW,)
-    options = (AUTOMATIC, *now, *map(printable, names))
+    ours = {AUTOMATIC: lambda: _automatic(state)}
+    if (now := state.found_now) is not None:
+        ours[NOW] = lambda: Outline.of_labeling(now)
+    if proposed is not None:
+        ours[PROPOSED] = lambda: proposed
+    options = (*ours, *map(printable, names))
     if other is None:
         return Comparison(options)
     if other not in options:
         raise _unknown()
-    if other == AUTOMATIC:
-        outline = _automatic(state)
-    elif other == NOW and state.found_now is not None:
-        outline = Outline.of_labeling(state.found_now)
+    if other in ours:
+        outline = ours[other]()
     else:
-        file = names[options.index(other) - 1 - len(now)]
+        file = names[options.index(other) - len(ours)]
         outline = Outline.of_file(_filed(state, file))
     result = compare(Outline.of_labeling(state.kept_labeling), outline)
     return Comparison(options, other, outline, result)

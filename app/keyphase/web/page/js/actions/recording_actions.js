@@ -1,7 +1,7 @@
 /** What a person can do with whole recordings: finish, compare, share, go from one to the next. */
 
 import { plural } from "../lib/format.js";
-import { nextUndone, recordingBeside } from "../model/recording_list.js";
+import { nextUndone, PROPOSED, proposedHere, recordingBeside } from "../model/recording_list.js";
 import { unsureBoundaries } from "../model/unsure.js";
 
 /**
@@ -17,6 +17,8 @@ export function createRecordingActions(store, send, actions) {
     setDone(done) {
       if (doc() && !state.readOnly) send({ type: "done", done });
     },
+    /** Asks how a recording is read that cannot be read as it is. */
+    describe: (recording) => !state.readOnly && send({ type: "describe", recording }),
     toggleDone: () => own.setDone(doc().state !== "done"),
     doneAndOn() {
       const undecided = unsureBoundaries(doc()).length;
@@ -53,6 +55,12 @@ export function createRecordingActions(store, send, actions) {
           },
         });
       return actions.goTo(next);
+    },
+    /** Takes over what is proposed from finished recordings; where nothing is, all names. */
+    acceptAll() {
+      if (!proposedHere(state)) return actions.acceptNames();
+      if (!state.readOnly) send({ type: "take_over", from: PROPOSED });
+      return own.compare(null);
     },
     /** Makes the other segmentation this recording's, as one step. */
     takeOver() {

@@ -10,7 +10,7 @@ import { byId, el, icon } from "../lib/dom.js";
 const PIECE_BYTES = 256 * 1024;
 /** No more than this waits in the browser, so that a large file does not fill its memory. */
 const WAITING_BYTES = 4 * PIECE_BYTES;
-const KINDS = ".npz,.csv,.tsv,.txt,.dat,.log,.asc,.json";
+const KINDS = ".npz,.csv,.tsv,.txt,.dat,.log,.asc,.hdf5,.h5,.zip,.bag,.mcap,.mat,.npy,.json,.toml";
 
 /**
  * @param {import("../lib/store.js").Store} store

@@ -24,7 +24,9 @@ export interface Recordings {
 }
 
 /**
- * One line of the list.
+ * One line of the list. proposed_from, proposed_confidence  from which finished recordings its
+ * segmentation is proposed,                                     and how sure the least sure of it
+ * is outlier                             it fits none of the finished ones
  * - folder: name of the folder it lies in
  * - strip: its segments in small; `color` null: idle or dropped
  * - unsure: how many boundaries a person should look at
@@ -40,6 +42,9 @@ export interface RecordingLine {
   strip: Piece[];
   error: string | null;
   pages: PageThere[];
+  proposed_from: string[];
+  proposed_confidence: number | null;
+  outlier: boolean;
 }
 
 /** One segment in a strip: its share of the duration, its colour; None: idle or dropped. */

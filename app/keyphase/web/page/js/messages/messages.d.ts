@@ -16,6 +16,7 @@ import type {
   SelectionMessage,
   ShownMessage,
 } from "./document_messages";
+import type { TableDone, TableProposal } from "./import_messages";
 import type {
   ComparisonMessage,
   Following,
@@ -56,6 +57,8 @@ export type Message =
   | UploadRefused
   | UploadCancelled
   | Uploaded
+  | TableProposal
+  | TableDone
   | RobotMessage
   | RecordMessage
   | ReplaySettingsMessage

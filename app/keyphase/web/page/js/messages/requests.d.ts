@@ -18,6 +18,12 @@ import type {
   UndoRequest,
 } from "./document_requests";
 import type {
+  DescribeConfirmRequest,
+  DescribeLeaveRequest,
+  DescribeRequest,
+  DescribeTryRequest,
+} from "./import_requests";
+import type {
   MarginRequest,
   PushRequest,
   RecordRequest,
@@ -58,6 +64,10 @@ export type Request =
   | TakeOverRequest
   | UploadRequest
   | UploadCancelRequest
+  | DescribeRequest
+  | DescribeTryRequest
+  | DescribeConfirmRequest
+  | DescribeLeaveRequest
   | SelectRequest
   | SeekRequest
   | PlayRequest

@@ -27,6 +27,7 @@ export function createReceiver(
         command: message.command,
       });
       tasks.clear();
+      store.set({ tables: [] });
     },
     recordings(message) {
       store.set({ recordings: message });
@@ -87,6 +88,17 @@ export function createReceiver(
     comparison(message) {
       if (message.recording === state.recording) store.set({ comparison: message });
     },
+    table(message) {
+      const known = state.tables.some(({ id }) => id === message.id);
+      if (!known) upload().heard(message);
+      store.set({
+        tables: known
+          ? state.tables.map((one) => (one.id === message.id ? message : one))
+          : [...state.tables, message],
+      });
+    },
+    table_done: (message) =>
+      store.set({ tables: state.tables.filter(({ id }) => id !== message.id) }),
     spread: (message) => store.set({ spread: state.lookingOnly ? null : message }),
     replay: (message) => store.set({ replay: message }),
     replay_closed: () => store.set({ replay: null, samples: null, replayView: null }),

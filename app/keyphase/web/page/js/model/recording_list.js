@@ -100,3 +100,24 @@ export function byFolder(items) {
   }
   return [...folders].map(([folder, own]) => ({ folder, items: own }));
 }
+
+/** Its name among the segmentations to compare with. */
+export const PROPOSED = "proposed";
+
+/**
+ * The line of the recording that is shown, where something is proposed and nobody has touched it.
+ * @param {import("../lib/store.js").State} state
+ * @returns {import("./types.js").Recording|undefined}
+ */
+export function proposedHere({ recordings, recording }) {
+  return recordings.items.find(
+    ({ id, state, proposed_from: from }) =>
+      id === recording && state === "automatic" && from.length > 0,
+  );
+}
+
+/** Names of a few recordings, for people. @param {readonly string[]} names */
+export function namesOf(names) {
+  const [last, ...others] = [...names].reverse();
+  return others.length ? `${others.reverse().join(", ")} and ${last}` : last;
+}

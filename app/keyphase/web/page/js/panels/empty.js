@@ -94,6 +94,12 @@ function unreadable(item, items, actions) {
           text: "Try again",
           on: { click: () => actions.open(item.id) },
         }),
+        el("button", {
+          type: "button",
+          class: "button",
+          text: "Say how it is read",
+          on: { click: () => actions.describe(item.id) },
+        }),
         other
           ? el("button", {
               type: "button",

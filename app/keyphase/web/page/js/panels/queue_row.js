@@ -2,7 +2,7 @@
 
 import { segmentFill } from "../lib/colors.js";
 import { el, svg } from "../lib/dom.js";
-import { asksForALook, cutName } from "../model/recording_list.js";
+import { asksForALook, cutName, namesOf } from "../model/recording_list.js";
 
 const MOST_PIECES = 90;
 const MOST_PAGES = 3;
@@ -34,11 +34,37 @@ export function drawRow(item, { on, common, open, menu }) {
     stateMark(state),
     el("span", { class: "queue-name", text: cutName(name, common) }),
     el("span", { class: "queue-pages" }, ...others.slice(0, MOST_PAGES).map(pageMark)),
-    el("span", { class: `queue-confidence ${low ? "low" : ""}`, text: sure }),
+    certainty(item, low, sure),
     error
       ? el("span", { class: "queue-error", text: "cannot be read" })
       : el("span", { class: "queue-strip", "aria-hidden": "true" }, ...strip(item)),
   );
+}
+
+/**
+ * How sure the least sure of it is: of its segmentation, or of what is proposed for it.
+ * @param {import("../model/types.js").Recording} item
+ * @param {boolean} low
+ * @param {string} sure
+ */
+function certainty(
+  { state, proposed_from: from, proposed_confidence: proposed, outlier },
+  low,
+  sure,
+) {
+  if (state === "automatic" && outlier)
+    return el("span", {
+      class: "queue-confidence low",
+      text: "unlike",
+      title: "It fits none of the recordings that are done, so nothing is proposed for it.",
+    });
+  if (state === "automatic" && from.length > 0)
+    return el("span", {
+      class: "queue-confidence proposed",
+      text: proposed?.toFixed(2),
+      title: `Proposed from ${namesOf(from)}; ${proposed?.toFixed(2)} is how sure the least sure part of it is.`,
+    });
+  return el("span", { class: `queue-confidence ${low ? "low" : ""}`, text: sure });
 }
 
 /** Somebody else's page. @param {import("../messages/list_messages").PageThere} page */

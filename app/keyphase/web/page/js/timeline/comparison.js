@@ -5,6 +5,7 @@
 
 import { segmentFill } from "../lib/colors.js";
 import { el, icon, svg } from "../lib/dom.js";
+import { namesOf, PROPOSED, proposedHere } from "../model/recording_list.js";
 import { textWidth } from "../lib/text_width.js";
 
 /** Height between the bands, for the links. */
@@ -112,6 +113,7 @@ function missing(scale, time, y) {
 /** Whose segmentation it is, for people. @param {string} other */
 export function nameOf(other) {
   if (other === "found now") return "Found now";
+  if (other === PROPOSED) return "Proposed";
   return other === "automatic" ? "Program’s own" : other.replace(/\.segments\.json$/, "");
 }
 
@@ -157,9 +159,17 @@ export function createComparisonGutter({ node, body }, store, actions) {
     only_second_s: onlySecond,
   }) => {
     const late = timing === null ? "" : ` · ${Math.round(1000 * timing)} ms`;
+    const proposed = other === PROPOSED ? proposedHere(store.state) : undefined;
     const labels = `labels ${Math.round(100 * same)} %`;
     name.textContent = nameOf(other);
     score.textContent = `F1 ${f1.toFixed(2)}${late}${store.state.small ? "" : ` · ${labels}`}`;
+    if (proposed) {
+      score.textContent = `from ${namesOf(proposed.proposed_from)} · Shift Enter`;
+      node.title =
+        `Proposed from ${namesOf(proposed.proposed_from)}; its least sure part has a confidence ` +
+        `of ${proposed.proposed_confidence?.toFixed(2)}. Shift Enter takes it over, in one step.`;
+      return;
+    }
     node.title =
       `Compared with ${nameOf(other)}: F1 ${f1.toFixed(2)}${timing === null ? "" : `, shared boundaries${late.replace(" ·", "")} apart`}, ${labels} of the time the same; ` +
       `${onlyFirst.length} only here (×), ${onlySecond.length} only there (red)`;

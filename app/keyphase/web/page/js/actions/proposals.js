@@ -1,0 +1,18 @@
+/** What is proposed for the recording that is shown, from those of its folder that are done. */
+
+import { PROPOSED, proposedHere } from "../model/recording_list.js";
+
+/**
+ * Shows what is proposed beside the recording as soon as there is something, once for each.
+ * @param {import("../lib/store.js").Store} store
+ * @param {{compare: (other: string|null) => void}} actions
+ */
+export function showProposals(store, actions) {
+  let shown = "";
+  store.later(["recording", "recordings"], (state) => {
+    if (state.recording !== shown && !proposedHere(state)) shown = "";
+    if (!proposedHere(state) || shown === state.recording) return;
+    shown = state.recording ?? "";
+    actions.compare(PROPOSED);
+  });
+}

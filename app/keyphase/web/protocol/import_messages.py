@@ -1,0 +1,118 @@
+"""What a page is told of tables nobody has described yet."""
+
+from msgspec import Struct
+
+from keyphase.readers.proposing.answers import PARTS, Part
+from keyphase.readers.recipes.units import Quantity, units_of
+from keyphase.web.protocol.import_requests import TableAnswers
+from keyphase.workbench.importing.importing import Waiting
+from keyphase.workbench.importing.unknown_table import Look, Tried
+
+_QUANTITIES: dict[str, Quantity] = {
+    "time": "time",
+    "length": "length",
+    "angle": "angle",
+    "force": "force",
+    "torque": "torque",
+    "joints": "angle",
+    "gripper": "opening",
+}
+
+
+class TableLook(Struct, frozen=True):
+    """The recording as it would be read.
+
+    path_m    points of the tool's path [m], in the robot's base frame
+    time_s    when the force was as it is in `force_N` [s]
+    force_N   sizes of the force [N]; null without a force
+    notices   what would be done to it on reading
+    """
+
+    samples: int
+    duration_s: float
+    rate_hz: float
+    path_m: list[list[float]]
+    time_s: list[float] | None
+    force_N: list[float] | None
+    notices: tuple[str, ...]
+
+
+class TableProposal(Struct, frozen=True, tag_field="type", tag="table"):
+    """A table that waits for a person to say how it is read; and what the answers come to so far.
+
+    others           so many more tables of its folder nobody has described either
+    names, rows      its columns and first rows, as the answers split them
+    evidence         why each column was proposed to be what it is, "" where it was not
+    layout_evidence  the same for encoding, separator, decimal and header
+    missing          what is still to be said, or why it cannot be read so
+    look             the recording, where nothing is missing
+    recipe           the recipe (TOML), where nothing is missing
+    choices          what a column can be
+    units            what each quantity can be written in
+    """
+
+    id: str
+    name: str
+    others: int
+    answers: TableAnswers
+    names: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    evidence: tuple[str, ...]
+    layout_evidence: dict[str, str]
+    missing: tuple[str, ...]
+    look: TableLook | None
+    recipe: str | None
+    choices: tuple[Part, ...]
+    units: dict[str, tuple[str, ...]]
+
+
+class TableDone(Struct, frozen=True, tag_field="type", tag="table_done"):
+    """A table does not wait any more: it was taken in, or left."""
+
+    id: str
+
+
+def table_proposal(waiting: Waiting, tried: Tried) -> TableProposal:
+    """The message about a table and the answers that were tried."""
+    table, answers = waiting.table, tried.answers
+    return TableProposal(
+        id=waiting.id,
+        name=table.name,
+        others=waiting.others,
+        answers=TableAnswers(
+            encoding=answers.encoding,
+            separator=answers.separator,
+            decimal="," if answers.decimal == "," else ".",
+            skip_lines=answers.skip_lines,
+            header=answers.header,
+            parts=list(answers.parts),
+            units=answers.units,
+            sequence=answers.sequence,
+            frame=answers.frame,
+            sign=answers.sign,
+            rate_hz=answers.rate_hz,
+            from_first_s=answers.from_first_s,
+        ),
+        names=tried.names,
+        rows=tried.rows,
+        evidence=table.evidence,
+        layout_evidence=table.layout_evidence,
+        missing=tried.missing,
+        look=None if tried.look is None else _look(tried.look),
+        recipe=tried.recipe,
+        choices=PARTS,
+        units={name: units_of(quantity) for name, quantity in _QUANTITIES.items()},
+    )
+
+
+def _look(look: Look) -> TableLook:
+    force = look.force_N
+    return TableLook(
+        samples=look.samples,
+        duration_s=look.duration_s,
+        rate_hz=look.rate_hz,
+        path_m=look.path_m.tolist(),
+        time_s=None if force is None else force[0].tolist(),
+        force_N=None if force is None else force[1].tolist(),
+        notices=look.notices,
+    )

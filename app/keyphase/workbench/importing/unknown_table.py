@@ -1,0 +1,138 @@
+"""One table nobody has described yet, and how it would be read by what a person says of it."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from keyphase.demonstration import Array, Demonstration
+from keyphase.errors import KeyphaseError, RecipeError
+from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
+from keyphase.readers import RECIPE_SUFFIX, Recipe, parse_recipe, read
+from keyphase.readers.proposing.answers import Answers, answers_to, recipe_text, with_parts
+from keyphase.readers.proposing.proposal import propose
+from keyphase.readers.recipes.sections import ENCODINGS, SEPARATORS
+from keyphase.readers.table import TableForm, open_table, split_cells
+
+SHOWN_ROWS = 20
+PATH_POINTS, FORCE_POINTS = 240, 320
+"""So much of the path and the force is shown of a recording before it is taken in."""
+
+_LOOKED_AT_BYTES = 1 << 18
+
+
+@dataclass(frozen=True)
+class Look:
+    """The recording as it would be read.
+
+    path_m    (N, 3) [m]
+    force_N   times [s] and sizes of the force [N], both (N,); None without a force
+    notices   what would be done to it on reading
+    """
+
+    samples: int
+    duration_s: float
+    rate_hz: float
+    path_m: Array
+    force_N: tuple[Array, Array] | None
+    notices: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Tried:
+    """What a person's answers come to.
+
+    names, rows  the table as it is split by them, at most `SHOWN_ROWS` rows
+    missing      what is still to be said, or why the table cannot be read so
+    look         the recording, where it can be read
+    recipe       the recipe that the answers make, where nothing is missing
+    """
+
+    answers: Answers
+    names: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    missing: tuple[str, ...] = ()
+    look: Look | None = None
+    recipe: str | None = None
+
+
+class UnknownTable:
+    """The table at `path`, called `name` by people; `evidence` says why each column is proposed.
+
+    Raises DemonstrationError where it is no table of numbers.
+    """
+
+    def __init__(self, path: Path, name: str, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> None:
+        self.path, self.name = path, name
+        self._limit_bytes = limit_bytes
+        proposal = propose(path, limit_bytes)
+        self.proposed = answers_to(proposal)
+        self.layout_evidence = dict(proposal.layout.evidence)
+        self.evidence = tuple(
+            "; ".join(
+                r for guess in proposal.guesses if column in guess.columns for r in guess.evidence
+            )
+            for column in range(len(proposal.names))
+        )
+
+    def tried(self, answers: Answers) -> Tried:
+        """What these answers come to; what is wrong with them is told, not raised."""
+        try:
+            names, rows = self._split(answers)
+        except KeyphaseError as error:
+            return Tried(answers, (), (), (self._in_words(error),))
+        answers = with_parts(answers, len(names))
+        shown = Tried(answers, names, rows)
+        try:
+            text = recipe_text(answers, names)
+            demonstration = read(self.path, self.recipe(text), limit_bytes=self._limit_bytes)
+        except KeyphaseError as error:
+            return replace(shown, missing=answers.open() or (self._in_words(error),))
+        return replace(shown, look=_look(demonstration), recipe=text)
+
+    def recipe(self, text: str) -> Recipe:
+        """A recipe's text, parsed. Raises RecipeError for what no recipe can say."""
+        return parse_recipe(text, self.name + RECIPE_SUFFIX)
+
+    def _split(self, answers: Answers) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]:
+        """Names of the columns, "" where they have none, and the first rows."""
+        data = read_whole(self.path, self._limit_bytes).data[:_LOOKED_AT_BYTES]
+        data = data[: data.rfind(b"\n") + 1] or data
+        table = open_table(self.name, data, _form(answers), self._limit_bytes)
+        names = tuple(table.names[i] if i < len(table.names) else "" for i in range(table.width))
+        separator = table.form.separator
+        first = table.lines[:SHOWN_ROWS]
+        return names, tuple(tuple(c.strip() for c in split_cells(r, separator)) for r in first)
+
+    def _in_words(self, error: Exception) -> str:
+        return str(error).replace(str(self.path), self.name)
+
+
+def _form(answers: Answers) -> TableForm:
+    """The layout that was chosen. Raises RecipeError for one that no recipe can name."""
+    if answers.separator not in SEPARATORS or answers.encoding not in ENCODINGS:
+        raise RecipeError("Separator and encoding must be among those that recipes name.")
+    separator, encoding = SEPARATORS[answers.separator], ENCODINGS[answers.encoding]
+    return TableForm(separator, answers.skip_lines, answers.header, encoding, answers.decimal)
+
+
+def _look(demonstration: Demonstration) -> Look:
+    force = demonstration.force_N
+    at = _spread(len(demonstration), FORCE_POINTS)
+    return Look(
+        samples=len(demonstration),
+        duration_s=demonstration.duration_s,
+        rate_hz=demonstration.rate_hz,
+        path_m=demonstration.position_m[_spread(len(demonstration), PATH_POINTS)],
+        force_N=None if force is None else (demonstration.time_s[at], _largest(force, at)),
+        notices=demonstration.notices,
+    )
+
+
+def _spread(count: int, most: int) -> np.ndarray:
+    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(int))
+
+
+def _largest(force_N: Array, at: np.ndarray) -> Array:
+    """The largest force from each shown moment to the next, so that no contact is left out."""
+    return np.maximum.reduceat(np.linalg.norm(force_N, axis=1), at)
