@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.labeling.labeling import Labeling
@@ -100,7 +101,7 @@ def _draw_channels(axes: Any, demonstration: Demonstration, values: Array, name:
     axes.legend(ncols=3, fontsize=7, frameon=False, loc="upper left", handlelength=1.2)
 
 
-def _thinned(count: int) -> Array:
+def _thinned(count: int) -> NDArray[np.intp]:
     """At most about 4000 samples, so that a long recording is no large file."""
     return np.arange(0, count, max(1, count // 4000))
 

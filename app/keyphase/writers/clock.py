@@ -1,17 +1,18 @@
 """From the clock of a demonstration back to that of the file it was read from."""
 
 from pathlib import Path
+from typing import Any
 
 from keyphase.errors import KeyphaseError
 from keyphase.files.parts import split_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES
 from keyphase.readers import load_recipe, own_or_folder_recipe
-from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.known import format_of
 from keyphase.readers.recipes.file import recipe_of
 from keyphase.readers.recipes.presets import fitting_preset, preset_values
 from keyphase.readers.recipes.recipe import NumberTime, Recipe, TwoPartTime
 from keyphase.readers.recipes.several import recipe_of_part
+from keyphase.readers.table import Columned
 
 
 def zero_s(recording: Path, given: Path | None) -> float:
@@ -30,18 +31,18 @@ def zero_s(recording: Path, given: Path | None) -> float:
     if recipe is not None and recipe.parts:
         inner, _, side = (part or "").rpartition("+")
         recipe = recipe_of_part(recipe, side or None, str(file))
-    table = form.table(file, inner or None, DEFAULT_LIMIT_BYTES)
+    table: Any = form.table(file, inner or None, DEFAULT_LIMIT_BYTES)
     return _zero_of(table, recipe or _preset_of(table))
 
 
-def _preset_of(table: ArrayTable) -> Recipe:
+def _preset_of(table: Columned) -> Recipe:
     name = fitting_preset(table.names)
     if name is None:
         raise KeyphaseError(f"{table.file}: expected a recipe or a preset for it; give the recipe.")
     return recipe_of(preset_values(name, name), f"preset {name}")
 
 
-def _zero_of(table: ArrayTable, recipe: Recipe) -> float:
+def _zero_of(table: Columned, recipe: Recipe) -> float:
     form = recipe.time
     if isinstance(form, TwoPartTime):
         seconds = table.numbers(form.seconds.find(table))[0, 0]
