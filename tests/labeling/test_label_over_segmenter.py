@@ -20,14 +20,15 @@ def labeled(segmenter, document):
     return label(segmentation, document.edits, segmenter.segment_between)
 
 
-def test_a_corrected_recording_stays_corrected_when_the_thresholds_move(segmenter):
+def test_a_corrected_recording_stays_corrected_when_the_lines_move(segmenter):
     document = Document(segmenter.demonstration)
     seen = labeled(segmenter, document)
     first, second = seen.boundaries[0].time_s, seen.boundaries[1].time_s
     halfway = 0.5 * (seen.segments[0].start_s + first)
     for edit in (Add(halfway), Move(second, second + 0.1), Label(halfway / 2, "reach")):
         document = document.apply(edit, labeled(segmenter, document))
-    many = document.set_parameters(Parameters(force_ratio=1.0, persistence=0.0, min_distance_s=0.1))
+    low = Parameters(force_threshold=0.01, motion_threshold=0.02, turns="all", min_distance_s=0.1)
+    many = document.set_parameters(low)
     more = labeled(segmenter, many)
     assert len(more.boundaries) > len(seen.boundaries) + 1
     times = [boundary.time_s for boundary in more.boundaries]
@@ -46,8 +47,8 @@ def test_a_removed_contact_stays_removed_and_the_segment_takes_the_next_one_as_i
     time = seen.boundaries[contact].time_s
     assert isinstance(seen.segments[contact].end_condition, ContactEnd)
     document = document.apply(Remove(time), seen)
-    for ratio in (20.0, 5.0, 1.0):
-        under = document.set_parameters(Parameters(force_ratio=ratio))
+    for line in (0.3, 0.1, 0.02):
+        under = document.set_parameters(Parameters(force_threshold=line))
         found = segmenter.segment(under.parameters).boundaries
         assert any(abs(b.time_s - time) < 0.05 for b in found)
         after = labeled(segmenter, under)

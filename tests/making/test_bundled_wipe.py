@@ -31,7 +31,7 @@ def test_it_is_what_the_maker_makes(tmp_path):
 
 def test_lowering_the_line_brings_the_light_touch(segmenter, touch_s):
     assert np.abs(contacts(segmenter) - touch_s).min() > 0.3
-    assert np.abs(contacts(segmenter, 0.2) - touch_s).min() < 0.2
+    assert np.abs(contacts(segmenter, 0.05) - touch_s).min() < 0.2
 
 
 def test_dragging_the_line_changes_the_number_of_segments_three_times(segmenter):

@@ -14,15 +14,17 @@ class FitWeights:
     """Fit the weights of the evidence on made demonstrations, and write them with provenance.
 
     The same count and seed give the same bytes. What keyphase ships was written by
-    `keyphase fit --count 40 --seed 0`.
+    `keyphase fit --count 8 --seed 0`.
     """
 
     output: Path
     """File to write, JSON."""
-    count: int = 40
+    count: int = 8
     """How many demonstrations of each family."""
     seed: int = 0
     """Seed of the first of each family; the others follow."""
+    families: tuple[str, ...] = ()
+    """Families to fit on; none given: all of them."""
 
     def run(self) -> int:
         """Make, look, fit and write."""
@@ -36,13 +38,14 @@ class FitWeights:
         from keyphase.segmentation.evidence.fitting.fit import fit
         from keyphase.segmentation.evidence.weights import weights_as_json
 
-        jobs = [(family, self.seed + k) for family in FAMILIES for k in range(self.count)]
+        families = self.families or tuple(FAMILIES)
+        jobs = [(family, self.seed + k) for family in families for k in range(self.count)]
         bar = tqdm(jobs, unit="demonstration", disable=None)
         weights = fit([_taught(make(family, seed)) for family, seed in bar], bar.write)
         provenance = {
             "command": f"keyphase fit --count {self.count} --seed {self.seed}",
             "recordings": len(jobs),
-            "families": list(FAMILIES),
+            "families": list(families),
         }
         text = json.dumps(weights_as_json(weights, provenance), indent=1)
         write_whole(self.output, f"{text}\n".encode(), MakingError)

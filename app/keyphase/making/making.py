@@ -14,7 +14,6 @@ from keyphase.making.draws import Array, Rows, chance, log_uniform
 from keyphase.making.families import FAMILIES, SINGLE, Family
 from keyphase.making.hand import Hand
 from keyphase.making.made import TOLERANCE_S, Event, Made
-from keyphase.making.roughness import roughness
 from keyphase.making.sampling import Sampling
 from keyphase.making.script import Script
 from keyphase.making.sensing import Moving, estimated, wrist_sensor
@@ -24,11 +23,10 @@ RAMP_SHARE = 0.3
 """Share of a ramp within which its beginning (or, where contact is lost, its end) may be put."""
 
 
-def make(family: str, seed: int, *, rough: bool = False) -> Made:
+def make(family: str, seed: int) -> Made:
     """A demonstration of a family, with its truth; the same seed gives the same bytes.
 
-    A `rough` one is the same demonstration by a rougher hand, see `roughness`. Families are those
-    of `FAMILIES` and `SINGLE`. Raises MakingError for any other.
+    Families are those of `FAMILIES` and `SINGLE`. Raises MakingError for any other.
     """
     known = {**FAMILIES, **SINGLE}
     if family not in known:
@@ -43,8 +41,7 @@ def make(family: str, seed: int, *, rough: bool = False) -> Made:
     motion = paths.motion_events(script.path.stretches, speed, sampling.fine_hz)
     has_wrench = chance(rng, kind.wrench)
     moving = Moving(*hand.unsteady(rng, ideal, rotation, sampling.fine_hz), sampling.fine_hz)
-    rougher = np.random.default_rng([zlib.crc32(family.encode()), seed, 1]) if rough else None
-    wrench = _wrench(rng, kind, script.contact, moving, rougher) if has_wrench else None
+    wrench = _wrench(rng, kind, script.contact, moving) if has_wrench else None
     stamps, pose_rows, wrench_rows = sampling.rows(rng, len(ideal))
     position = _measured_position(rng, moving)[pose_rows]
     turned = has_wrench or chance(rng, 0.4)
@@ -62,22 +59,13 @@ def make(family: str, seed: int, *, rough: bool = False) -> Made:
     return with_truth(family, demonstration, contacts, motion, script.reversals_s)
 
 
-def _wrench(
-    rng: np.random.Generator,
-    kind: Family,
-    contact: Contact,
-    moving: Moving,
-    rougher: np.random.Generator | None,
-) -> Array:
+def _wrench(rng: np.random.Generator, kind: Family, contact: Contact, moving: Moving) -> Array:
     time = np.arange(len(moving.position_m)) / moving.rate_hz
     level = levels(contact, time)
     touching = level + rubbing(rng, level, moving.velocity_m_s, moving.rate_hz)
     touching += rings(contact, time)
-    newton = _least_newton(contact)
-    if rougher is not None:
-        touching += roughness(rougher, level, moving.velocity_m_s, moving.rate_hz, newton)
     sense = estimated if chance(rng, kind.estimated) else wrist_sensor
-    return sense(rng, touching, moving, newton)
+    return sense(rng, touching, moving, _least_newton(contact))
 
 
 def _least_newton(contact: Contact) -> float:

@@ -26,10 +26,11 @@ def placed(
     fine scales is a ramp, unless it is sharp itself: then it is a step on the way of a ramp.
     """
     slowest = np.maximum(tops[3], tops[4])
-    sharp = (tops[0] >= _SHARP * tops[2]) & (tops[1] >= _SHARE_OF_RAMP * slowest)
+    cell = _steepest(curves.step[0], at, int(_STEP_REACH_S * grid.rate_hz))
+    steepest = curves.step[0, cell]
+    sharp = (steepest >= _SHARP * tops[2]) & (tops[1] >= _SHARE_OF_RAMP * slowest)
     ramp = (tops[1] < 0.5 * slowest) & ~sharp
     slow = ramp & (tops[1] < 0.5 * tops[4]) & (tops[3] < 0.85 * tops[4])
-    cell = _steepest(curves.step[0], at, int(_STEP_REACH_S * grid.rate_hz))
     cell[ramp] = _ramps(grid, at[ramp])
     cell[slow] = _leaving_core(grid, view, at[slow], cell[slow])
     reach = np.where(slow, 0.5, np.where(ramp, 0.25, 0.04)) * grid.rate_hz

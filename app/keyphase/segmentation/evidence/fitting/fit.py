@@ -84,8 +84,11 @@ FOLDS = 5
 ROUNDS = 3
 MIN_DISTANCE_S = 0.25
 _MIN_CALIBRATED = -4.0
-_AS_GOOD = 0.01
-"""Rather a boundary too many: it is seen and taken away, one that is missing is not."""
+_CONTACT_AS_GOOD = 0.01
+"""A line as low as costs this much F1: a contact change too many is seen and taken away, one that
+is missing is not."""
+_MOTION_AS_GOOD = 0.002
+"""Where motion ends and begins anybody sees; here the best line counts."""
 _UNCALIBRATED = Calibration(1.0, 0.0, 0.5)
 _NO_KINDS = Kinds((), (), np.zeros((1, 0)), np.zeros(0), 1.0)
 
@@ -95,8 +98,8 @@ def fit(recordings: Sequence[Taught], say: Callable[[str], None] = lambda _: Non
     weights = fitted_lines(recordings)
     say("lines fitted")
     outside = scores_left_out(recordings, say)
-    contact = _calibration([(t.family, t.contact, s) for t, (s, _) in outside], _AS_GOOD)
-    motion = _calibration([(t.family, t.motion, s) for t, (_, s) in outside], _AS_GOOD)
+    contact = _calibration([(t.family, t.contact, s) for t, (s, _) in outside], _CONTACT_AS_GOOD)
+    motion = _calibration([(t.family, t.motion, s) for t, (_, s) in outside], _MOTION_AS_GOOD)
     return replace(
         weights,
         contact_calibration=contact,
