@@ -39,11 +39,7 @@ export function createCommands(actions, store, dialogs) {
       ["Label the segment", ["L"], () => actions.rename()],
       ["Label by number", ["1 to 9"], () => dialogs.openPalette("label the segment")],
       ["Accept the proposed name or the boundary", ["Enter"], actions.accept],
-      [
-        "Take over what is proposed, or accept all proposed names",
-        ["Shift Enter"],
-        actions.acceptAll,
-      ],
+      ["Accept all proposed names, or the whole proposal", ["Shift Enter"], actions.acceptAll],
       ["Previous segment", ["["], () => actions.selectNext(-1)],
       ["Next segment", ["]"], () => actions.selectNext(1)],
     ]),
