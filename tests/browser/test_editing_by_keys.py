@@ -80,9 +80,9 @@ def test_unsure_boundaries_are_visited_least_certain_first(editor: KeyphasePage)
     editor.page.evaluate(
         """() => {
           const doc = keyphase.state.document;
-          for (const boundary of doc.boundaries) boundary.confidence = 0.95;
-          doc.boundaries[0].confidence = 0.6;
-          doc.boundaries[1].confidence = 0.3;
+          for (const boundary of doc.boundaries) boundary.unsure = false;
+          Object.assign(doc.boundaries[0], { confidence: 0.6, unsure: true });
+          Object.assign(doc.boundaries[1], { confidence: 0.3, unsure: true });
         }"""
     )
     editor.press("n")
