@@ -49,8 +49,7 @@ def segment_all(
     Raises SegmentFileError before any work where two recordings would be written to one file,
     ParameterError for no jobs or no such shard, and KeyphaseError where no recording is found.
     """
-    if jobs == 0:
-        raise ParameterError("jobs must be a number of processes or -1 for all cores, but is 0.")
+    _refuse_no_jobs(jobs)
     tasks = shard_of(_found(paths, output, recipe), shard)
     chosen = parameters or Parameters()
     manifest = Manifest(output, settings_hash(chosen, recipe, csv))
@@ -61,13 +60,17 @@ def segment_all(
     tell = progress or (lambda _done, _total: None)
     tell(len(became), len(tasks))
     with running_on(backend, address):
-        for task, result in zip(
-            todo, _results(todo, _How(recipe, chosen, csv, replace), jobs), strict=True
-        ):
+        results = _results(todo, _How(recipe, chosen, csv, replace), jobs)
+        for task, result in zip(todo, results, strict=True):
             became[task] = result
             manifest.keep(result) if isinstance(result, Written) else manifest.keep_refusal(result)
             tell(len(became), len(tasks))
     return report_of([became[task] for task in tasks])
+
+
+def _refuse_no_jobs(jobs: int) -> None:
+    if jobs == 0:
+        raise ParameterError("jobs must be a number of processes or -1 for all cores, but is 0.")
 
 
 def _found(paths: Sequence[Path], output: Path, recipe: Path | None) -> list[Written]:
