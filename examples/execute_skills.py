@@ -34,13 +34,17 @@ def within(v, reach):
     return (v * reach / np.linalg.norm(v) if far else v), far
 
 
-def kept_at(skill, fraction, touching=True):
+def kept_at(skill, fraction, touching=True, felt=None, firmer=1.0):
     """Directions and forces to press with at a fraction of the demonstrated time."""
     for kept in skill["kept"]:
         place = min(max(fraction, 0.0), 1.0) * (len(kept["force_N"]) - 1)
         if (kept["met"] or touching) and kept["force_N"][int(place + 0.5)] > 0:
             force = np.interp(place, np.arange(len(kept["force_N"])), kept["force_N"])
-            yield np.array(kept["direction"][int(place + 0.5)]), force
+            d = np.array(kept["direction"][int(place + 0.5)])
+            if felt is not None and kept["carries"]:
+                needed = np.linalg.norm(felt - felt @ d * d) / kept["carries"]
+                force = max(force, min(needed, firmer * force))
+            yield d, force
 
 
 class Plan:
@@ -87,9 +91,9 @@ class Plan:
         self.reference = self.follow()
 
     def kept(self, fraction):
-        return list(
-            kept_at(self.skill, fraction, np.linalg.norm(self.sensed[3]) > self.e["touching_N"])
-        )
+        felt, e = self.sensed[3], self.e
+        touching = np.linalg.norm(felt) > e["touching_N"]
+        return list(kept_at(self.skill, fraction, touching, felt, e["gripped_firmer"]))
 
     def enter(self, stage):
         self.stage, self.in_stage, self.still = stage, 0.0, (*self.reference[:2], np.zeros(6))

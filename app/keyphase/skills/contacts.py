@@ -45,6 +45,11 @@ SOFT_N_M = 2000.0
 SOFT_BEYOND_M = 0.003
 """Out of a soft contact only so much counts as a part that lies elsewhere."""
 
+SLIDES_BELOW = 0.8
+"""What is pushed aside by less than this part of its press may slide; by more, it is carried."""
+
+_CARRIED_QUANTILE = 0.9
+
 GRID = 51
 """Forces are kept at so many moments of a skill."""
 
@@ -141,7 +146,20 @@ def kept_force(demonstration: Demonstration, skill: Skill, direction: Array) -> 
     smooth = _smoothed(force, demonstration.rate_hz)
     grid = np.linspace(0, len(smooth) - 1, GRID)
     profile = np.interp(grid, np.arange(len(smooth)), smooth)
-    return KeptForce(np.tile(own, (GRID, 1)), np.maximum(profile, MIN_FORCE_N))
+    carries = _carried(demonstration.force_N[inside], own, demonstration.rate_hz)
+    return KeptForce(np.tile(own, (GRID, 1)), np.maximum(profile, MIN_FORCE_N), carries=carries)
+
+
+def _carried(force_N: Array, direction: Array, rate_hz: float) -> float | None:
+    """Force aside per force pressed, where it was too much for anything to slide; else None."""
+    pressed = -(force_N @ direction)
+    aside = np.linalg.norm(force_N + pressed[:, None] * direction, axis=1)
+    smooth = _smoothed(pressed, rate_hz)
+    firm = smooth >= MIN_FORCE_N
+    if not firm.any():
+        return None
+    share = float(np.quantile(_smoothed(aside, rate_hz)[firm] / smooth[firm], _CARRIED_QUANTILE))
+    return share if share > SLIDES_BELOW else None
 
 
 def square(direction: Array, others: Sequence[Array]) -> Array | None:

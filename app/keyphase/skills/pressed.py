@@ -30,11 +30,14 @@ class KeptForce:
     force_N    (G,) what to press with; zero where the demonstration did not press
     met        whether the contact was met by a skill before: it is then pressed in any case, and
                else only while the tool touches something
+    carries    how much sideways per press was demonstrated, where that was more than what slides:
+               what is carried along is then gripped as much harder as it drags; None where it slid
     """
 
     direction: Array
     force_N: Array
     met: bool = True
+    carries: float | None = None
 
     def at(self, fraction: float) -> tuple[Array, float] | None:
         """Direction (3,) and force [N] at a fraction (0 to 1) of the demonstrated time.

@@ -6,6 +6,7 @@ followed, and everywhere else the demonstrated pose.
 """
 
 from collections.abc import Sequence
+from math import sqrt
 
 import numpy as np
 
@@ -20,6 +21,9 @@ MAX_DISTANCE_M = 0.01
 TOUCHING_N = 0.5
 """A force above this is a touch."""
 
+FIRMER = 3.0
+"""What is carried along is gripped at most so many times as hard as demonstrated."""
+
 Pressed = tuple[Array, float]
 """Direction (3,) and force [N]."""
 
@@ -27,8 +31,18 @@ Pressed = tuple[Array, float]
 def pressed_now(kept: Sequence[KeptForce], fraction: float, force_N: Array) -> list[Pressed]:
     """What is to be pressed at a fraction of the demonstrated time, under a measured force (3,)."""
     touching = float(force_N.dot(force_N)) > TOUCHING_N**2
-    now = [each.at(fraction) for each in kept if each.met or touching]
-    return [one for one in now if one is not None]
+    now = ((each, each.at(fraction)) for each in kept if each.met or touching)
+    return [_gripped(each, one, force_N) for each, one in now if one is not None]
+
+
+def _gripped(kept: KeptForce, now: Pressed, force_N: Array) -> Pressed:
+    """What is pressed, as much harder as what is carried drags more than demonstrated."""
+    if kept.carries is None:
+        return now
+    direction, pressed = now
+    aside = force_N - float(force_N.dot(direction)) * direction
+    needed = sqrt(aside.dot(aside)) / kept.carries
+    return direction, max(pressed, min(needed, FIRMER * pressed))
 
 
 def given_way(measured: Measured, state: State, pressed: Sequence[Pressed]) -> Measured:

@@ -71,7 +71,7 @@ def _kept(values: Values) -> KeptForce:
             f"A kept force needs as many directions as forces, but the file has {len(direction)} "
             f"and {len(force)}; export the skills again."
         )
-    return KeptForce(direction, force, values["met"])
+    return KeptForce(direction, force, values["met"], values.get("carries"))
 
 
 def _precondition(values: Values | None) -> Precondition | None:

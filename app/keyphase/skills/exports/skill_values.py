@@ -45,6 +45,7 @@ def execution_values() -> dict[str, float]:
         "rest_s": executor.REST_S,
         "followed_beyond_m": pressing.MAX_DISTANCE_M,
         "touching_N": pressing.TOUCHING_N,
+        "gripped_firmer": pressing.FIRMER,
         "touch_N": search.TOUCH_N,
         "touch_smoothed": search.SMOOTHED,
         "seat_giving": seeking.GIVING,
@@ -115,6 +116,7 @@ def _kept(force: KeptForce) -> dict[str, Any]:
         "met": force.met,
         "direction": force.direction.tolist(),
         "force_N": force.force_N.tolist(),
+        "carries": force.carries,
     }
 
 
