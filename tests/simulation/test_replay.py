@@ -65,9 +65,12 @@ def test_it_succeeds_with_thresholds_halved_and_doubled(name, factor) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_plan_with_repeats_runs_through_connecting_moves(name) -> None:
-    result = replayed(name, [each for each in plan(name) for _ in range(2)])
+    # A detent that has snapped is not felt again: of Setup 1 only the way to it is repeated.
+    repeated = len(plan(name)) if name == "setup2" else 1
+    segments = [one for k, one in enumerate(plan(name)) for _ in range(2 if k < repeated else 1)]
+    result = replayed(name, segments)
     assert result.completed, result.outcome()
-    assert sum(skill.connecting for skill in result.skills) > len(plan(name)) - 1
+    assert sum(skill.connecting for skill in result.skills) >= repeated
 
 
 def test_a_plan_that_cannot_work_in_its_order_says_where_it_ended() -> None:
