@@ -28,6 +28,7 @@ _CALM_S = 0.25
 _SMALL_N = 1.0
 _REST_M = 0.004
 _ALIKE = 0.25
+_LOOKED_AT_S = 600.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,9 +50,13 @@ class Even:
         return np.gradient(running_mean(self.position_m, smooth_s), self.step_s, axis=0)
 
 
-def evenly(demonstration: Demonstration) -> Even:
-    """The recording, interpolated; what was not recorded does not turn, or is no force."""
-    time = np.arange(demonstration.start_s, demonstration.end_s, 1.0 / RATE_HZ)
+def evenly(demonstration: Demonstration, most_s: float = np.inf) -> Even:
+    """The recording, interpolated; what was not recorded does not turn, or is no force.
+
+    Of one longer than `most_s` only its beginning.
+    """
+    end_s = min(demonstration.end_s, demonstration.start_s + most_s)
+    time = np.arange(demonstration.start_s, end_s, 1.0 / RATE_HZ)
 
     def at(values: Array) -> Array:
         return np.stack([np.interp(time, demonstration.time_s, v) for v in values.T], axis=1)
@@ -119,7 +124,7 @@ def doubtful_force(demonstration: Demonstration) -> str | None:
     """Why the recorded force cannot be what the surroundings exert on the tool; None if it can."""
     if demonstration.force_N is None or demonstration.duration_s < 2 * _CALM_S:
         return None
-    share = power_share(evenly(demonstration))
+    share = power_share(evenly(demonstration, _LOOKED_AT_S))
     if share is None or share <= HELPS:
         return None
     return (

@@ -32,6 +32,14 @@ def change(path, how):
     path.write_text(json.dumps(content))
 
 
+def nested(depth):
+    """Lists in lists."""
+    inner = []
+    for _ in range(depth):
+        inner = [inner]
+    return inner
+
+
 @pytest.mark.parametrize(
     "how",
     [
@@ -45,8 +53,10 @@ def change(path, how):
         lambda c: c["demonstration"].update(path="/dev/zero"),
         lambda c: c["demonstration"].update(path="a" * 5000),
         lambda c: c["demonstration"].update(path="a\0b"),
+        lambda c: c["segments"][1].update(label=nested(900)),
+        lambda c: c.update(plan=[[] for _ in range(600_000)]),
     ],
-    ids=range(10),
+    ids=range(12),
 )
 def test_it_is_refused_in_a_sentence(file, how):
     change(file, how)

@@ -1,5 +1,6 @@
 """Which files in a folder are recordings, and which recipe reads them."""
 
+import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -93,6 +94,23 @@ def test_a_folder_that_cannot_be_listed_is_refused(
     monkeypatch.setattr("os.walk", walk)
     with pytest.raises(DemonstrationError, match=r"the folder cannot be listed \(Permission"):
         find_recordings([folder])
+
+
+def test_a_folder_inside_that_cannot_be_listed_is_refused_by_itself(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = len(find_recordings([folder]))
+    listed = os.scandir
+
+    def scandir(path: str) -> object:
+        if Path(path) == folder / "sub":
+            raise PermissionError(13, "Permission denied", str(path))
+        return listed(path)
+
+    monkeypatch.setattr("os.scandir", scandir)
+    found = [one.relative for one in find_recordings([folder])]
+    assert Path("sub") in found
+    assert 1 < len(found) <= before
 
 
 def test_the_recipe_of_a_file_wins_over_that_of_its_folder(folder: Path) -> None:

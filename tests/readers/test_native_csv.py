@@ -183,3 +183,16 @@ def test_forces_read_as_forces(tmp_path: Path) -> None:
     demonstration = read(write(tmp_path, FORCES, "0,1,2,3,4,5,6", "1,1,2,3,4,5,6"))
     assert demonstration.force_N is not None
     np.testing.assert_array_equal(demonstration.force_N[0], [4, 5, 6])
+
+
+def test_a_last_line_without_an_end_is_told_and_one_with_missing_cells_left_out(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "cut.csv"
+    whole = "\n".join([HEADER, *ROWS])
+    path.write_text(whole)
+    assert "The last line, 4, has no line end" in read(path).notices[0]
+    path.write_text(whole[: whole.rindex(",")])
+    cut = read(path)
+    assert len(cut) == 2
+    assert "The file ends within line 4, which was left out" in cut.notices[0]

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from strokes import H, lowered, millimetres_between, segment, stroke
+from strokes import TIME_S, H, lowered, millimetres_between, segment, stroke
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import SkillError
@@ -116,3 +116,10 @@ def test_uneven_samples_give_the_same_motion():
 def test_a_segment_with_hardly_a_sample_is_refused(start_s, end_s):
     with pytest.raises(SkillError, match="at least 5 samples"):
         path_of(lowered(), start_s, end_s)
+
+
+def test_a_way_nobody_showed_is_no_skill():
+    missing = (TIME_S < 0.3) | (TIME_S > 0.9)
+    gone = Demonstration("gone", TIME_S[missing], stroke()[missing])
+    with pytest.raises(SkillError, match=r"without data at .* Split it at 0\.\d+ s"):
+        path_of(gone, gone.start_s, gone.end_s)

@@ -75,26 +75,27 @@ def _inspected(path: Path, recipe: Path | None) -> dict[str, Any]:
         demonstration = read(path, recipe)
     except KeyphaseError as error:
         return {"path": path, "code": UNREAD, "reason": str(error), "proposal": _proposal(path)}
-    notices = demonstration.notices
+    odd = set(_oddities(demonstration))
+    notices = tuple(notice for notice in demonstration.notices if notice not in odd)
     return {
         "path": path,
-        "code": ODD if _is_odd(demonstration) else HEALTHY,
+        "code": ODD if odd else HEALTHY,
         "facts": _facts(demonstration),
         "notices": notices,
     }
 
 
-def _is_odd(demonstration: "Demonstration") -> bool:
-    return any(True for _ in _oddities(demonstration))
-
-
 def _oddities(demonstration: "Demonstration") -> Iterator[str]:
-    """What no sound recording has: channels that stand still or are clipped."""
+    """What no sound recording has: what is odd about it, and channels that stand still."""
     import numpy as np
 
+    from keyphase.oddities import oddities_of
+
+    yield from (odd.text for odd in oddities_of(demonstration))
     for name in ("position_m", "orientation_wxyz", "force_N", "torque_Nm", "joints_rad"):
         values = getattr(demonstration, name)
-        if values is not None and (np.ptp(values, axis=0) == 0).all():
+        told = any(notice.startswith(f"{name} never") for notice in demonstration.notices)
+        if values is not None and not told and (np.ptp(values, axis=0) == 0).all():
             yield f"{name} never changes."
 
 

@@ -63,6 +63,7 @@ def read_whole(path: Path, limit_bytes: int) -> WholeFile:
     try:
         mode = os.stat(path).st_mode
         if stat.S_ISDIR(mode):
+            os.listdir(path)
             raise DemonstrationError(
                 f"{path}: expected a recording, but this is a folder; name a file in it."
             )

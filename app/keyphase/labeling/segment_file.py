@@ -9,8 +9,8 @@ from typing import Any
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import KeyphaseError, LabelingError, SegmentFileError
-from keyphase.files.numbers import finite_number, whole_number
 from keyphase.files.reading import read_regular
+from keyphase.files.strict_json import parsed_json, violation
 from keyphase.files.writing import write_whole
 from keyphase.labeling.earlier import parameters_as_meant
 from keyphase.labeling.edits import MAX_PLAN_LENGTH, check_label
@@ -181,10 +181,8 @@ def _json(path: Path) -> Any:
             f"{path}: the segment file cannot be read ({reason}); check the path."
         ) from error
     try:
-        return json.loads(
-            data, parse_constant=finite_number, parse_float=finite_number, parse_int=whole_number
-        )
-    except (ValueError, RecursionError) as error:
+        return parsed_json(data)
+    except ValueError as error:
         raise SegmentFileError(
             f"{path}: expected JSON, but it cannot be parsed ({error}); write the file again."
         ) from error
@@ -203,15 +201,10 @@ def _refuse_too_many(content: Any, path: Path) -> None:
 
 
 def _check_schema(content: Any, path: Path) -> None:
-    from jsonschema import Draft202012Validator
-    from jsonschema.exceptions import best_match
-
-    error = best_match(Draft202012Validator(schema()).iter_errors(content))
-    if error is not None:
-        where = error.json_path.removeprefix("$").removeprefix(".") or "the file as a whole"
-        message = error.message if len(error.message) <= 200 else f"{error.message[:200]}…"
+    broken = violation(content, schema())
+    if broken is not None:
         raise SegmentFileError(
-            f"{path}: not a segment file of version 1, {where}: {message}; "
+            f"{path}: not a segment file of version 1, {broken}; "
             "mend that field or write the file again."
         )
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from keyphase.demonstration import Demonstration
+from keyphase.oddities.breaks import breaks_of, breaks_within
 from keyphase.oddities.forces import (
     constant_force,
     helping_force,
@@ -14,7 +15,7 @@ from keyphase.oddities.oddity import Oddity
 from keyphase.oddities.poses import jumps, odd_reach, still_pose, turns_too_fast, zero_rows
 from keyphase.oddities.time_steps import gaps, odd_time
 
-__all__ = ["Oddity", "oddities_of"]
+__all__ = ["Oddity", "breaks_of", "breaks_within", "oddities_of"]
 
 MIN_ROWS = 20
 

@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from keyphase.demonstration import Array, Demonstration
+from keyphase.demonstration import Demonstration
 from keyphase.oddities.oddity import Oddity
+from keyphase.recorded_force import doubtful_force
 
 _MAX_FORCE_N = 5000.0
 _MIN_FORCE_N = 0.05
@@ -17,10 +18,6 @@ _WINDOW_S = 5.0
 _SMOOTHED_S = 0.2
 _MIN_WANDER_N = 0.5
 _MIN_WINDOWS = 2
-_TOUCHING_N = 3.0
-_MOVING_M_S = 0.02
-_MIN_TOUCHING_S = 1.0
-_HELPS = 0.1
 
 
 def odd_size(demonstration: Demonstration) -> list[Oddity]:
@@ -99,34 +96,9 @@ def wandering_force(demonstration: Demonstration) -> list[Oddity]:
 
 
 def helping_force(demonstration: Demonstration) -> list[Oddity]:
-    """A force that helps the motion: surroundings take power from a tool, they give it none.
-
-    The mean of F·v/(|F||v|) over rows that touch and move must be below zero; above, the sign or
-    the frame of the force is wrong.
-    """
-    if demonstration.force_N is None or len(demonstration) < _MIN_ROWS:
-        return []
-    velocity = np.gradient(demonstration.position_m, demonstration.time_s, axis=0)
-    width = max(1, round(0.05 * demonstration.rate_hz))
-    velocity, force = _smoothed(velocity, width), demonstration.force_N
-    speed, strength = np.linalg.norm(velocity, axis=1), np.linalg.norm(force, axis=1)
-    rows = (speed > _MOVING_M_S) & (strength > _TOUCHING_N)
-    if rows.sum() < _MIN_TOUCHING_S * demonstration.rate_hz or rows.sum() < _MIN_ROWS:
-        return []
-    power = np.einsum("ni,ni->n", force[rows], velocity[rows]) / (speed[rows] * strength[rows])
-    mean = float(power.mean())
-    if mean <= _HELPS:
-        return []
-    text = (
-        f"The force helps the motion (mean of F·v/|F||v| in contact: +{mean:.2f}), though "
-        "surroundings only resist: its sign or its frame is probably wrong."
-    )
-    return [Oddity("sign", "warning", text)]
-
-
-def _smoothed(values: Array, width: int) -> Array:
-    kernel = np.full(width, 1.0 / width)
-    return np.column_stack([np.convolve(column, kernel, mode="same") for column in values.T])
+    """A force that helps the motion, though surroundings take power from a tool and give none."""
+    doubt = doubtful_force(demonstration) if len(demonstration) >= _MIN_ROWS else None
+    return [Oddity("sign", "warning", doubt)] if doubt else []
 
 
 def _longest_run(flags: np.ndarray) -> int:

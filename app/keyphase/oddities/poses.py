@@ -17,6 +17,11 @@ _MIN_JOINT_RAD = 0.02
 
 
 def jumps(demonstration: Demonstration) -> list[Oddity]:
+    """The first few jumps."""
+    return first_few(every_jump(demonstration))
+
+
+def every_jump(demonstration: Demonstration) -> list[Oddity]:
     """Places faster left than any arm can, and back where it comes back."""
     time, steps = demonstration.time_s, np.diff(demonstration.time_s)
     travel = np.linalg.norm(np.diff(demonstration.position_m, axis=0), axis=1)
@@ -37,7 +42,7 @@ def jumps(demonstration: Demonstration) -> list[Oddity]:
         )
         span = float(time[row]), float(time[min(row + 1 + back, len(time) - 1)])
         found.append(Oddity("jump", "warning", text, span))
-    return first_few(found)
+    return found
 
 
 def turns_too_fast(demonstration: Demonstration) -> list[Oddity]:

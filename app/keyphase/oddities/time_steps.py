@@ -25,6 +25,11 @@ def odd_time(demonstration: Demonstration) -> list[Oddity]:
 
 
 def gaps(demonstration: Demonstration) -> list[Oddity]:
+    """The first few stretches without data."""
+    return first_few(every_gap(demonstration))
+
+
+def every_gap(demonstration: Demonstration) -> list[Oddity]:
     """Stretches without data, and how far the tool went in them."""
     found = []
     for start, end in demonstration.gaps_s:
@@ -36,7 +41,7 @@ def gaps(demonstration: Demonstration) -> list[Oddity]:
         )  # fmt: skip
         text = f"{end - start:.2f} s without data at {start:.2f} s, after which {moved}."
         found.append(Oddity("gap", "warning", text, (start, end)))
-    return first_few(found)
+    return found
 
 
 def _duration(seconds: float) -> str:

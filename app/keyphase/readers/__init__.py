@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from keyphase.demonstration import Demonstration
+from keyphase.errors import DemonstrationError
 from keyphase.files.parts import split_part, with_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
 from keyphase.readers.finding import (
@@ -20,6 +21,7 @@ from keyphase.readers.finding import (
     folder_recipe,
     own_recipe,
 )
+from keyphase.readers.foreign import foreign_kind
 from keyphase.readers.formats.known import format_of
 from keyphase.readers.formats.reader import fingerprint_of, read_format
 from keyphase.readers.native_csv import has_native_header, read_csv, save_csv
@@ -96,6 +98,8 @@ def _read_table(
         file = replace(file, source=replace(file.source, path=with_part(path, part)))
     if path.suffix.lower() == ".npz" or file.data.startswith(MAGIC):
         return read_npz(file, limit_bytes)
+    if (foreign := foreign_kind(file.data)) is not None:
+        raise DemonstrationError(f"{path}: expected a recording, but {foreign}.")
     chosen = recipe or own_recipe(path)
     if chosen is None and not has_native_header(file.data):
         chosen = folder_recipe(path)

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from keyphase.errors import DemonstrationError, KeyphaseError
+from keyphase.errors import DemonstrationError
 from keyphase.files.parts import split_part, with_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, first_bytes, read_whole
 from keyphase.readers.formats.known import format_of
@@ -61,7 +61,8 @@ def _parts(recording: Found, recipe: Path | str | None) -> Iterator[Found]:
     path, relative = recording
     try:
         names = parts_of(path, recipe)
-    except KeyphaseError:
+    except Exception:
+        # Reading it says what is wrong, be it a defect; the others are found all the same.
         names = ()
     if not names:
         yield recording
@@ -134,14 +135,20 @@ def begins_native(path: Path) -> bool:
 
 
 def _in_folder(folder: Path, recipe: Path | str | None) -> Iterator[Found]:
-    paths = []
-    for parent, folders, files in os.walk(folder, onerror=_refuse):
+    paths, shut = [], list[Path]()
+
+    def pass_over(error: OSError) -> None:
+        if Path(error.filename) == folder:
+            _refuse(error)
+        shut.append(Path(error.filename))
+
+    for parent, folders, files in os.walk(folder, onerror=pass_over):
         folders[:] = [name for name in folders if not name.startswith(".")]
         datasets = [name for name in folders if format_of(Path(parent, name)) is not None]
         folders[:] = [name for name in folders if name not in datasets]
         paths += [Path(parent, name) for name in datasets]
         paths += [Path(parent, name) for name in files if not name.startswith(".")]
-    for path in sorted(paths, key=lambda path: path.relative_to(folder).parts):
+    for path in sorted([*paths, *shut], key=lambda path: path.relative_to(folder).parts):
         if os.path.isdir(path) or (
             os.path.isfile(path) and _is_recording(path, recipe is not None)
         ):

@@ -56,7 +56,7 @@ def read_csv(file: WholeFile, limit_bytes: int) -> Demonstration:
     channels = dict(zip(groups, np.split(values, ends[:-1], axis=1), strict=True))
     channels["time_s"] = channels["time_s"][:, 0]
     _refuse_impossible(table, channels)
-    return build(file, channels, notices=_unknown_notices(table, columns))
+    return build(file, channels, notices=(*table.notices, *_unknown_notices(table, columns)))
 
 
 def _groups(table: Table) -> dict[str, tuple[str, ...]]:

@@ -6,6 +6,7 @@ has another shape than its recording, is refused before it has been unpacked.
 
 import io
 import math
+import warnings
 import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -132,10 +133,12 @@ def _header(
     stream: io.BytesIO, name: str, file: str
 ) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
     version = npy.read_magic(stream)
-    if version == (1, 0):
-        return npy.read_array_header_1_0(stream)
-    if version == (2, 0):
-        return npy.read_array_header_2_0(stream)
+    reading = {(1, 0): npy.read_array_header_1_0, (2, 0): npy.read_array_header_2_0}.get(version)
+    if reading is not None:
+        with warnings.catch_warnings():
+            # Headers that Python 2 wrote are read all the same.
+            warnings.simplefilter("ignore", UserWarning)
+            return reading(stream)
     raise DemonstrationError(
         f"{file}: {name} must be stored in NPY version 1 or 2, but has {version}; "
         "save plain arrays with numpy.savez."

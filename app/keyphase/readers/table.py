@@ -65,7 +65,10 @@ class Columned(Protocol):
 
 @dataclass(frozen=True)
 class Table:
-    """The lines of a table that hold data, each with `width` cells, and its column names."""
+    """The lines of a table that hold data, each with `width` cells, and its column names.
+
+    notices  what is odd about the end of the file
+    """
 
     file: str
     form: TableForm
@@ -74,6 +77,7 @@ class Table:
     lines: Sequence[str]
     line_numbers: Sequence[int]
     quoted: bool
+    notices: tuple[str, ...] = ()
 
     def __len__(self) -> int:
         return len(self.lines)
@@ -158,19 +162,44 @@ def open_table(file: str, data: bytes, form: TableForm, limit_bytes: int) -> Tab
     """
     lines = _lines(file, data, form, limit_bytes)
     body_at = form.skip_lines + form.header
-    if not any(line.strip() for line in lines[body_at:]):
+    body, numbers = _body(lines, body_at)
+    if not body:
         raise DemonstrationError(
             f"{file}: expected rows of numbers after line {body_at}, but there are none; "
             "record or export the file again."
         )
-    numbered = [(n, line) for n, line in enumerate(lines, 1) if n > body_at and line.strip()]
-    body = [line for _, line in numbered]
-    quoted = any('"' in line for line in body)
     names = _names(lines[form.skip_lines], form) if form.header else ()
     width = len(split_cells(body[0], form.separator))
-    table = Table(file, form, names, width, body, [n for n, _ in numbered], quoted)
+    notices = _end_notices(body, numbers, width, form) if lines[-1].strip() else ()
+    quoted = any('"' in line for line in body)
+    table = Table(file, form, names, width, body, numbers, quoted, notices)
     _refuse_ragged(table)
     return table
+
+
+def _body(lines: list[str], begin: int) -> tuple[list[str], Sequence[int]]:
+    """The lines that hold data and their numbers from 1; a range where no blank one is between."""
+    body = lines[begin:]
+    while body and not body[-1].strip():
+        body.pop()
+    if all(map(str.strip, body)):
+        return body, range(begin + 1, begin + 1 + len(body))
+    held = [i for i, line in enumerate(body) if line.strip()]
+    return [body[i] for i in held], [begin + 1 + i for i in held]
+
+
+def _end_notices(
+    body: list[str], numbers: Sequence[int], width: int, form: TableForm
+) -> tuple[str, ...]:
+    """Of a file whose last line has no end; where cells are missing the line is left out."""
+    last = numbers[len(body) - 1]
+    if len(body) > 2 and len(split_cells(body[-1], form.separator)) < width:
+        body.pop()
+        return (f"The file ends within line {last}, which was left out: it was cut there.",)
+    return (
+        f"The last line, {last}, has no line end: if the file was cut there, its last number is "
+        "not whole.",
+    )
 
 
 def _lines(file: str, data: bytes, form: TableForm, limit_bytes: int) -> list[str]:

@@ -1,5 +1,6 @@
 """What a robot's links look like, read by yourdfpy for display."""
 
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +13,7 @@ from yourdfpy.urdf import filename_handler_magic
 
 from keyphase.demonstration import Array
 from keyphase.errors import RobotError
+from keyphase.robot.mesh_files import MeshFiles
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,14 +30,16 @@ def read_display(path: Path) -> URDF:
 
     Raises RobotError where it is no valid URDF or a mesh is missing or cannot be read.
     """
+    files = MeshFiles(path)
 
     def found(fname: str) -> str:
         file = filename_handler_magic(fname, dir=str(path.parent))
-        if not Path(file).is_file():
+        if not os.path.exists(file):
             raise RobotError(
                 f"{path}: the mesh '{fname}' is missing; put it at the path the description "
                 f"names, relative to {path.parent}, or remove that visual."
             )
+        files.let_in(fname, Path(file))
         return file
 
     try:

@@ -12,8 +12,11 @@ import numpy as np
 
 from keyphase.errors import RobotError
 from keyphase.files.reading import read_regular
+from keyphase.robot.urdf_numbers import refuse_bad_numbers
 
-_MAX_BYTES = 16 * 1024**2
+_MAX_BYTES = 4 * 1024**2
+_MAX_LINKS = 500
+_MAX_ATTRIBUTES = 50
 _ENCODING = re.compile(rb"""\W{0,4}<\?xml[^>]*encoding\s*=\s*["']([^"']*)""")
 _ENCODINGS = frozenset({"utf-8", "utf8", "utf-16", "us-ascii", "ascii", "iso-8859-1", "latin-1"})
 
@@ -41,12 +44,24 @@ def refuse_bad_urdf(path: Path) -> None:
     for joint in joints:
         _refuse_bad_joint(path, joint, set(names))
         _refuse_bad_mimic(path, joint, independent)
-    roots = sorted(set(names) - {_end(joint, "child") for joint in joints})
-    if len(roots) != 1:
+    refuse_bad_numbers(path, robot)
+    children = Counter(_end(joint, "child") for joint in joints)
+    child, times = children.most_common(1)[0] if children else ("", 1)
+    if times > 1:
         raise RobotError(
-            f"{path}: expected links that form one tree with one root, but found "
-            f"{len(roots)} roots ({', '.join(roots) or 'all links form loops'}); "
-            "connect them by joints."
+            f"{path}: every link must hang on one joint, but '{child}' hangs on {times}; "
+            "remove all of them but one."
+        )
+    roots = sorted(set(names) - set(children))
+    if len(roots) != 1 or len(_below(roots[0], joints)) < len(names):
+        raise RobotError(
+            f"{path}: expected links that form one tree with one root, but "
+            + (
+                f"found {len(roots)} roots ({', '.join(roots)[:200]})"
+                if len(roots) > 1
+                else "some of them form loops"
+            )
+            + "; connect all by joints, each below another."
         )
 
 
@@ -75,7 +90,23 @@ def _parsed(path: Path) -> ElementTree.Element:
             f"<{robot.tag}> with {len(robot.findall('link'))} links; "
             "convert other formats (xacro, SDF, MJCF) to URDF first."
         )
+    _refuse_too_much(path, robot)
     return robot
+
+
+def _refuse_too_much(path: Path, robot: ElementTree.Element) -> None:
+    """What the parsers behind yourdfpy and Pinocchio take minutes over."""
+    links = len(robot.findall("link"))
+    if links > _MAX_LINKS:
+        raise RobotError(
+            f"{path}: a robot may have {_MAX_LINKS} links, but this one has {links}; leave out "
+            "those that the arm does not need."
+        )
+    if any(len(element.attrib) > _MAX_ATTRIBUTES for element in robot.iter()):
+        raise RobotError(
+            f"{path}: an element may have {_MAX_ATTRIBUTES} attributes, but one has more; check "
+            "that it is a URDF."
+        )
 
 
 def _refuse_declarations(path: Path, data: bytes) -> None:
@@ -158,6 +189,20 @@ def _numbers(
             f"<{element.tag}>, but has '{text}'; correct it."
         )
     return numbers
+
+
+def _below(root: str, joints: list[ElementTree.Element]) -> set[str]:
+    """The root and all links that can be reached from it."""
+    beneath: dict[str, list[str]] = {}
+    for joint in joints:
+        beneath.setdefault(_end(joint, "parent"), []).append(_end(joint, "child"))
+    reached, waiting = {root}, [root]
+    while waiting:
+        for link in beneath.get(waiting.pop(), []):
+            if link not in reached:
+                reached.add(link)
+                waiting.append(link)
+    return reached
 
 
 def _end(joint: ElementTree.Element, which: str) -> str:

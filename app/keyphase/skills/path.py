@@ -9,6 +9,7 @@ from scipy.signal import savgol_filter
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import SkillError
+from keyphase.oddities import breaks_within
 from keyphase.rotations import quaternions
 from keyphase.rotations.courses import angular_velocity
 from keyphase.segmentation.end_condition import ContactEnd
@@ -55,8 +56,10 @@ def path_of(demonstration: Demonstration, start_s: float, end_s: float) -> Path:
     """The demonstrated path from `start_s` to `end_s`, at 250 Hz and smoothed over 0.1 s.
 
     Cubic in between samples, third-order Savitzky-Golay over them; both ends are kept in place
-    as far as the noise allows. Raises SkillError where the segment holds too few samples.
+    as far as the noise allows. Raises SkillError where the segment holds too few samples, or a
+    stretch in which nothing was demonstrated.
     """
+    _refuse_breaks(demonstration, start_s, end_s)
     first, last = np.searchsorted(demonstration.time_s, (start_s, end_s), side="left").tolist()
     rows = slice(max(first - 1, 0), min(last + 1, len(demonstration)))
     time = demonstration.time_s[rows]
@@ -73,6 +76,18 @@ def path_of(demonstration: Demonstration, start_s: float, end_s: float) -> Path:
     if wxyz is not None:
         wxyz = quaternions.normalised(_smooth(CubicSpline(time, wxyz[rows])(moments)))
     return Path(np.linspace(0.0, end_s - start_s, count), position, wxyz)
+
+
+def _refuse_breaks(demonstration: Demonstration, start_s: float, end_s: float) -> None:
+    """A gap or a jump is no way that somebody showed."""
+    broken = breaks_within(demonstration, start_s, end_s)
+    if broken:
+        begin, end = broken[0].span_s or (start_s, end_s)
+        raise SkillError(
+            f"{demonstration.name}: the segment from {start_s:.2f} s to {end_s:.2f} s cannot "
+            f"become a skill: {broken[0].text} Split it at {begin:.2f} s and {end:.2f} s and drop "
+            "what lies between."
+        )
 
 
 def direction_of_travel(path: Path, end: ContactEnd) -> tuple[Array, float]:

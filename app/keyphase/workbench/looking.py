@@ -7,7 +7,7 @@ from dataclasses import replace
 from keyphase.errors import KeyphaseError
 from keyphase.workbench.desks.library import Library
 from keyphase.workbench.recording_list import RecordingList
-from keyphase.workbench.recordings import Recording
+from keyphase.workbench.recordings import Recording, defect
 from keyphase.workbench.telling import in_words
 from keyphase.workbench.worker import Worker
 
@@ -48,7 +48,10 @@ class Looking:
     def _looked_at(self, recording: Recording) -> Recording:
         try:
             opened = self._library.look(recording)
+            opened.close()
+            return opened.state_at(0).line
         except KeyphaseError as error:
             return replace(recording, error=str(error))
-        opened.close()
-        return opened.state_at(0).line
+        except Exception as error:
+            in_words(error)
+            return replace(recording, error=defect(recording.path, error))

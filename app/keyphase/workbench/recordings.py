@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
+from keyphase.errors import KeyphaseError
 from keyphase.files.parts import stem_of
 from keyphase.labeling.storage.summary import summarize
 from keyphase.workbench.showing.doubts import Piece
@@ -41,9 +42,24 @@ def recording_at(path: Path) -> Recording:
 
     Its id follows from where it is, so that a page finds it again after the server has restarted.
     """
-    said = summarize(path)
+    line = Recording(_id(path), path)
+    try:
+        said = summarize(path)
+    except KeyphaseError as error:
+        return replace(line, error=str(error))
+    except Exception as error:
+        return replace(line, error=defect(path, error))
     state = "done" if said.done else "touched" if said.touched else "automatic"
-    return replace(Recording(_id(path), path), state=state)
+    return replace(line, state=state)
+
+
+def defect(path: Path, error: Exception) -> str:
+    """What is said of a recording over which keyphase itself fails; the others go on."""
+    return (
+        f"{printable(path.name)}: something is wrong inside keyphase with this recording "
+        f"({type(error).__name__}: {printable(str(error))[:200]}); the others go on. "
+        "Please report it."
+    )
 
 
 def folder_name(recordings: Sequence[Recording]) -> str:

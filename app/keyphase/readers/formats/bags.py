@@ -7,7 +7,6 @@ both in seconds from the beginning of the bag. A direct transform of `/tf` is th
 """
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass, field, fields, is_dataclass
 from pathlib import Path
 from typing import Any
@@ -15,8 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from keyphase.errors import DemonstrationError, KeyphaseError
+from keyphase.errors import DemonstrationError
 from keyphase.readers.formats.array_table import ArrayTable
+from keyphase.readers.formats.damage import damage_told
 from keyphase.readers.formats.numeric import MAX_NUMBERS_A_ROW
 from keyphase.readers.formats.packages import package
 
@@ -31,9 +31,11 @@ _MAX_DEPTH = 8
 
 def is_ros2_bag(path: Path) -> bool:
     """Whether a folder is a ROS 2 bag."""
-    return (path / ROS2_INFO).is_file() and any(
-        file.suffix in (".db3", ".mcap") for file in path.iterdir()
-    )
+    if not (path / ROS2_INFO).is_file():
+        return False
+    files = list(path.iterdir())
+    held = any(file.suffix in (".db3", ".mcap") for file in files)
+    return held and all(file.is_file() or file.is_dir() for file in files)
 
 
 def table_of_bag(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
@@ -45,7 +47,7 @@ def table_of_bag(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     if part is not None:
         raise DemonstrationError(f"{path}: a bag is one recording; name it without #{part[:80]}.")
     streams = _Streams(str(path), limit_bytes)
-    with _damage_told(path):
+    with damage_told(path, "bag", "copy or record it again"):
         for topic, log_ns, message in _messages(path):
             streams.add(topic, log_ns, message)
     return ArrayTable(str(path), streams.arrays(), {}, streams.notices(), {})
@@ -171,17 +173,3 @@ def _numbers_of(
 def _is_row(value: Any) -> bool:
     is_numbers = isinstance(value, np.ndarray) and value.dtype.kind in "fiub"
     return is_numbers and 0 < value.size <= MAX_NUMBERS_A_ROW
-
-
-@contextmanager
-def _damage_told(path: Path) -> Iterator[None]:
-    try:
-        yield
-    except (KeyphaseError, ImportError):
-        raise
-    except Exception as error:
-        # rosbags and its decoders raise whatever their bytes lead to; none of it is a defect here.
-        raise DemonstrationError(
-            f"{path}: expected a whole bag, but it cannot be read "
-            f"({type(error).__name__}: {error}); copy or record it again."
-        ) from error

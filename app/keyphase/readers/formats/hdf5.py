@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from keyphase.errors import DemonstrationError
 from keyphase.readers.formats.array_table import ArrayTable
+from keyphase.readers.formats.damage import damage_told
 from keyphase.readers.formats.numeric import (
     in_natural_order,
     is_signal,
@@ -27,6 +27,9 @@ EXTRA = "hdf5"
 _EPISODES = "data"
 _MAX_DEPTH = 8
 _MAX_ARRAYS = 20_000
+_MAX_DEFLATED = 1032
+"""Deflate packs no better."""
+_MIN_ROOM_BYTES = 1024**2
 
 
 def parts_of_hdf5(path: Path) -> tuple[str, ...]:
@@ -53,6 +56,7 @@ def table_of_hdf5(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
             raise unknown_part(str(path), part, parts_of_hdf5(path))
         found = dict(_signals(group))
         refuse_too_large(found.values(), shown, limit_bytes)
+        _refuse_empty_space(found)
         arrays = {name: np.asarray(dataset[()]) for name, dataset in found.items()}
         texts = {}
         notices = ()
@@ -66,14 +70,8 @@ def table_of_hdf5(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
 @contextmanager
 def _opened(path: Path) -> Iterator[Any]:
     h5py = package("h5py", EXTRA, path)
-    try:
-        with h5py.File(path, "r") as file:
-            yield file
-    except (OSError, RuntimeError, KeyError, ValueError, TypeError, MemoryError) as error:
-        raise DemonstrationError(
-            f"{path}: expected a whole HDF5 file, but it cannot be read ({error}); "
-            "copy or export it again."
-        ) from error
+    with damage_told(path, "HDF5 file"), h5py.File(path, "r") as file:
+        yield file
 
 
 def _group(parent: Any, name: str) -> Any:
@@ -106,6 +104,16 @@ def _is_own_signal(item: Any) -> bool:
 
     own = isinstance(item, h5py.Dataset) and not (item.is_virtual or item.external)
     return own and is_signal(item)
+
+
+def _refuse_empty_space(found: dict[str, Any]) -> None:
+    """A shape that what is stored cannot fill was never recorded, however small the file is."""
+    for name, dataset in found.items():
+        stored = dataset.id.get_storage_size()
+        if dataset.nbytes > _MAX_DEFLATED * stored + _MIN_ROOM_BYTES:
+            raise ValueError(
+                f"{name} has shape {dataset.shape}, which its {stored} stored bytes cannot fill"
+            )
 
 
 def _control_rate(episodes: Any) -> float | None:

@@ -6,8 +6,6 @@ the names in `meta/info.json` (`features.*.names`) name them: `observation.state
 
 import json
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +14,7 @@ from numpy.typing import NDArray
 
 from keyphase.errors import DemonstrationError
 from keyphase.readers.formats.array_table import ArrayTable
+from keyphase.readers.formats.damage import damage_told
 from keyphase.readers.formats.numeric import MAX_NUMBERS_A_ROW, refuse_too_large, unknown_part
 from keyphase.readers.formats.packages import package
 
@@ -49,7 +48,7 @@ def table_of_lerobot(path: Path, part: str | None, limit_bytes: int) -> ArrayTab
     number = _number(part)
     if number is None or number >= len(parts_of_lerobot(path)):
         raise unknown_part(str(path), part, parts_of_lerobot(path))
-    with _damage_told(path):
+    with damage_told(path, "LeRobot dataset"):
         table = _episode(path, info, number)
         shown = f"{path}#{part}"
         columns = dict(_columns(table))
@@ -111,6 +110,8 @@ def _episode_row(path: Path, number: int) -> Mapping[str, Any]:
     compute = package("pyarrow.compute", EXTRA, path)
     wanted = ["episode_index", "data/chunk_index", "data/file_index"]
     for file in sorted((path / "meta" / "episodes").glob("*/*.parquet")):
+        if not file.is_file():
+            raise _damaged(path, f"{file.name} is no regular file")
         table = parquet.read_table(file, columns=wanted)
         rows = table.filter(compute.equal(table["episode_index"], number)).to_pylist()
         if rows:
@@ -172,16 +173,6 @@ def _info(path: Path) -> dict[str, Any]:
 def _number(part: str | None) -> int | None:
     digits = (part or "").removeprefix("episode_")
     return int(digits) if digits.isdecimal() and len(digits) <= 9 else None
-
-
-@contextmanager
-def _damage_told(path: Path) -> Iterator[None]:
-    arrow = package("pyarrow", EXTRA, path)
-    refused = partial(_damaged, path)
-    try:
-        yield
-    except (arrow.ArrowException, OSError, KeyError, ValueError, TypeError, IndexError) as error:
-        raise refused(f"{type(error).__name__}: {error}") from error
 
 
 def _damaged(path: Path, reason: str) -> DemonstrationError:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from keyphase.errors import DemonstrationError
 from keyphase.readers.formats.array_table import ArrayTable
+from keyphase.readers.formats.damage import damage_told
 from keyphase.readers.formats.numeric import is_signal, refuse_too_large
 
 NPY_MAGIC = b"\x93NUMPY"
@@ -23,17 +24,12 @@ def table_of_npy(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     Raises DemonstrationError for what is no whole array of numbers.
     """
     _refuse_part(path, part)
-    try:
+    with damage_told(path, "array", "save it again with numpy.save, not as an object"):
         mapped = np.load(path, mmap_mode="r", allow_pickle=False)
         if not isinstance(mapped, np.ndarray):
             raise ValueError("it holds no array")
         refuse_too_large([mapped], str(path), limit_bytes)
         array = np.array(mapped)
-    except (OSError, ValueError, EOFError, TypeError, SyntaxError, MemoryError) as error:
-        raise DemonstrationError(
-            f"{path}: expected an array of numbers, but it cannot be read ({error}); "
-            "save it again with numpy.save, not as an object."
-        ) from error
     named = {name: array[name] for name in array.dtype.names or ()} or {"array": array}
     return ArrayTable(str(path), _signals(named, str(path)), {}, (), {})
 
@@ -51,14 +47,8 @@ def table_of_mat(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
             f"{path}: the file is larger than the limit of {limit_bytes} bytes; cut it or raise "
             "the limit."
         )
-    try:
+    with damage_told(path, "MATLAB file", "save it again with save -v7"):
         content = loadmat(path, struct_as_record=True, squeeze_me=False)
-    except Exception as error:
-        # SciPy's reader raises whatever a damaged file leads it to.
-        raise DemonstrationError(
-            f"{path}: expected a whole MATLAB file, but it cannot be read "
-            f"({type(error).__name__}: {error}); save it again with save -v7."
-        ) from error
     variables = {name: value for name, value in content.items() if not name.startswith("__")}
     return ArrayTable(str(path), _signals(dict(_flat(variables)), str(path)), {}, (), {})
 

@@ -4,7 +4,6 @@
 other rates have ends of their own, `meta/episode_NAME_ends` for the arrays that begin with NAME.
 """
 
-import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from keyphase.errors import DemonstrationError
 from keyphase.readers.formats.array_table import ArrayTable
+from keyphase.readers.formats.damage import damage_told
 from keyphase.readers.formats.numeric import is_signal, refuse_too_large, unknown_part
 from keyphase.readers.formats.packages import package
 
@@ -30,7 +29,7 @@ def is_zarr(path: Path) -> bool:
     """Whether a folder, or a zip file by its name, is a Zarr store."""
     if path.is_dir():
         return any((path / mark).is_file() for mark in MARKS)
-    return path.name.lower().endswith(SUFFIXES[1])
+    return path.name.lower().endswith(SUFFIXES[1]) and path.is_file()
 
 
 def parts_of_zarr(path: Path) -> tuple[str, ...]:
@@ -72,32 +71,26 @@ class _Rows:
 @contextmanager
 def _opened(path: Path) -> Iterator[Any]:
     zarr = package("zarr", EXTRA, path)
-    try:
+    with damage_told(path, "Zarr store"):
         if path.is_dir():
-            yield zarr.open_group(path, mode="r")
+            yield zarr.open_group(_regular_files(path), mode="r")
         else:
             with zarr.storage.ZipStore(path, mode="r") as store:
                 yield zarr.open_group(store, mode="r")
-    except DemonstrationError:
-        raise
-    except (
-        OSError,
-        ValueError,
-        KeyError,
-        TypeError,
-        RuntimeError,
-        IndexError,
-        AttributeError,
-        MemoryError,
-        OverflowError,
-        RecursionError,
-        ZeroDivisionError,
-        json.JSONDecodeError,
-    ) as error:
-        raise DemonstrationError(
-            f"{path}: expected a whole Zarr store, but it cannot be read "
-            f"({type(error).__name__}: {error}); copy or export it again."
-        ) from error
+
+
+def _regular_files(path: Path) -> Any:
+    """The folder as a store in which pipes and devices are no chunks; opening one could wait."""
+    from zarr.storage import LocalStore
+
+    class RegularFiles(LocalStore):
+        async def get(self, key: str, *given: Any, **named: Any) -> Any:
+            file = Path(self.root, key)
+            if file.exists() and not file.is_file():
+                return None
+            return await super().get(key, *given, **named)
+
+    return RegularFiles(path, read_only=True)
 
 
 def _ends(store: Any, name: str) -> NDArray[np.int64] | None:

@@ -25,6 +25,9 @@ from keyphase.readers.wrench import in_base_frame, offset_of
 _FINER, _MIN_ROOM = 10, 10_000
 """Resampling makes at most so many times the rows that were recorded, or so many rows."""
 
+_MAX_REPEATED = 0.5
+"""Where more rows are repeated than not, it is the clock that is wrong, not the rows."""
+
 _LOADS = {"force_N": "N", "torque_Nm": "N m"}
 
 
@@ -40,14 +43,22 @@ def read_by_recipe(
     table = open_table(file.name, file.data, recipe.table, limit_bytes)
     if recipe.split is not None:
         table = rows_of_part(table, recipe, part)
-    return demonstration_of(table, file, recipe, limit_bytes)
+    return demonstration_of(table, file, recipe, limit_bytes, table.notices)
 
 
 def demonstration_of(
-    table: Columned, file: WholeFile, recipe: Recipe, limit_bytes: int
+    table: Columned,
+    file: WholeFile,
+    recipe: Recipe,
+    limit_bytes: int,
+    told: tuple[str, ...] = (),
 ) -> Demonstration:
-    """The demonstration in the columns that a recipe chooses; errors as in `read_by_recipe`."""
+    """The demonstration in the columns that a recipe chooses; errors as in `read_by_recipe`.
+
+    `told` are the notices of whoever opened the table; they come first.
+    """
     channels, notices = channels_of(table, recipe)
+    notices = told + notices
     channels, more = without_bad_rows(channels, recipe.rows, table.line)
     notices += more
     channels, more = _distinct(channels, recipe, table)
@@ -73,6 +84,12 @@ def _distinct(channels: Channels, recipe: Recipe, table: Columned) -> Noted:
     if recipe.rows.repeated == "refuse" or not repeats.any():
         refuse_not_increasing(channels["time_s"], where(table, recipe.time.column))
         return channels, ()
+    if repeats.mean() > _MAX_REPEATED:
+        raise DemonstrationError(
+            f"{table.file}: {int(repeats.sum())} of {len(repeats)} rows have the time of the row "
+            f"before: {table.label(recipe.time.column.find(table)[0])} is too coarse to tell them "
+            "apart; name another, such as [time] seconds and nanoseconds."
+        )
     rows = np.flatnonzero(~repeats)
     kept = {channel: values[rows] for channel, values in channels.items()}
     refuse_not_increasing(kept["time_s"], where(table, recipe.time.column, rows))

@@ -7,12 +7,12 @@ same skills give the same bytes; reading them back gives the same skills, to the
 import json
 from importlib.resources import files
 from pathlib import Path
-from typing import Any, NoReturn
-
-from jsonschema import Draft202012Validator
+from typing import Any
 
 from keyphase import __version__
 from keyphase.errors import ParameterError, SkillError
+from keyphase.files.reading import read_regular
+from keyphase.files.strict_json import parsed_json, violation
 from keyphase.files.writing import write_whole
 from keyphase.skills.exports.skill_library import SkillLibrary
 from keyphase.skills.exports.skill_parsing import library_of_values
@@ -20,6 +20,9 @@ from keyphase.skills.exports.skill_values import library_values
 
 FORMAT = "keyphase skills"
 VERSION = 2
+
+_LIMIT_BYTES = 256 * 1024**2
+_MAX_VALUES = 10_000_000
 
 
 def schema() -> dict[str, Any]:
@@ -42,11 +45,10 @@ def library_of_text(text: str, name: str = "skill file") -> SkillLibrary:
     """
     content = _parsed(text, name)
     _refuse_version_1(content, name)
-    error = next(iter(Draft202012Validator(schema()).iter_errors(content)), None)
-    if error is not None:
+    broken = violation(content, schema())
+    if broken is not None:
         raise SkillError(
-            f"{name} is no skill file of version {VERSION}: at {error.json_path} "
-            f"{error.message[:200]}; export the skills again."
+            f"{name} is no skill file of version {VERSION}: at {broken}; export the skills again."
         )
     try:
         return library_of_values(content)
@@ -62,8 +64,8 @@ def write_skills(path: Path, library: SkillLibrary) -> None:
 def read_skills(path: Path) -> SkillLibrary:
     """Read a skill file. Raises SkillError where it is missing, damaged or not one."""
     try:
-        text = path.read_text("utf-8")
-    except (OSError, UnicodeDecodeError) as error:
+        text = read_regular(path, _LIMIT_BYTES).decode()
+    except (OSError, ValueError) as error:
         raise SkillError(f"{path} cannot be read as a skill file ({error}).") from error
     return library_of_text(text, str(path))
 
@@ -82,12 +84,9 @@ def _refuse_version_1(content: Any, name: str) -> None:
 
 
 def _parsed(text: str, name: str) -> Any:
-    def refuse(constant: str) -> NoReturn:
-        raise ValueError(f"{constant} is no number")
-
     try:
-        return json.loads(text, parse_constant=refuse)
-    except (ValueError, RecursionError) as error:
+        return parsed_json(text.encode(errors="backslashreplace"), _MAX_VALUES)
+    except ValueError as error:
         raise SkillError(
             f"{name} must be JSON as keyphase writes it, but is not ({error}); "
             "export the skills again."

@@ -8,6 +8,7 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.labeling.labeling import LabeledBoundary, LabeledSegment, Labeling, PlanEntry
+from keyphase.oddities import breaks_of
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.segmentation.segmentation import Candidate, Peak, Reason
 from keyphase.web.protocol import document_messages as say
@@ -27,6 +28,9 @@ CONNECTING_MM = 1.0
 
 MOST_REASONS = 4
 """So many reasons of a boundary are told."""
+
+MAX_BREAKS = 200
+"""So many gaps and jumps are drawn."""
 
 _AXES = ("x", "y", "z")
 
@@ -72,12 +76,19 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         changed=state.changed,
         elsewhere=_elsewhere(state),
         labels=state.vocabulary.labels,
+        breaks=_breaks(demonstration),
     )
 
 
 def _elsewhere(state: DeskState) -> say.ElsewhereMessage | None:
     found = state.elsewhere
     return found and say.ElsewhereMessage(found.name, found.steps, found.done)
+
+
+@lru_cache(maxsize=8)
+def _breaks(demonstration: Demonstration) -> tuple[say.BreakMessage, ...]:
+    found = breaks_of(demonstration)[:MAX_BREAKS]
+    return tuple(say.BreakMessage(*one.span_s, one.text) for one in found if one.span_s)
 
 
 def channels(demonstration: Demonstration) -> tuple[str, ...]:

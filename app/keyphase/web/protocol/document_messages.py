@@ -145,6 +145,14 @@ class ElsewhereMessage(Struct, frozen=True):
     done: bool
 
 
+class BreakMessage(Struct, frozen=True):
+    """A stretch in which nothing was demonstrated, a gap or a jump, and what it is in words."""
+
+    start_s: float
+    end_s: float
+    text: str
+
+
 class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     """What a recording is at one revision.
 
@@ -197,6 +205,7 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     changed: bool
     elsewhere: ElsewhereMessage | None
     labels: tuple[VocabularyLabel, ...]
+    breaks: tuple[BreakMessage, ...] = ()
     selected: int | None = None
 
 

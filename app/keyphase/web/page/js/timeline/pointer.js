@@ -1,8 +1,9 @@
 /** The pointer on the timeline: hovering, gestures, wheel, double click, context menu. */
 
+import { breakAt } from "./breaks.js";
 import { startGesture } from "./gestures.js";
 import { hitTest } from "./hit.js";
-import { createPinch } from "./pinch.js";
+import { createPinch } from "../lib/pinch.js";
 import { clampView, zoomView } from "../lib/scale.js";
 
 const CLICK_PX = 3;
@@ -49,6 +50,7 @@ export function attachPointer(store, timeline, actions) {
     const ruler = timeline.layout().rows.get("ruler");
     const inTracks = point.y >= ruler.y && point.x <= plotWidth;
     surface.style.cursor = CURSORS[hit.kind] ?? "default";
+    surface.title = inTracks ? breakAt(doc, point.x, timeline.scale()) : "";
     store.set({
       hovered: hit.kind === "boundary" ? hit.boundary : null,
       candidate: hit.candidate ?? null,

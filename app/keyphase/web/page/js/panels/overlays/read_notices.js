@@ -6,8 +6,14 @@
 import { byId, el } from "../../lib/dom.js";
 import { plural } from "../../lib/format.js";
 
-const DOUBTFUL =
-  /dropp|left out|held|mend|damag|torn|skip|cut|missing|gap|not be written|repair|interpol|duplicate/i;
+const DOUBTFUL = new RegExp(
+  [
+    "dropp|left out|held|repeats its|mend|damag|torn|skip|cut|missing|not be written|repair",
+    "interpol|resampl|duplicate|without data|gap|jump|turns by|0 0 0|never change|at its limit",
+    "wander|helps|read as|no line end",
+  ].join("|"),
+  "i",
+);
 
 /** @param {import("../../lib/store.js").Store} store */
 export function createReadNotices(store) {

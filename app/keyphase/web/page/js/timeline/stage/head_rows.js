@@ -3,6 +3,7 @@
 import { withDrag } from "../../model/drag.js";
 import { drawBand } from "../band.js";
 import { drawBoundaries, drawGhosts, drawIntervals } from "../boundaries.js";
+import { drawBreaks } from "../breaks.js";
 import { drawComparison } from "../comparison.js";
 import { drawOverviewCurve, drawOverviewStrip, drawWindow } from "../overview.js";
 import { drawRuler } from "../ruler.js";
@@ -21,6 +22,7 @@ export function drawSegments({ groups, gutters, scale, bottom }, plain) {
   const at = scale();
   groups.intervals.replaceChildren(...drawIntervals(state, at, layout, bottom()));
   groups.band.replaceChildren(...drawBand(state, at, layout.rows.get("segments")));
+  groups.breaks.replaceChildren(...drawBreaks(state, at, layout, bottom()));
   groups.boundaries.replaceChildren(...drawBoundaries(state, at, layout, bottom()));
   groups.ghosts.replaceChildren(...drawGhosts(state, at, layout, bottom()));
   gutters.get("segments").describe(plain.document);

@@ -1,6 +1,7 @@
 /** The elements of the timeline: layers below and above the tracks, and what is drawn in each. */
 
 import { el, svg } from "../../lib/dom.js";
+import { hatches } from "../breaks.js";
 
 /**
  * @typedef {ReturnType<typeof createLayers>} Layers
@@ -16,6 +17,7 @@ export function createLayers(pane) {
     overview: svg("g"),
     ruler: svg("g"),
     band: svg("g"),
+    breaks: svg("g"),
     boundaries: svg("g"),
     ghosts: svg("g"),
     overviewCurve: svg("g"),
@@ -25,7 +27,7 @@ export function createLayers(pane) {
     playhead: svg("g", { class: "playhead" }),
     overviewPlayhead: svg("rect", { class: "overview-playhead", width: 1.5 }),
   };
-  below.append(svg("defs", {}, hatch()), groups.intervals);
+  below.append(hatches(), groups.intervals);
   above.append(
     groups.overviewCurve,
     groups.overview,
@@ -35,6 +37,7 @@ export function createLayers(pane) {
     groups.comparison,
     groups.pointer,
     groups.band,
+    groups.breaks,
     groups.boundaries,
     groups.ghosts,
     groups.playhead,
@@ -48,20 +51,4 @@ export function createLayers(pane) {
 /** @param {string} name */
 function layer(name) {
   return svg("svg", { class: `layer ${name}` });
-}
-
-/** The hatch of dropped segments. */
-function hatch() {
-  return svg(
-    "pattern",
-    {
-      id: "hatch",
-      width: 6,
-      height: 6,
-      patternUnits: "userSpaceOnUse",
-      patternTransform: "rotate(45)",
-    },
-    svg("rect", { width: 6, height: 6, style: { fill: "var(--hatch)" } }),
-    svg("rect", { width: 2.2, height: 6, style: { fill: "var(--hatch-line)" } }),
-  );
 }

@@ -1,12 +1,12 @@
 /** Two fingers on the timeline: apart is closer, together is further, and the view goes with them. */
 
-import { clampView } from "../lib/scale.js";
+import { clampView } from "./scale.js";
 
 /** So near together two fingers would zoom by far more than they move. */
 const LEAST_PX = 20;
 
 /**
- * @param {import("../lib/store.js").Store} store
+ * @param {import("./store.js").Store} store
  * @param {any} timeline
  */
 export function createPinch(store, timeline) {

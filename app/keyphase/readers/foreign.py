@@ -1,0 +1,27 @@
+"""Files that are neither text nor a format keyphase reads, known by their first bytes."""
+
+_KNOWN: tuple[tuple[bytes, str], ...] = (
+    (
+        b"PAR1",
+        "it is a Parquet file, which is read as part of a LeRobot dataset: name the dataset's "
+        "folder, or save its columns with numpy.savez",
+    ),
+    (b"\x80\x02", "it is a pickle, which can run programs and is never loaded: save plain arrays "
+                  "with numpy.savez"),
+    (b"\x1f\x8b", "it is packed with gzip: unpack it first"),
+    (b"BZh", "it is packed with bzip2: unpack it first"),
+    (b"\xfd7zXZ", "it is packed with xz: unpack it first"),
+    (b"SQLite format 3\0", "it is a database; of a ROS 2 bag name the folder it lies in"),
+    (b"\xd0\xcf\x11\xe0", "it is a workbook of Excel: save the sheet as CSV"),
+    (b"ARROW1", "it is an Arrow file: save its columns with numpy.savez"),
+    (b"MATLAB 7.3", "it is a MATLAB file of version 7.3: save it with save -v7"),
+)  # fmt: skip
+
+_PICKLES = tuple(b"\x80" + bytes([protocol]) for protocol in (2, 3, 4, 5))
+
+
+def foreign_kind(data: bytes) -> str | None:
+    """What a file is and what to do with it, by its first bytes; None where they say nothing."""
+    if data.startswith(_PICKLES):
+        data = b"\x80\x02"
+    return next((said for magic, said in _KNOWN if data.startswith(magic)), None)

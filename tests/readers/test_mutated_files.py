@@ -1,0 +1,23 @@
+"""Every kind of file keyphase reads, mutated: it is read as others read it, or refused."""
+
+from pathlib import Path
+
+import pytest
+
+BENCHMARKS = Path(__file__).parents[1] / "benchmarks"
+
+
+def test_two_thousand_mutated_files_are_read_as_others_do_or_refused_in_a_line(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.syspath_prepend(BENCHMARKS)
+    from fuzz_files import fuzz
+
+    counts, faults = fuzz(2000, seed=0)
+
+    assert faults == []
+    assert sum(counts.values()) == 2000
+    kinds = {kind for kind, _ in counts}
+    assert len(kinds) == 18
+    assert sum(counts[kind, "read"] for kind in kinds) > 200
+    assert sum(counts[kind, "refused"] for kind in kinds) > 1000
