@@ -41,6 +41,7 @@ export function documentOf(end, boundaries, given = {}) {
     plan: [],
     proposed_drops: [],
     peaks: [],
+    breaks: [],
     ...given,
   };
 }

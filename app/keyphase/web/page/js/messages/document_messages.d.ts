@@ -52,6 +52,7 @@ export interface DocumentMessage {
   changed: boolean;
   elsewhere: ElsewhereMessage | null;
   labels: VocabularyLabel[];
+  breaks: BreakMessage[];
   selected: number | null;
 }
 
@@ -187,6 +188,13 @@ export interface ElsewhereMessage {
 export interface VocabularyLabel {
   name: string;
   color: string;
+}
+
+/** A stretch in which nothing was demonstrated, a gap or a jump, and what it is in words. */
+export interface BreakMessage {
+  start_s: number;
+  end_s: number;
+  text: string;
 }
 
 /** No recording is looked at any more. */

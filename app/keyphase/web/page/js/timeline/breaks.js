@@ -15,7 +15,7 @@ const WORDS = "no data";
 export function drawBreaks({ document: doc }, scale, layout, bottom) {
   const { y, height } = layout.rows.get("ruler");
   const band = layout.rows.get("segments");
-  return (doc.breaks ?? []).flatMap((one) => {
+  return doc.breaks.flatMap((one) => {
     if (one.end_s < scale.from || one.start_s > scale.to) return [];
     const [left, right] = ends(one, scale);
     const width = Math.min(right, scale.width) - Math.max(left, 0);
@@ -44,7 +44,7 @@ export function drawBreaks({ document: doc }, scale, layout, bottom) {
  * @param {import("../lib/scale.js").Scale} scale
  */
 export function breakAt(doc, x, scale) {
-  const found = (doc.breaks ?? []).find((one) => {
+  const found = doc.breaks.find((one) => {
     const [left, right] = ends(one, scale);
     return x >= left && x <= right;
   });
