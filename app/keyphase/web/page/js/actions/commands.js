@@ -10,101 +10,137 @@
 import { fold } from "../model/rows.js";
 
 /**
+ * @typedef {[string, string[], () => void, boolean?]} Row  name, keys, what it does, always
+ * @typedef {{openPalette: (query?: string) => void, openKeys: () => void, chooseFiles: () => void,
+ *   openMenu: () => void}} Dialogs
+ */
+
+/**
  * @param {any} actions
  * @param {import("../lib/store.js").Store} store
- * @param {{openPalette: (query?: string) => void, openKeys: () => void, chooseFiles: () => void,
- *   openMenu: () => void}} dialogs
+ * @param {Dialogs} dialogs
  * @returns {Command[]}
  */
 export function createCommands(actions, store, dialogs) {
-  const group = (name, commands) =>
-    commands.map(([text, keys, run, always]) => ({ name: text, keys, run, group: name, always }));
-  const folds = (key) => () => fold(store, key);
   return [
-    ...group("Playback", [
-      ["Play or pause", ["Space"], actions.togglePlay],
-      ["Previous boundary", [","], () => actions.step(-1)],
-      ["Next boundary", ["."], () => actions.step(1)],
-      ["To the start", ["Home"], actions.toStart],
-      ["To the end", ["End"], actions.toEnd],
-      ["Play again and again", ["O"], actions.toggleLoop],
-      ["Play slower", [], () => actions.changeSpeed(-1)],
-      ["Play faster", [], () => actions.changeSpeed(1)],
-    ]),
-    ...group("Segments", [
-      ["Split at the playhead; while playing, at the nearest evidence", ["T"], actions.split],
-      ["Merge with the next segment", ["M"], actions.merge],
-      ["Drop or keep the segment", ["X"], () => actions.toggleDrop()],
-      ["Drop all idle segments", ["I"], actions.dropIdle],
-      ["Label the segment", ["L"], () => actions.rename()],
-      ["Label by number", ["1 to 9"], () => dialogs.openPalette("label the segment")],
-      ["Accept the proposed name or the boundary", ["Enter"], actions.accept],
-      ["Accept all proposed names, or the whole proposal", ["Shift Enter"], actions.acceptAll],
-      ["Previous segment", ["["], () => actions.selectNext(-1)],
-      ["Next segment", ["]"], () => actions.selectNext(1)],
-    ]),
-    ...group("Boundaries", [
-      ["Next unsure boundary", ["N"], () => actions.visitUnsure(1)],
-      ["Previous unsure boundary", ["Shift N"], () => actions.visitUnsure(-1)],
-      ["Move the boundary earlier", ["<"], () => actions.nudge(-1)],
-      ["Move the boundary later", [">"], () => actions.nudge(1)],
-      ["Remove the boundary", ["Delete", "Backspace"], () => actions.removeBoundary()],
-      ["Contact change or not", ["C"], () => actions.toggleContact()],
-      ["Snap to evidence while dragging", ["V"], actions.toggleSnap],
-    ]),
-    ...group("Plan", [
-      ["Repeat the segment", ["R"], actions.repeat],
-      ["Earlier in the plan", ["{"], () => actions.shift(-1)],
-      ["Later in the plan", ["}"], () => actions.shift(1)],
-      ["Take out of the plan", ["Shift X"], actions.takeOut],
-    ]),
-    ...group("Replay", [
-      ["Replay the plan", ["P"], actions.replay.run],
-      ["Replay skill by skill", [], actions.replay.next],
-    ]),
-    ...group("View", [
-      ["The whole recording", ["F"], actions.fit],
-      ["Zoom to the selected segment, and back", ["Z"], actions.zoomToSelection],
-      ["Show the robot or not", ["B"], actions.toggleRobot],
-      ["Closer", ["+"], () => actions.zoom(1.5)],
-      ["Further", ["-"], () => actions.zoom(1 / 1.5)],
-      ["Linear or logarithmic error", ["Y"], actions.toggleScale],
-      ["Light or dark", [], actions.toggleTheme, true],
-      ["Least certain first in the list", [], actions.toggleOrder, true],
-      ...["Error", "Position", "Speed", "Force", "Torque", "Orientation"].map((title) => [
-        `Fold or open ${title.toLowerCase()}`,
-        [],
-        folds(title.toLowerCase()),
-      ]),
-    ]),
-    ...group("Recordings", [
-      ["Previous recording", ["PageUp"], () => actions.nextRecording(-1), true],
-      ["Next recording", ["PageDown"], () => actions.nextRecording(1), true],
-      ["Least certain recording", ["U"], actions.leastCertain, true],
-      ["Done with this recording, on to the next", ["K"], actions.doneAndOn],
-      ["Done, or not done after all", ["Shift K"], actions.toggleDone],
-      ["Add recordings or segment files…", ["Ctrl O"], dialogs.chooseFiles, true],
-      ["Apply these parameters to all recordings…", [], () => actions.spread("look")],
-      ["Compare with what the program found, or no longer", ["G"], actions.toggleCompare],
-      ["Next difference", ["J"], () => actions.visitDifference(1)],
-      ["Previous difference", ["Shift J"], () => actions.visitDifference(-1)],
-      ["Take over what is compared", [], actions.takeOver],
-      ["Export the segment file", ["Ctrl S"], () => actions.exportAs("json")],
-      ["Export as CSV", [], () => actions.exportAs("csv")],
-      ["Export all recordings", [], () => actions.exportAs("all")],
-    ]),
-    ...group("Everything", [
-      ["Undo", ["Ctrl Z"], actions.undo],
-      ["Redo", ["Ctrl Shift Z", "Ctrl Y"], actions.redo],
-      ["Menu of what is chosen", ["Shift F10", "Menu"], dialogs.openMenu],
-      ["Threshold back to automatic", [], actions.automaticThreshold],
-      ["Parameters back to automatic", [], actions.resetParameters],
-      ["Take back all edits", [], actions.resetEdits],
-      ["Commands", ["Ctrl K"], dialogs.openPalette, true],
-      ["Keys", ["?"], dialogs.openKeys, true],
-    ]),
+    ...group("Playback", playbackCommands(actions)),
+    ...group("Segments", segmentsCommands(actions, dialogs)),
+    ...group("Boundaries", boundariesCommands(actions)),
+    ...group("Plan", planCommands(actions)),
+    ...group("Replay", replayCommands(actions)),
+    ...group("View", viewCommands(actions, store)),
+    ...group("Recordings", recordingsCommands(actions, dialogs)),
+    ...group("Everything", everythingCommands(actions, dialogs)),
   ];
 }
+
+/** @param {string} name @param {Row[]} rows @returns {Command[]} */
+const group = (name, rows) =>
+  rows.map(([text, keys, run, always]) => ({ name: text, keys, run, group: name, always }));
+
+/** Folds a row or opens it. @param {import("../lib/store.js").Store} store @param {string} key */
+const folds = (store, key) => () => fold(store, key);
+
+/** @type {(actions: any) => Row[]} */
+const playbackCommands = (actions) => [
+  ["Play or pause", ["Space"], actions.togglePlay],
+  ["Previous boundary", [","], () => actions.step(-1)],
+  ["Next boundary", ["."], () => actions.step(1)],
+  ["To the start", ["Home"], actions.toStart],
+  ["To the end", ["End"], actions.toEnd],
+  ["Play again and again", ["O"], actions.toggleLoop],
+  ["Play slower", [], () => actions.changeSpeed(-1)],
+  ["Play faster", [], () => actions.changeSpeed(1)],
+];
+
+/** @type {(actions: any, dialogs: Dialogs) => Row[]} */
+const segmentsCommands = (actions, dialogs) => [
+  ["Split at the playhead; while playing, at the nearest evidence", ["T"], actions.split],
+  ["Merge with the next segment", ["M"], actions.merge],
+  ["Drop or keep the segment", ["X"], () => actions.toggleDrop()],
+  ["Drop all idle segments", ["I"], actions.dropIdle],
+  ["Label the segment", ["L"], () => actions.rename()],
+  ["Label by number", ["1 to 9"], () => dialogs.openPalette("label the segment")],
+  ["Accept the proposed name or the boundary", ["Enter"], actions.accept],
+  ["Accept all proposed names, or the whole proposal", ["Shift Enter"], actions.acceptAll],
+  ["Previous segment", ["["], () => actions.selectNext(-1)],
+  ["Next segment", ["]"], () => actions.selectNext(1)],
+];
+
+/** @type {(actions: any) => Row[]} */
+const boundariesCommands = (actions) => [
+  ["Next unsure boundary", ["N"], () => actions.visitUnsure(1)],
+  ["Previous unsure boundary", ["Shift N"], () => actions.visitUnsure(-1)],
+  ["Move the boundary earlier", ["<"], () => actions.nudge(-1)],
+  ["Move the boundary later", [">"], () => actions.nudge(1)],
+  ["Remove the boundary", ["Delete", "Backspace"], () => actions.removeBoundary()],
+  ["Contact change or not", ["C"], () => actions.toggleContact()],
+  ["Snap to evidence while dragging", ["V"], actions.toggleSnap],
+];
+
+/** @type {(actions: any) => Row[]} */
+const planCommands = (actions) => [
+  ["Repeat the segment", ["R"], actions.repeat],
+  ["Earlier in the plan", ["{"], () => actions.shift(-1)],
+  ["Later in the plan", ["}"], () => actions.shift(1)],
+  ["Take out of the plan", ["Shift X"], actions.takeOut],
+];
+
+/** @type {(actions: any) => Row[]} */
+const replayCommands = (actions) => [
+  ["Replay the plan", ["P"], actions.replay.run],
+  ["Replay skill by skill", [], actions.replay.next],
+];
+
+/** @type {(actions: any, store: import("../lib/store.js").Store) => Row[]} */
+const viewCommands = (actions, store) => [
+  ["The whole recording", ["F"], actions.fit],
+  ["Zoom to the selected segment, and back", ["Z"], actions.zoomToSelection],
+  ["Show the robot or not", ["B"], actions.toggleRobot],
+  ["Closer", ["+"], () => actions.zoom(1.5)],
+  ["Further", ["-"], () => actions.zoom(1 / 1.5)],
+  ["Linear or logarithmic error", ["Y"], actions.toggleScale],
+  ["Light or dark", [], actions.toggleTheme, true],
+  ["Least certain first in the list", [], actions.toggleOrder, true],
+  ...["Error", "Position", "Speed", "Force", "Torque", "Orientation"].map(
+    (title) =>
+      /** @type {Row} */ ([
+        `Fold or open ${title.toLowerCase()}`,
+        [],
+        folds(store, title.toLowerCase()),
+      ]),
+  ),
+];
+
+/** @type {(actions: any, dialogs: Dialogs) => Row[]} */
+const recordingsCommands = (actions, dialogs) => [
+  ["Previous recording", ["PageUp"], () => actions.nextRecording(-1), true],
+  ["Next recording", ["PageDown"], () => actions.nextRecording(1), true],
+  ["Least certain recording", ["U"], actions.leastCertain, true],
+  ["Done with this recording, on to the next", ["K"], actions.doneAndOn],
+  ["Done, or not done after all", ["Shift K"], actions.toggleDone],
+  ["Add recordings or segment files…", ["Ctrl O"], dialogs.chooseFiles, true],
+  ["Apply these parameters to all recordings…", [], () => actions.spread("look")],
+  ["Compare with what the program found, or no longer", ["G"], actions.toggleCompare],
+  ["Next difference", ["J"], () => actions.visitDifference(1)],
+  ["Previous difference", ["Shift J"], () => actions.visitDifference(-1)],
+  ["Take over what is compared", [], actions.takeOver],
+  ["Export the segment file", ["Ctrl S"], () => actions.exportAs("json")],
+  ["Export as CSV", [], () => actions.exportAs("csv")],
+  ["Export all recordings", [], () => actions.exportAs("all")],
+];
+
+/** @type {(actions: any, dialogs: Dialogs) => Row[]} */
+const everythingCommands = (actions, dialogs) => [
+  ["Undo", ["Ctrl Z"], actions.undo],
+  ["Redo", ["Ctrl Shift Z", "Ctrl Y"], actions.redo],
+  ["Menu of what is chosen", ["Shift F10", "Menu"], dialogs.openMenu],
+  ["Threshold back to automatic", [], actions.automaticThreshold],
+  ["Parameters back to automatic", [], actions.resetParameters],
+  ["Take back all edits", [], actions.resetEdits],
+  ["Commands", ["Ctrl K"], dialogs.openPalette, true],
+  ["Keys", ["?"], dialogs.openKeys, true],
+];
 
 const NAMED = { " ": "Space", ContextMenu: "Menu" };
 

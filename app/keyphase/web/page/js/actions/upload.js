@@ -19,16 +19,7 @@ const KINDS = ".npz,.csv,.tsv,.txt,.dat,.log,.asc,.hdf5,.h5,.zip,.bag,.mcap,.mat
  */
 export function createUpload(store, socket, actions) {
   const target = byId("drop-target");
-  const input = /** @type {HTMLInputElement} */ (
-    el("input", {
-      type: "file",
-      multiple: true,
-      accept: KINDS,
-      hidden: true,
-      "aria-label": "Files to add",
-    })
-  );
-  document.body.append(input);
+  const input = createInput();
   /** @type {File[]} */
   const waiting = [];
   let sending = false;
@@ -45,28 +36,7 @@ export function createUpload(store, socket, actions) {
   byId("add-recording").addEventListener("click", () => input.click());
   store.later(["lookingOnly"], ({ lookingOnly }) => (byId("add-recording").hidden = lookingOnly));
 
-  /** Lets files be dropped on a window: ours, and that of the scene's frame. */
-  function watch(where) {
-    const drops = (event) =>
-      !store.state.lookingOnly && event.dataTransfer?.types.includes("Files");
-    where.addEventListener("dragover", (event) => {
-      if (!drops(event)) return;
-      event.preventDefault();
-      target.hidden = false;
-    });
-    where.addEventListener("dragleave", (event) => {
-      if (!event.relatedTarget) target.hidden = true;
-    });
-    where.addEventListener("drop", (event) => {
-      target.hidden = true;
-      if (!drops(event)) return;
-      event.preventDefault();
-      add(event.dataTransfer.files);
-    });
-  }
-  watch(window);
-  const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
-  frame.addEventListener("load", () => frame.contentWindow && watch(frame.contentWindow));
+  watchDrops(store, target, add);
 
   function add(files) {
     waiting.push(...files);
@@ -77,19 +47,10 @@ export function createUpload(store, socket, actions) {
     sending = true;
     for (let file = waiting.shift(); file; file = waiting.shift()) {
       store.set({ sending: { name: file.name, fraction: 0, more: waiting.length } });
-      tell(file, await send(file));
+      tell(store, actions, file, await send(file));
     }
     sending = cancelled = false;
     store.set({ sending: null });
-  }
-
-  /** @param {File} file @param {UploadMessage} answer */
-  function tell(file, answer) {
-    if (answer.type === "upload_refused")
-      store.set({ notice: { level: "warning", text: answer.text } });
-    if (answer.type === "upload_cancelled")
-      store.set({ notice: { level: "info", text: `${answer.name} was not added.` } });
-    if (answer.type === "uploaded" && answer.compares) actions.compare(answer.name);
   }
 
   /** Sends one file and waits for what the server says to it. @param {File} file @returns {Promise<UploadMessage>} */
@@ -170,4 +131,65 @@ function createSending(store, cancel) {
     share.textContent = sending.more ? `${percent}, ${sending.more} more` : percent;
     bar.style.setProperty("width", percent.replace(" ", ""));
   });
+}
+
+/**
+ * Takes files that are dropped on the page or on the scene.
+ * @param {import("../lib/store.js").Store} store
+ * @param {HTMLElement} target what shows that they can be
+ * @param {(files: FileList) => void} add
+ */
+function watchDrops(store, target, add) {
+  /** Lets files be dropped on a window: ours, and that of the scene's frame. */
+  function watch(where) {
+    const drops = (event) =>
+      !store.state.lookingOnly && event.dataTransfer?.types.includes("Files");
+    where.addEventListener("dragover", (event) => {
+      if (!drops(event)) return;
+      event.preventDefault();
+      target.hidden = false;
+    });
+    where.addEventListener("dragleave", (event) => {
+      if (!event.relatedTarget) target.hidden = true;
+    });
+    where.addEventListener("drop", (event) => {
+      target.hidden = true;
+      if (!drops(event)) return;
+      event.preventDefault();
+      add(event.dataTransfer.files);
+    });
+  }
+  watch(window);
+  const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
+  frame.addEventListener("load", () => frame.contentWindow && watch(frame.contentWindow));
+}
+
+/**
+ * What became of a file.
+ * @param {import("../lib/store.js").Store} store
+ * @param {any} actions
+ * @param {File} file
+ * @param {UploadMessage} answer
+ */
+function tell(store, actions, file, answer) {
+  if (answer.type === "upload_refused")
+    store.set({ notice: { level: "warning", text: answer.text } });
+  if (answer.type === "upload_cancelled")
+    store.set({ notice: { level: "info", text: `${answer.name} was not added.` } });
+  if (answer.type === "uploaded" && answer.compares) actions.compare(answer.name);
+}
+
+/** What asks for files. */
+function createInput() {
+  const input = /** @type {HTMLInputElement} */ (
+    el("input", {
+      type: "file",
+      multiple: true,
+      accept: KINDS,
+      hidden: true,
+      "aria-label": "Files to add",
+    })
+  );
+  document.body.append(input);
+  return input;
 }

@@ -38,7 +38,7 @@ export function createReceiver(
     robot: (message) => store.set({ robot: message }),
     following: (message) => store.set({ following: message.page }),
     push: (message) => store.set({ pushOffered: message.offered }),
-    shown: (message) => store.set({ shown: message.parts }),
+    shown: ({ parts: shown }) => store.set({ shown }),
     trials_run(message) {
       store.set({ trials: message });
       if (message.over && message.svg)
@@ -78,27 +78,10 @@ export function createReceiver(
       store.set({ progress: [...tasks.values()].at(-1) ?? null });
     },
     nothing: () => own.closed(),
-    upload_ready: (message) => upload().heard(message),
-    upload_refused: (message) => upload().heard(message),
-    upload_cancelled: (message) => upload().heard(message),
-    uploaded(message) {
-      upload().heard(message);
-      notices.show({ level: "info", text: `${message.name} has arrived.` });
-    },
     comparison(message) {
       if (message.recording === state.recording) store.set({ comparison: message });
     },
-    table(message) {
-      const known = state.tables.some(({ id }) => id === message.id);
-      if (!known) upload().heard(message);
-      store.set({
-        tables: known
-          ? state.tables.map((one) => (one.id === message.id ? message : one))
-          : [...state.tables, message],
-      });
-    },
-    table_done: (message) =>
-      store.set({ tables: state.tables.filter(({ id }) => id !== message.id) }),
+    ...aboutFiles(store, upload, notices),
     spread: (message) => store.set({ spread: state.lookingOnly ? null : message }),
     replay: (message) => store.set({ replay: message }),
     replay_closed: () => store.set({ replay: null, samples: null, replayView: null }),
@@ -121,6 +104,33 @@ export function createReceiver(
   };
 
   return (message) => /** @type {(message: any) => void} */ (hear[message.type])?.(message);
+}
+
+/**
+ * What the server says of files that were sent, and of tables nobody has described yet.
+ * @param {import("../lib/store.js").Store} store
+ * @param {() => any} upload
+ * @param {any} notices
+ * @returns {{[M in import("./types.js").Message as M["type"]]?: (message: M) => void}}
+ */
+function aboutFiles(store, upload, notices) {
+  const { state } = store;
+  return {
+    upload_ready: (message) => upload().heard(message),
+    upload_refused: (message) => upload().heard(message),
+    upload_cancelled: (message) => upload().heard(message),
+    uploaded(message) {
+      upload().heard(message);
+      notices.show({ level: "info", text: `${message.name} has arrived.` });
+    },
+    table(message) {
+      if (!state.tables.some(({ id }) => id === message.id)) upload().heard(message);
+      store.set({ tables: withTable(state.tables, message) });
+    },
+    table_done({ id: done }) {
+      store.set({ tables: state.tables.filter(({ id }) => id !== done) });
+    },
+  };
 }
 
 /**
@@ -156,4 +166,15 @@ function refusalText({ recording, recordings }, { recording: about, text }) {
   if (about === null || about === recording) return text;
   const name = recordings.items.find(({ id }) => id === about)?.name;
   return name ? `${name}: ${text}` : text;
+}
+
+/**
+ * The tables that are asked about, with one of them new or answered anew.
+ * @template {{id: unknown}} T
+ * @param {T[]} tables
+ * @param {T} table
+ */
+function withTable(tables, table) {
+  if (!tables.some(({ id }) => id === table.id)) return [...tables, table];
+  return tables.map((one) => (one.id === table.id ? table : one));
 }

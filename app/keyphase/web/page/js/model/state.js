@@ -55,6 +55,11 @@ import { firstChoice } from "./rows.js";
 
 /** Before anything was told. @param {boolean} small @returns {State} */
 export function firstState(small) {
+  return { ...nothingTold(), ...nothingSeen(small) };
+}
+
+/** @returns {Told} */
+function nothingTold() {
   return {
     connected: null,
     greeted: false,
@@ -92,6 +97,12 @@ export function firstState(small) {
     following: null,
     lostAt: null,
     command: null,
+  };
+}
+
+/** @param {boolean} small @returns {Seen} */
+function nothingSeen(small) {
+  return {
     view: null,
     viewBefore: null,
     clock: 0,

@@ -15,80 +15,18 @@ const CLOSEST = 1000;
  * @param {{tracks: (event: Event) => void}} menus
  */
 export function createTransport(store, actions, menus) {
-  const tool = (name, title, run, extra = "") =>
-    el(
-      "button",
-      { type: "button", class: `tool ${extra}`, title, "aria-label": title, on: { click: run } },
-      icon(name),
-    );
-  const named = (name, text, key, run) =>
-    el(
-      "button",
-      { type: "button", class: "tool edit", title: `${text} (${key})`, on: { click: run } },
-      icon(name),
-      text,
-      el("kbd", { class: "wide", text: key }),
-    );
-  const play = el(
-    "button",
-    {
-      type: "button",
-      class: "play",
-      title: "Play (Space)",
-      "aria-label": "Play",
-      on: { click: actions.togglePlay },
-    },
-    icon("play"),
-  );
-  const loop = tool("loop", "Play again and again", actions.toggleLoop, "wide");
-  const speedText = el("span", { text: "1×" });
-  const speedSelect = el(
-    "select",
-    {
-      "aria-label": "Speed",
-      on: { change: ({ target }) => actions.setSpeed(Number(target.value)) },
-    },
-    ...SPEEDS.map((speed) => el("option", { value: speed, text: `${speed}×` })),
-  );
-  const now = document.createTextNode("0.000 ");
-  const whole = el("span", { text: "" });
-  const snap = el(
-    "button",
-    {
-      type: "button",
-      class: "tool",
-      title: "Snap to evidence while dragging (V); Alt switches it off",
-      on: { click: actions.toggleSnap },
-    },
-    icon("snap"),
-    el("span", { class: "wide", text: "Snap" }),
-  );
   const unsure = createUnsure(actions);
-  const zoom = createZoom(store, actions);
-  const edits = [
-    named("split", "Split", "T", actions.split),
-    named("merge", "Merge", "M", actions.merge),
-    named("drop", "Drop", "X", () => actions.toggleDrop()),
-    named("label", "Label", "L", () => actions.rename()),
-  ];
-
-  byId("transport").append(
-    tool("first", "To the start (Home)", actions.toStart),
-    tool("back", "Previous boundary (,)", () => actions.step(-1)),
-    play,
-    tool("forward", "Next boundary (.)", () => actions.step(1)),
-    tool("last", "To the end (End)", actions.toEnd),
-    loop,
-    el("div", { class: "boxed speed wide" }, speedText, icon("down", "small"), speedSelect),
-    el("div", { class: "clock", id: "clock" }, now, whole),
+  const bar = byId("transport");
+  bar.append(
+    ...createPlaying(store, actions),
     el("span", { class: "rule" }),
-    ...edits,
+    ...createEdits(store, actions),
     el("span", { class: "rule" }),
-    snap,
+    createSnap(store, actions),
     el("span", { class: "space" }),
     unsure.node,
     el("span", { class: "rule wide" }),
-    zoom.node,
+    createZoom(store, actions).node,
     el("button", {
       type: "button",
       class: "boxed wide",
@@ -109,35 +47,130 @@ export function createTransport(store, actions, menus) {
       el("span", { class: "wide", text: "Tracks" }),
     ),
   );
-
-  store.on(["clock"], ({ clock }) => (now.textContent = `${timeText(clock)} `));
   store.later(["document"], ({ document: doc }) => {
-    whole.textContent = doc ? `/ ${moment(doc.end_s)}` : "";
-    for (const button of byId("transport").querySelectorAll("button")) button.disabled = !doc;
+    for (const button of bar.querySelectorAll("button")) button.disabled = !doc;
   });
-  store.later(["document", "readOnly"], ({ readOnly, document: doc }) => {
-    for (const button of edits)
-      /** @type {HTMLButtonElement} */ (button).disabled = readOnly || !doc;
-  });
-  store.later(["document", "selected", "clock"], ({ document: doc, selected }) => {
-    const segment = doc?.segments[selected];
-    const text = segment && !segment.kept ? "Keep" : "Drop";
-    if (edits[2].childNodes[1].textContent !== text) edits[2].childNodes[1].textContent = text;
-  });
+  store.later(["document", "current", "recordings"], unsure.draw);
+}
+
+const tool = (name, title, run, extra = "") =>
+  el(
+    "button",
+    { type: "button", class: `tool ${extra}`, title, "aria-label": title, on: { click: run } },
+    icon(name),
+  );
+
+/**
+ * Where it plays, whether, how fast, and the time.
+ * @param {import("../lib/store.js").Store} store
+ * @param {any} actions
+ */
+function createPlaying(store, actions) {
+  const play = tool("play", "Play (Space)", actions.togglePlay);
+  play.className = "play";
+  const loop = tool("loop", "Play again and again", actions.toggleLoop, "wide");
   store.on(["playhead"], ({ playhead }) => {
     play.replaceChildren(icon(playhead.playing ? "pause" : "play"));
     play.title = playhead.playing ? "Pause (Space)" : "Play (Space)";
     play.setAttribute("aria-label", playhead.playing ? "Pause" : "Play");
     loop.classList.toggle("on", playhead.loop);
     loop.setAttribute("aria-pressed", String(playhead.loop));
-    speedText.textContent = `${playhead.speed}×`;
-    /** @type {HTMLSelectElement} */ (speedSelect).value = String(playhead.speed);
   });
+  return [
+    tool("first", "To the start (Home)", actions.toStart),
+    tool("back", "Previous boundary (,)", () => actions.step(-1)),
+    play,
+    tool("forward", "Next boundary (.)", () => actions.step(1)),
+    tool("last", "To the end (End)", actions.toEnd),
+    loop,
+    createSpeed(store, actions),
+    createClock(store),
+  ];
+}
+
+/** @param {import("../lib/store.js").Store} store @param {any} actions */
+function createSpeed(store, actions) {
+  const text = el("span", { text: "1×" });
+  const select = /** @type {HTMLSelectElement} */ (
+    el(
+      "select",
+      {
+        "aria-label": "Speed",
+        on: { change: ({ target }) => actions.setSpeed(Number(target.value)) },
+      },
+      ...SPEEDS.map((speed) => el("option", { value: speed, text: `${speed}×` })),
+    )
+  );
+  store.on(["playhead"], ({ playhead }) => {
+    text.textContent = `${playhead.speed}×`;
+    select.value = String(playhead.speed);
+  });
+  return el("div", { class: "boxed speed wide" }, text, icon("down", "small"), select);
+}
+
+/** @param {import("../lib/store.js").Store} store */
+function createClock(store) {
+  const now = document.createTextNode("0.000 ");
+  const whole = el("span", { text: "" });
+  store.on(["clock"], ({ clock }) => (now.textContent = `${timeText(clock)} `));
+  store.later(["document"], ({ document: doc }) => {
+    whole.textContent = doc ? `/ ${moment(doc.end_s)}` : "";
+  });
+  return el("div", { class: "clock", id: "clock" }, now, whole);
+}
+
+/**
+ * The edits one makes most.
+ * @param {import("../lib/store.js").Store} store
+ * @param {any} actions
+ */
+function createEdits(store, actions) {
+  const named = (name, text, key, run) =>
+    /** @type {HTMLButtonElement} */ (
+      el(
+        "button",
+        { type: "button", class: "tool edit", title: `${text} (${key})`, on: { click: run } },
+        icon(name),
+        text,
+        el("kbd", { class: "wide", text: key }),
+      )
+    );
+  const drop = named("drop", "Drop", "X", () => actions.toggleDrop());
+  const edits = [
+    named("split", "Split", "T", actions.split),
+    named("merge", "Merge", "M", actions.merge),
+    drop,
+    named("label", "Label", "L", () => actions.rename()),
+  ];
+  store.later(["document", "readOnly"], ({ readOnly, document: doc }) => {
+    for (const button of edits) button.disabled = readOnly || !doc;
+  });
+  store.later(["document", "selected", "clock"], ({ document: doc, selected }) => {
+    const segment = doc?.segments[selected];
+    const text = segment && !segment.kept ? "Keep" : "Drop";
+    if (drop.childNodes[1].textContent !== text) drop.childNodes[1].textContent = text;
+  });
+  return edits;
+}
+
+/** @param {import("../lib/store.js").Store} store @param {any} actions */
+function createSnap(store, actions) {
+  const snap = el(
+    "button",
+    {
+      type: "button",
+      class: "tool",
+      title: "Snap to evidence while dragging (V); Alt switches it off",
+      on: { click: actions.toggleSnap },
+    },
+    icon("snap"),
+    el("span", { class: "wide", text: "Snap" }),
+  );
   store.on(["snap"], ({ snap: on }) => {
     snap.classList.toggle("on", on);
     snap.setAttribute("aria-pressed", String(on));
   });
-  store.later(["document", "current", "recordings"], unsure.draw);
+  return snap;
 }
 
 /** How many boundaries are unsure, which is the least certain, and the way through them. */

@@ -16,31 +16,7 @@ const GUTTER_PX = { large: 172, small: 132 };
 /** @param {import("../lib/store.js").Store} store */
 export function createReplayTimeline(store) {
   const pane = byId("replay-timeline");
-  const clip = svg("rect", { y: -10_000, height: 20_000 });
-  const inside = { "clip-path": "url(#replay-clip)" };
-  const groups = {
-    current: svg("g", inside),
-    plan: svg("g"),
-    ruler: svg("g"),
-    skills: svg("g", inside),
-    ends: svg("g", inside),
-    playhead: svg("g", { class: "playhead" }),
-    whole: svg("rect", { class: "overview-playhead", width: 1.5 }),
-  };
-  const below = svg("svg", { class: "layer below" }, patterns(), groups.current);
-  const above = svg(
-    "svg",
-    { class: "layer above" },
-    svg("clipPath", { id: "replay-clip" }, clip),
-    groups.plan,
-    groups.whole,
-    groups.ruler,
-    groups.skills,
-    groups.ends,
-    groups.playhead,
-  );
-  const content = el("div", { class: "tracks-content" });
-  pane.append(below, el("div", { class: "tracks" }, content), above);
+  const { clip, groups, content } = createLayers(pane);
   const gutters = createGutters(pane);
   const fold = (key) => {
     const next = new Set(store.state.replayFolded);
@@ -130,6 +106,36 @@ export function createReplayTimeline(store) {
     draw(state);
   });
   new ResizeObserver(() => arrange(store.state)).observe(pane);
+}
+
+/** What lies below and above the tracks. @param {HTMLElement} pane */
+function createLayers(pane) {
+  const clip = svg("rect", { y: -10_000, height: 20_000 });
+  const inside = { "clip-path": "url(#replay-clip)" };
+  const groups = {
+    current: svg("g", inside),
+    plan: svg("g"),
+    ruler: svg("g"),
+    skills: svg("g", inside),
+    ends: svg("g", inside),
+    playhead: svg("g", { class: "playhead" }),
+    whole: svg("rect", { class: "overview-playhead", width: 1.5 }),
+  };
+  const below = svg("svg", { class: "layer below" }, patterns(), groups.current);
+  const above = svg(
+    "svg",
+    { class: "layer above" },
+    svg("clipPath", { id: "replay-clip" }, clip),
+    groups.plan,
+    groups.whole,
+    groups.ruler,
+    groups.skills,
+    groups.ends,
+    groups.playhead,
+  );
+  const content = el("div", { class: "tracks-content" });
+  pane.append(below, el("div", { class: "tracks" }, content), above);
+  return { clip, groups, content };
 }
 
 /** Where the part in view lies in the whole plan; nothing where all of it is in view. */

@@ -9,14 +9,6 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 
 /** @param {import("../lib/store.js").Store} store @param {ReturnType<import("./replay.js").createReplayActions>} actions */
 export function createReplayTransport(store, actions) {
-  const boxed = (name, text, title, run, extra = "", key = "") =>
-    el(
-      "button",
-      { type: "button", class: `boxed ${extra}`, title, on: { click: run } },
-      icon(name),
-      text,
-      key ? el("kbd", { text: key }) : "",
-    );
   const play = el("button", { type: "button", class: "play", on: { click: actions.toggle } });
   const speedText = el("span", { text: "1×" });
   const speed = el(
@@ -29,22 +21,7 @@ export function createReplayTransport(store, actions) {
   );
   const now = document.createTextNode("");
   const whole = el("span");
-  const next = boxed("step", "Next skill", "Go on until the skill has ended (.)", actions.next);
-  const hold = boxed(
-    "hand",
-    "Hold",
-    "Hold the tool where it is; the skill waits (H)",
-    actions.hold,
-  );
-  const stop = boxed("stop", "Stop", "Stop at once (Esc)", actions.stop, "danger", "Esc");
-  const again = boxed("play", "Run again", "Replay the plan from its start", actions.again);
-  const keep = boxed(
-    "file",
-    "Open its recording",
-    "Keep the replay as a recording and open it",
-    actions.keep,
-  );
-  const leave = boxed("close", "Close", "Back to the demonstration", actions.leave);
+  const { next, hold, stop, again, keep, leave } = createSteering(actions);
   const fit = el("button", {
     type: "button",
     class: "boxed",
@@ -93,4 +70,29 @@ export function createReplayTransport(store, actions) {
       /** @type {HTMLButtonElement} */ (button).disabled = lookingOnly;
     world.textContent = replay.world;
   });
+}
+
+/** The buttons that steer. @param {ReturnType<import("./replay.js").createReplayActions>} actions */
+function createSteering(actions) {
+  const boxed = (name, text, title, run, extra = "", key = "") =>
+    el(
+      "button",
+      { type: "button", class: `boxed ${extra}`, title, on: { click: run } },
+      icon(name),
+      text,
+      key ? el("kbd", { text: key }) : "",
+    );
+  return {
+    next: boxed("step", "Next skill", "Go on until the skill has ended (.)", actions.next),
+    hold: boxed("hand", "Hold", "Hold the tool where it is; the skill waits (H)", actions.hold),
+    stop: boxed("stop", "Stop", "Stop at once (Esc)", actions.stop, "danger", "Esc"),
+    again: boxed("play", "Run again", "Replay the plan from its start", actions.again),
+    keep: boxed(
+      "file",
+      "Open its recording",
+      "Keep the replay as a recording and open it",
+      actions.keep,
+    ),
+    leave: boxed("close", "Close", "Back to the demonstration", actions.leave),
+  };
 }

@@ -50,60 +50,46 @@ export function createScene(store, page) {
 const MOST_ELLIPSOIDS = 60;
 
 /** @param {import("../model/types.js").Doc} doc */
-function legend(doc) {
-  const parts = [];
-  if (doc.gaussians) {
-    parts.push(
-      el(
-        "span",
-        {},
-        svg(
-          "svg",
-          { width: 18, height: 10 },
-          svg("ellipse", {
-            cx: 9,
-            cy: 5,
-            rx: 8.5,
-            ry: 4,
-            style: { fill: "var(--segment-0)", opacity: ".45" },
-          }),
-        ),
-        doc.gaussians > MOST_ELLIPSOIDS
-          ? `Gaussian, 1 σ (${MOST_ELLIPSOIDS} heaviest of ${doc.gaussians})`
-          : "Gaussian, 1 σ",
-      ),
-    );
-  }
-  if (doc.greatest_step_N) {
-    parts.push(
-      el(
-        "span",
-        {},
-        svg(
-          "svg",
-          { width: 26, height: 8 },
-          svg("path", {
-            d: "M0 4h20",
-            "stroke-width": 3,
-            style: { stroke: "var(--origin-force)" },
-          }),
-          svg("path", { d: "M18 0l8 4-8 4z", style: { fill: "var(--origin-force)" } }),
-        ),
-        `force changes, the longest by ${doc.greatest_step_N.toFixed(1)} N`,
-      ),
-    );
-  }
-  parts.push(
-    el(
-      "span",
-      {},
-      svg(
-        "svg",
-        { width: 10, height: 10 },
-        svg("circle", { cx: 5, cy: 5, r: 4, style: { fill: "var(--idle)" } }),
-      ),
-      "idle",
-    ),
-  );
-  return parts;
+function legend({ gaussians, greatest_step_N: step }) {
+  return [
+    ...(gaussians ? [el("span", {}, ellipse(), gaussianText(gaussians))] : []),
+    ...(step
+      ? [el("span", {}, arrow(), `force changes, the longest by ${step.toFixed(1)} N`)]
+      : []),
+    el("span", {}, dot(), "idle"),
+  ];
 }
+
+/** @param {number} count */
+const gaussianText = (count) =>
+  count > MOST_ELLIPSOIDS
+    ? `Gaussian, 1 σ (${MOST_ELLIPSOIDS} heaviest of ${count})`
+    : "Gaussian, 1 σ";
+
+const ellipse = () =>
+  svg(
+    "svg",
+    { width: 18, height: 10 },
+    svg("ellipse", {
+      cx: 9,
+      cy: 5,
+      rx: 8.5,
+      ry: 4,
+      style: { fill: "var(--segment-0)", opacity: ".45" },
+    }),
+  );
+
+const arrow = () =>
+  svg(
+    "svg",
+    { width: 26, height: 8 },
+    svg("path", { d: "M0 4h20", "stroke-width": 3, style: { stroke: "var(--origin-force)" } }),
+    svg("path", { d: "M18 0l8 4-8 4z", style: { fill: "var(--origin-force)" } }),
+  );
+
+const dot = () =>
+  svg(
+    "svg",
+    { width: 10, height: 10 },
+    svg("circle", { cx: 5, cy: 5, r: 4, style: { fill: "var(--idle)" } }),
+  );

@@ -29,7 +29,7 @@ const WHEEL_REST_MS = 1000;
  * @param {any} actions
  */
 export function attachPointer(store, timeline, actions) {
-  const { surface, scroller } = timeline;
+  const { surface } = timeline;
   const pinch = createPinch(store, timeline);
   /** @type {import("./gestures.js").Gesture|null} */
   let gesture = null;
@@ -38,10 +38,7 @@ export function attachPointer(store, timeline, actions) {
   let moved = false;
   let turning = 0;
 
-  const at = (event) => {
-    const box = surface.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top, event };
-  };
+  const at = (event) => pointOn(surface, event);
 
   function hover(point) {
     const { document: doc, plotWidth } = store.state;
@@ -154,23 +151,42 @@ export function attachPointer(store, timeline, actions) {
       if (!doc || !view) return;
       event.preventDefault();
       holdWhileTurning();
-      const sideways = event.shiftKey ? event.deltaY : event.deltaX;
-      if (event.altKey) {
-        scroller.scrollTop += event.deltaY;
-      } else if (Math.abs(sideways) > Math.abs(event.shiftKey ? 0 : event.deltaY)) {
-        const by = (sideways / store.state.plotWidth) * (view.to - view.from);
-        store.set({ view: clampView(view.from + by, view.to + by, doc) });
-      } else {
-        const anchor = timeline
-          .scale()
-          .time(Math.min(Math.max(at(event).x, 0), store.state.plotWidth));
-        store.set({ view: zoomView(view, Math.exp(-event.deltaY * WHEEL_ZOOM), anchor, doc) });
-      }
+      turnWheel(store, timeline, event, at(event).x);
     },
     { passive: false },
   );
 
-  return {
-    cancel: letGo,
-  };
+  return { cancel: letGo };
+}
+
+/**
+ * Where a pointer is on an element.
+ * @param {HTMLElement} surface
+ * @param {PointerEvent} event
+ * @returns {import("./gestures.js").Point}
+ */
+function pointOn(surface, event) {
+  const box = surface.getBoundingClientRect();
+  return { x: event.clientX - box.left, y: event.clientY - box.top, event };
+}
+
+/**
+ * Scrolls the tracks (Alt), pans (Shift or sideways) or zooms around the pointer.
+ * @param {import("../lib/store.js").Store} store
+ * @param {any} timeline
+ * @param {WheelEvent} event
+ * @param {number} x of the pointer
+ */
+function turnWheel(store, timeline, event, x) {
+  const { document: doc, view } = store.state;
+  const sideways = event.shiftKey ? event.deltaY : event.deltaX;
+  if (event.altKey) {
+    timeline.scroller.scrollTop += event.deltaY;
+  } else if (Math.abs(sideways) > Math.abs(event.shiftKey ? 0 : event.deltaY)) {
+    const by = (sideways / store.state.plotWidth) * (view.to - view.from);
+    store.set({ view: clampView(view.from + by, view.to + by, doc) });
+  } else {
+    const anchor = timeline.scale().time(Math.min(Math.max(x, 0), store.state.plotWidth));
+    store.set({ view: zoomView(view, Math.exp(-event.deltaY * WHEEL_ZOOM), anchor, doc) });
+  }
 }

@@ -13,6 +13,18 @@ const SEPARATORS = /** @type {const} */ ([
   [":", "colon"],
 ]);
 
+/** @type {[string, string][]} */
+const DECIMALS = [
+  [".", "point"],
+  [",", "comma"],
+];
+
+/** @type {[string, string][]} */
+const HEADERS = [
+  ["true", "in the first line"],
+  ["false", "none"],
+];
+
 /**
  * @param {import("./describing.js").Proposal} table
  * @param {import("./describing.js").Change} change
@@ -41,10 +53,7 @@ export function drawLayout({ answers, layout_evidence: why }, change) {
       "Decimal mark",
       "decimal",
       answers.decimal,
-      [
-        [".", "point"],
-        [",", "comma"],
-      ],
+      DECIMALS,
       (decimal) => change({ decimal: decimal === "," ? "," : "." }),
       why.decimal,
     ),
@@ -52,10 +61,7 @@ export function drawLayout({ answers, layout_evidence: why }, change) {
       "Names of the columns",
       "header",
       String(answers.header),
-      [
-        ["true", "in the first line"],
-        ["false", "none"],
-      ],
+      HEADERS,
       (header) => change({ header: header === "true" }),
       why.header,
     ),

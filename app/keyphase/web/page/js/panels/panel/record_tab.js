@@ -28,14 +28,7 @@ export function createRecordTab(store, actions) {
   });
   const undo = button("Undo last take", { run: () => actions.record("undo_take") });
   const redo = button("Bring back take", { run: () => actions.record("redo_take") });
-  const seconds = el("output", { class: "reading" });
-  const force = el("output", { class: "reading" });
-  const bar = el("i");
-  const meter = el(
-    "div",
-    { class: "meter", role: "meter", "aria-label": "Force", "aria-valuemin": 0 },
-    bar,
-  );
+  const readings = createReadings();
 
   store.on(["record"], ({ record: now }) => {
     if (!now) return;
@@ -52,21 +45,13 @@ export function createRecordTab(store, actions) {
     reset.disabled = now.recording || now.workcell === null;
     undo.disabled = now.recording || !now.can_undo;
     redo.disabled = now.recording || !now.can_redo;
-    seconds.textContent = now.recorded_s === null ? "–" : `${now.recorded_s.toFixed(1)} s`;
-    force.textContent = now.force_N === null ? "–" : `${now.force_N.toFixed(1)} N`;
-    showMeter(meter, bar, now);
+    readings.show(now);
   });
   return el(
     "div",
     { class: "panel-body" },
     el("div", { class: "group plain" }, workcell.node, title(store), row(record, open), row(reset)),
-    el(
-      "div",
-      { class: "group plain" },
-      reading("Recorded", seconds),
-      reading("Force", force),
-      meter,
-    ),
+    readings.node,
     el("div", { class: "group plain" }, row(undo, redo)),
     el("p", {
       class: "hint",
@@ -90,6 +75,28 @@ function title(store) {
     node.textContent = shown?.title ?? "";
   });
   return node;
+}
+
+/** How long the take is, and the force that is felt. */
+function createReadings() {
+  const seconds = el("output", { class: "reading" });
+  const force = el("output", { class: "reading" });
+  const bar = el("i");
+  const meter = el(
+    "div",
+    { class: "meter", role: "meter", "aria-label": "Force", "aria-valuemin": 0 },
+    bar,
+  );
+  const rows = [reading("Recorded", seconds), reading("Force", force)];
+  return {
+    node: el("div", { class: "group plain" }, ...rows, meter),
+    /** @param {import("../../messages/control_messages").RecordMessage} now */
+    show(now) {
+      seconds.textContent = now.recorded_s === null ? "–" : `${now.recorded_s.toFixed(1)} s`;
+      force.textContent = now.force_N === null ? "–" : `${now.force_N.toFixed(1)} N`;
+      showMeter(meter, bar, now);
+    },
+  };
 }
 
 const reading = (text, output) => el("div", { class: "field" }, el("span", { text }), output);

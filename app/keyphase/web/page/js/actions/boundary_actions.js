@@ -1,0 +1,64 @@
+/** Placing, moving, taking out and judging boundaries. */
+
+import { nearestEvidence, REACH_PX } from "../model/snapping.js";
+
+/**
+ * @param {import("../lib/store.js").Store} store
+ * @param {(change: import("../model/types.js").Edit) => void} edit
+ * @param {any} others actions these build on
+ */
+export function createBoundaryActions(store, edit, others) {
+  const { state } = store;
+  const doc = () => state.document;
+  const actions = {
+    /** A boundary at the playhead; while playing, at the nearest evidence. */
+    split() {
+      if (!doc()) return;
+      const reach = Math.max(
+        0.12,
+        (REACH_PX * (state.view.to - state.view.from)) / state.plotWidth,
+      );
+      const evidence =
+        state.playhead.playing && state.snap ? nearestEvidence(state, state.clock, reach) : null;
+      edit({ kind: "add", time_s: evidence?.time ?? state.clock });
+    },
+    addBoundary: (time) => edit({ kind: "add", time_s: time }),
+    /** Takes a boundary out; after an unsure one the next of them is shown. */
+    removeBoundary(index = state.current) {
+      const boundary = doc()?.boundaries[index];
+      if (!boundary || state.readOnly) return;
+      store.set({ current: null, explained: null });
+      edit({ kind: "remove", time_s: boundary.time_s });
+      if (boundary.unsure) others.nextDoubt();
+    },
+    moveBoundary(from, to) {
+      if (Math.abs(to - from) > 1e-6) edit({ kind: "move", from_s: from, to_s: to });
+    },
+    nudge(direction) {
+      const boundary = doc()?.boundaries[state.current];
+      if (boundary)
+        actions.moveBoundary(
+          boundary.time_s,
+          boundary.time_s + direction * Math.max(0.01, 1 / doc().rate_hz),
+        );
+    },
+    acceptBoundary(index = state.current) {
+      const boundary = doc()?.boundaries[index];
+      if (boundary && !boundary.accepted) edit({ kind: "accept", time_s: boundary.time_s });
+    },
+    acceptAndGoOn(index) {
+      actions.acceptBoundary(index);
+      others.nextDoubt();
+    },
+    toggleContact(index = state.current) {
+      const boundary = doc()?.boundaries[index];
+      if (boundary)
+        edit({
+          kind: "contact",
+          time_s: boundary.time_s,
+          contact_change: !boundary.contact_change,
+        });
+    },
+  };
+  return actions;
+}
