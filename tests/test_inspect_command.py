@@ -37,7 +37,7 @@ def test_a_channel_that_never_changes_is_odd(tmp_path: Path) -> None:
 def test_an_unknown_table_gets_a_recipe_to_complete(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    rows = "".join(f"{i / 50},{i},0,0\n" for i in range(50))
+    rows = "".join(f"{i / 50},{i},5,5\n" for i in range(50))
     (tmp_path / "log.csv").write_text(f"t,x [mm],y [mm],z [mm]\n{rows}")
     assert inspect(tmp_path, "--write") == 2
     assert (tmp_path / "log.csv.recipe.toml").is_file()

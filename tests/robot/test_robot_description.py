@@ -126,7 +126,7 @@ def test_a_mesh_without_a_surface_is_refused_by_name(urdf, tmp_path):
         ('xyz="0 1 0"', 'xyz="0 0 0"', "axis is zero"),
         ('<limit lower="-1" upper="2" velocity="3" effort="4"/>', "", "must have a <limit>"),
         ("</joint>", '<mimic joint="none"/></joint>', "mimics 'none'"),
-        ('origin xyz="0 0 1"', 'origin xyz="0 0 x"', "could not convert"),
+        ('origin xyz="0 0 1"', 'origin xyz="0 0 x"', "must have 3 numbers"),
     ],
 )
 def test_a_bad_joint_is_refused_by_name(urdf, hinge, was, becomes, reason):

@@ -29,7 +29,7 @@ def test_what_is_chosen_of_a_replays_world_stays_and_the_rest_is_left(page: Page
     page.send("replay_settings", workcell="setup2", friction=0.5)
     page.send("replay_settings", part_height_m=0.004, seed=7)
 
-    chosen = page.wait_for("replay_settings", lambda m: m["seed"] == 7)
+    chosen = page.wait_for("replay_settings", lambda m: m["part_height_m"] == 0.004)
 
     assert (chosen["workcell"], chosen["friction"], chosen["part_height_m"]) == (
         "setup2",

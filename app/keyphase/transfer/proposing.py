@@ -107,6 +107,8 @@ def propose(
     if segmentation is not None and _program_agrees([one for one, _ in same]):
         boundaries = _with_own(boundaries, segmentation)
     phases = _phases(best, alignment, boundaries, demonstration)
+    inner = {phase.end_s for phase in phases[:-1]}
+    boundaries = tuple(b for b in boundaries if b.time_s in inner)
     teachers = tuple(one.name for one, _ in same)
     return Transfer(demonstration.name, boundaries, phases, False, alignment.cost, teachers)
 
@@ -204,17 +206,27 @@ def _phases(
     boundaries: Sequence[ProposedBoundary],
     demonstration: Demonstration,
 ) -> tuple[ProposedPhase, ...]:
-    """Each phase is called what most of its time is called in the best fitting recording."""
+    """Each phase is called what most of its time is called in the best fitting recording.
+
+    Neighbours that are parts of one phase there are one phase here, too.
+    """
     edges = [demonstration.start_s, *(b.time_s for b in boundaries), demonstration.end_s]
     sure = [1.0, *(b.confidence for b in boundaries), 1.0]
     inner = [phase.end_s for phase in best.phases[:-1]]
     at = np.searchsorted(inner, alignment.from_s, side="right")
-    found = []
+    found: list[ProposedPhase] = []
+    before = -1
     for i in range(len(edges) - 1):
         inside = (alignment.to_s >= edges[i]) & (alignment.to_s <= edges[i + 1])
         votes = np.bincount(at[inside], minlength=len(best.phases))
-        phase = best.phases[int(np.argmax(votes))]
+        index = int(np.argmax(votes))
+        phase = best.phases[index]
         share = float(votes.max() / max(votes.sum(), 1))
         confidence = share * min(sure[i], sure[i + 1])
-        found.append(ProposedPhase(edges[i], edges[i + 1], phase.name, phase.kept, confidence))
+        start_s = edges[i]
+        if index == before:
+            last = found.pop()
+            start_s, confidence = last.start_s, min(confidence, last.confidence)
+        before = index
+        found.append(ProposedPhase(start_s, edges[i + 1], phase.name, phase.kept, confidence))
     return tuple(found)
