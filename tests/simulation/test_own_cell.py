@@ -37,7 +37,7 @@ def cell_file(tmp_path: Path) -> Path:
 
 
 def led_down():
-    """The example's peg led into its hole, 5 mm further than it goes; when it stands on its bottom."""
+    """The example's peg led into its hole, 5 mm further than it goes; when it is down."""
     simulation = own_cell(EXAMPLE / "peg_in_hole.toml").build()
     start = simulation.here()
     samples = []

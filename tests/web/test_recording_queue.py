@@ -72,8 +72,9 @@ def test_others_are_looked_at_when_there_is_time(
         for path in three:
             view.add(path)
         page.wait_for("document", lambda m: m["name"] == "again")
-        page.send("spread", step="apply")
-        page.wait_for("notice", lambda m: "now have these parameters" in m["text"])
+        server.workbench.looking.begin()
+        page.send("seek", time_s=0.1)
+        page.wait_for("playhead")
         assert looked == []
         there_is_time.set()
         page.wait_for("recordings", lambda _: "broken" in looked)

@@ -100,6 +100,9 @@ def proposed_label(
 def _bins(motion: Motion, start_s: float, end_s: float) -> tuple[int, int]:
     first, last = np.searchsorted(motion.time_s, (start_s, end_s)).tolist()
     first = min(first, len(motion.time_s) - 1)
+    # Where data is missing at the start, what comes after says nothing of where the tool was then.
+    if first > 0 and motion.time_s[first] - start_s > 2.0 * motion.step_s:
+        first -= 1
     return first, max(last, first + 1)
 
 

@@ -5,6 +5,7 @@ An array (N, D) called `pose` is the columns `pose[0]`, `pose[1]`, …; one of (
 """
 
 import hashlib
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -133,4 +134,7 @@ class ArrayTable:
             )
         _, name, at = self._columns[column]
         values = self.arrays[name]
-        return values if values.ndim == 1 else values.reshape(len(values), -1)[:, at]
+        if values.ndim == 1:
+            return values
+        # A width of -1 cannot be found out where there are no rows.
+        return values.reshape(len(values), math.prod(values.shape[1:]))[:, at]
