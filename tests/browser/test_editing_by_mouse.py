@@ -240,7 +240,8 @@ def test_unsure_boundaries_are_visited_and_accepted_by_clicks(editor: KeyphasePa
     editor.page.evaluate(
         """() => {
           const { document: doc } = keyphase.state;
-          const boundaries = doc.boundaries.map((b, k) => ({ ...b, confidence: k ? 0.3 : 0.6 }));
+          const boundaries = doc.boundaries.map(
+            (b, k) => ({ ...b, unsure: true, confidence: k ? 0.3 : 0.6 }));
           keyphase.store.set({ document: { ...doc, boundaries: boundaries.slice(0, 2) } });
         }"""
     )
