@@ -96,6 +96,7 @@ def test_the_panels_button_applies_parameters_to_all_by_clicks(two: KeyphasePage
 
 
 def test_parameters_are_not_applied_where_a_person_thinks_better_of_it(two: KeyphasePage) -> None:
+    _open(two, "setup1")
     two.set_parameter("force_threshold", 0.9)
     two.page.evaluate("() => keyphase.actions.spread('look')")
     two.until("keyphase.state.spread?.items.length === 2")
@@ -150,8 +151,8 @@ def test_next_and_previous_and_the_order_of_the_list_by_clicks(two: KeyphasePage
 def test_doubts_are_settled_by_two_keys_from_one_recording_to_the_next(
     tmp_path: Path, serve: Serve, visit: Visit
 ) -> None:
-    for name in ("setup1.npz", "wipe.npz"):
-        shutil.copy(shipped("data") / name, tmp_path)
+    for name in ("first.npz", "second.npz"):
+        shutil.copy(shipped("data") / "setup1.npz", tmp_path / name)
     page = visit(serve(tmp_path), scene=False)
     page.wait_for_document()
     page.until("keyphase.state.recordings.items.every(item => item.confidence !== null)")
@@ -160,10 +161,10 @@ def test_doubts_are_settled_by_two_keys_from_one_recording_to_the_next(
     assert second["unsure"] > 0
     page.press("n")
     page.change(lambda: page.press("Enter"))
-    page.page.locator(".notice", has_text="N: the next doubt, in wipe").wait_for()
+    page.page.locator(".notice", has_text="N: the next doubt, in second").wait_for()
 
     page.press("n")
-    page.until("keyphase.state.document.name === 'wipe' && keyphase.state.current !== null")
+    page.until("keyphase.state.document.name === 'second' && keyphase.state.current !== null")
     boundaries = page.document["boundaries"]
     unsure = [k for k, one in enumerate(boundaries) if one["unsure"]]
     least = min(unsure, key=lambda k: boundaries[k]["confidence"])

@@ -1,5 +1,6 @@
 """What the page shows of a recording, seen in screenshots."""
 
+import pytest
 from driver import ACCENT, SEGMENT_COLORS, Box, KeyphasePage
 
 PANEL_WIDTH = 330
@@ -17,15 +18,19 @@ def test_as_many_bands_as_segments_in_their_colors(editor: KeyphasePage) -> None
 
 def test_segments_have_their_colors_on_the_trajectory_too(scene_editor: KeyphasePage) -> None:
     scene_editor.wait_for_scene()
-    picture = scene_editor.picture("setup1_scene")
     whole = scene_editor.box("#viser")
     scene = Box(whole.x, whole.y, whole.width - PANEL_WIDTH, whole.height)
     moving = [
         one for one in scene_editor.document["segments"] if one["label"][:4] in ("Move", "Slid")
     ]
     assert len(moving) == 3
-    for segment in moving:
-        assert picture.count_hue(SEGMENT_COLORS[segment["color"]], scene) > 100
+    colors = [SEGMENT_COLORS[segment["color"]] for segment in moving]
+    for _ in range(20):
+        picture = scene_editor.picture("setup1_scene")
+        if all(picture.count_hue(color, scene) > 100 for color in colors):
+            return
+        scene_editor.page.wait_for_timeout(500)
+    pytest.fail("the path does not have the colours of its segments")
 
 
 def test_threshold_line_lies_where_the_threshold_is(editor: KeyphasePage) -> None:

@@ -110,6 +110,7 @@ def test_a_take_is_kept_when_the_browser_closes_midway(
     wait_until_at_rest(server, page, 2.0)
     page.page.goto("about:blank")
     again = visit(server)
+    again.page.locator(".queue-row", has_text="setup1_01").click(timeout=90_000)
     again.wait_for_document()
     assert again.document["name"] == "setup1_01"
     assert read(tmp_path / "setup1_01.npz").duration_s > 1.5

@@ -154,7 +154,7 @@ def test_parts_moved_before_the_run_are_missed_without_contact_ends(
 def test_trials_end_with_their_picture(server: PageServer, page: KeyphasePage) -> None:
     page.panel.get_by_role("tab", name="Replay").click()
     server.workbench.views[-1].replay.run_trials(3)
-    page.panel.locator(".beside-picture").click(timeout=120_000)
+    page.panel.locator(".beside-picture:not([hidden])").click(timeout=120_000)
     picture = page.page.locator("dialog.picture img")
     picture.wait_for()
     page.picture("replay_trials")

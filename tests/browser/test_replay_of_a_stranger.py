@@ -64,7 +64,7 @@ def test_a_workcell_that_does_not_fit_is_refused_in_words(page: KeyphasePage) ->
     page.panel.get_by_label("Scene").select_option("setup1")
     page.until("keyphase.state.replaySettings.workcell === 'setup1'")
     page.panel.get_by_role("button", name="Run", exact=True).click()
-    page.until("keyphase.state.notice?.text.includes('does not fit setup1')")
+    page.page.locator(".notice", has_text="does not fit setup1").wait_for()
     page.settle()
     page.picture("replay_unfit")
     assert page.state("replay") is None
