@@ -25,7 +25,7 @@ def test_segments_have_their_colors_on_the_trajectory_too(scene_editor: Keyphase
     ]
     assert len(moving) == 3
     colors = [SEGMENT_COLORS[segment["color"]] for segment in moving]
-    for _ in range(20):
+    for _ in range(60):
         picture = scene_editor.picture("setup1_scene")
         if all(picture.count_hue(color, scene) > 100 for color in colors):
             return
