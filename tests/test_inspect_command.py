@@ -45,3 +45,16 @@ def test_an_unknown_table_gets_a_recipe_to_complete(
     assert inspect(tmp_path, "--json") == 0
     (result,) = json.loads(capsys.readouterr().out)
     assert result["facts"]["rate_hz"] == 50
+
+
+def test_a_recipe_that_is_there_already_is_not_written_over_unasked(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "log.csv").write_text("t,x [mm],y [mm],z [mm]\n" + "0,1,2,3\n0.1,2,3,4\n")
+    recipe = tmp_path / "log.csv.recipe.toml"
+    recipe.write_text("# mine, half done\n")
+    assert inspect(tmp_path / "log.csv", "--write") == 2
+    assert recipe.read_text() == "# mine, half done\n"
+    assert "--replace" in capsys.readouterr().out
+    inspect(tmp_path / "log.csv", "--write", "--replace")
+    assert "[position]" in recipe.read_text()

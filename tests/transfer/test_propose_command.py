@@ -35,11 +35,14 @@ def test_the_others_of_the_task_get_names_and_outliers_get_nothing(
     file.write_text(json.dumps(content))
     out, report = tmp_path / "out", tmp_path / "report.json"
     assert keyphase("propose", folder, "--from", file, "--output", out, "--report", report) == 1
-    assert [path.name for path in out.iterdir()] == ["b.segments.json"]
+    assert [path.name for path in out.glob("*.json")] == ["b.segments.json"]
     labels = [s["label"] for s in json.loads((out / "b.segments.json").read_text())["segments"]]
     assert labels == [s["label"] for s in content["segments"]]
     told = {Path(one["recording"]).name: one["outlier"] for one in json.loads(report.read_text())}
     assert told == {"b.npz": False, "other.npz": True}
+    (out / "b.segments.json").write_text("corrected by hand")
+    assert keyphase("propose", folder / "b.npz", "--from", file, "--output", out) == 1
+    assert (out / "b.segments.json").read_text() == "corrected by hand"
 
 
 def test_a_folder_without_a_finished_recording_says_what_to_do(

@@ -26,6 +26,8 @@ class AuditLabels:
     """So far from each other two boundaries are still one."""
     output: Path | None = None
     """Write the labels, taken over, as segment files into this folder."""
+    replace: bool = False
+    """Replace files there that keyphase did not write, or that were changed since."""
     json: bool = False
     """Print for machines."""
     parameters: tyro.conf.OmitArgPrefixes[Parameters] = field(default_factory=Parameters)
@@ -53,8 +55,9 @@ class AuditLabels:
     def _write(self, one: "Audited") -> None:
         if self.output is None:
             return
-        from keyphase.writers import SegmentedRecording, planned_export
+        from keyphase.writers import Options, SegmentedRecording, planned_export
 
         item = SegmentedRecording.of_labeling(one.labeling)
-        for _ in planned_export([item], "json", self.output).write():
+        options = Options(if_there="replace" if self.replace else "ask")
+        for _ in planned_export([item], "json", self.output, options).write():
             pass

@@ -6,6 +6,7 @@ from typing import Literal
 
 import tyro
 
+from keyphase.errors import ExportError
 from keyphase.segmentation.parameters import Parameters
 
 
@@ -23,12 +24,15 @@ class DrawSegmentation:
     """The timeline with the evidence, the path with its ellipsoids, or both."""
     parameters: tyro.conf.OmitArgPrefixes[Parameters] = field(default_factory=Parameters)
     """Of a recording; a segment file has its own."""
+    replace: bool = False
+    """Replace a file in the way that keyphase did not write, or that was changed since."""
 
     def run(self) -> int:
         """Draw, and name the picture."""
+        from keyphase.commands.putting import put
         from keyphase.labeling.label import label
         from keyphase.labeling.segment_file import SUFFIX
-        from keyphase.pictures import draw
+        from keyphase.pictures import draw, picture_data
         from keyphase.readers import read
         from keyphase.segmentation import segment
         from keyphase.writers import SegmentedRecording
@@ -38,6 +42,7 @@ class DrawSegmentation:
             labeling = item.labeling()
         else:
             labeling = label(segment(read(self.path, self.recipe), self.parameters))
-        draw(labeling, self.output, self.what)
+        picture = picture_data(draw(labeling, what=self.what), self.output)
+        put(self.output, picture, self.path.name, replace=self.replace, refusal=ExportError)
         print(self.output)
         return 0

@@ -9,6 +9,9 @@ if TYPE_CHECKING:
     from keyphase.segmentation.evidence.fitting.taught import Taught
 
 
+_MADE_FROM = "keyphase fit"
+
+
 @dataclass(frozen=True)
 class FitWeights:
     """Fit the weights of the evidence on made demonstrations, and write them with provenance.
@@ -25,6 +28,8 @@ class FitWeights:
     """Seed of the first of each family; the others follow."""
     families: tuple[str, ...] = ()
     """Families to fit on; none given: all of them."""
+    replace: bool = False
+    """Replace a file in the way that keyphase did not write, or that was changed since."""
 
     def run(self) -> int:
         """Make, look, fit and write."""
@@ -32,12 +37,13 @@ class FitWeights:
 
         from tqdm import tqdm
 
+        from keyphase.commands.putting import put, refuse_in_the_way
         from keyphase.errors import MakingError
-        from keyphase.files.writing import write_whole
         from keyphase.making import FAMILIES, make
         from keyphase.segmentation.evidence.fitting.fit import fit
         from keyphase.segmentation.evidence.weights import weights_as_json
 
+        refuse_in_the_way(self.output, _MADE_FROM, replace=self.replace)
         families = self.families or tuple(FAMILIES)
         jobs = [(family, self.seed + k) for family in families for k in range(self.count)]
         bar = tqdm(jobs, unit="demonstration", disable=None)
@@ -48,7 +54,8 @@ class FitWeights:
             "families": list(families),
         }
         text = json.dumps(weights_as_json(weights, provenance), indent=1)
-        write_whole(self.output, f"{text}\n".encode(), MakingError)
+        data = f"{text}\n".encode()
+        put(self.output, data, _MADE_FROM, replace=self.replace, refusal=MakingError)
         print(f"{len(jobs)} demonstrations and {self.output}")
         return 0
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import tyro
 
-from keyphase.errors import DemonstrationError, KeyphaseError
+from keyphase.errors import DemonstrationError, FileInTheWayError, KeyphaseError
 
 if TYPE_CHECKING:
     from keyphase.demonstration import Demonstration
@@ -31,6 +31,8 @@ class Inspect:
     """How to read tables that are not in keyphase's own form (TOML)."""
     write: bool = False
     """Write the recipe that is proposed for an unknown table beside it, for you to complete."""
+    replace: bool = False
+    """Write it over a recipe that is there already."""
     json: bool = False
     """Print for machines."""
 
@@ -50,7 +52,7 @@ class Inspect:
         results = [_inspected(path, self.recipe) for path in found]
         if self.write:
             for result in results:
-                _write_recipe(result)
+                _write_recipe(result, replace=self.replace)
         if self.json:
             print(json.dumps([_plain(result) for result in results], indent=1))
         else:
@@ -130,16 +132,22 @@ def _proposal(path: Path) -> "Proposal | None":
         return None
 
 
-def _write_recipe(result: dict[str, Any]) -> None:
-    from keyphase.files.writing import write_whole
+def _write_recipe(result: dict[str, Any], *, replace: bool) -> None:
+    """A recipe that is in the way stays, and is told."""
+    from keyphase.commands.putting import put
+    from keyphase.readers import RECIPE_SUFFIX
 
     proposal: Proposal | None = result.get("proposal")
     path: Path = result["path"]
-    recipe = path.with_name(f"{path.name}.recipe.toml")
-    if proposal is None or recipe.exists():
+    if proposal is None:
         return
-    write_whole(recipe, proposal.recipe_text().encode())
-    result["written"] = str(recipe)
+    recipe = path.with_name(f"{path.name}{RECIPE_SUFFIX}")
+    try:
+        put(recipe, proposal.recipe_text().encode(), path.name, replace=replace)
+    except FileInTheWayError as error:
+        result["in_the_way"] = str(error)
+    else:
+        result["written"] = str(recipe)
 
 
 def _plain(result: dict[str, Any]) -> dict[str, Any]:
@@ -169,6 +177,8 @@ def _proposed_lines(result: dict[str, Any]) -> Iterator[str]:
     proposal: Proposal | None = result["proposal"]
     if proposal is None:
         return
+    if "in_the_way" in result:
+        yield f"  {result['in_the_way']}"
     if "written" in result:
         yield f"  A recipe was written to {result['written']}; complete what is commented out."
         return

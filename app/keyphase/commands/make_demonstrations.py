@@ -1,6 +1,7 @@
 """`keyphase make-demonstrations`: recordings with exact truth, to try a segmentation on."""
 
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 
@@ -17,14 +18,18 @@ class MakeDemonstrations:
     """How many of each family."""
     seed: int = 0
     """Seed of the first; the others follow. The same seed gives the same bytes."""
+    replace: bool = False
+    """Replace files in the way that keyphase did not write, or that were changed since."""
 
     def run(self) -> int:
         """Make and write."""
         from tqdm import tqdm
 
+        from keyphase.commands.putting import put
         from keyphase.making import BY_FORMULA, FAMILIES, make_folder
 
         families = self.families or tuple(FAMILIES)
+        putting = partial(put, replace=self.replace)
         makers = dict(BY_FORMULA)
         if any(family.startswith("simulated") for family in families):
             from keyphase.simulation.making import SIMULATED, make_simulated
@@ -36,6 +41,8 @@ class MakeDemonstrations:
                 bar.total = total
                 bar.update(done - bar.n)
 
-            truth = make_folder(families, self.count, self.seed, self.output, progress, makers)
+            truth = make_folder(
+                families, self.count, self.seed, self.output, progress, makers, putting
+            )
         print(f"{self.count * len(families)} demonstrations and {truth}")
         return 0

@@ -11,6 +11,7 @@ import tyro
 from keyphase.errors import KeyphaseError
 
 if TYPE_CHECKING:
+    from keyphase.readers import Found
     from keyphase.transfer.folder import Proposed
     from keyphase.transfer.taught import Taught
 
@@ -32,30 +33,51 @@ class Propose:
     """How to read tables that are not in keyphase's own form (TOML)."""
     report: Path | None = None
     """Write what is proposed, with its confidences (JSON)."""
+    replace: bool = False
+    """Replace files in the way that keyphase did not write, or that were changed since."""
 
     def run(self) -> int:
         """Propose, write, and say which are outliers."""
-        from keyphase.files.parts import stem_of
-        from keyphase.files.writing import write_whole
-        from keyphase.labeling.segment_file import SUFFIX, write_segment_file
+        from keyphase.commands.putting import put, refuse_in_the_way
         from keyphase.readers import find_recordings
         from keyphase.transfer.folder import propose_all
 
+        made_from = f"the proposals in {self.output}"
+        if self.report:
+            refuse_in_the_way(self.report, made_from, replace=self.replace)
         found = find_recordings(self.paths, self.recipe)
         if not found:
             raise KeyphaseError(f"Found no recordings in {', '.join(map(str, self.paths))}.")
         taught, known = self._taught([one.path for one in found])
         others = [one for one in found if one.path.resolve() not in known]
         proposed = propose_all(taught, [one.path for one in others], self.recipe)
-        for one, result in zip(others, proposed, strict=True):
-            if result.labeling is not None:
-                target = self.output / one.relative.with_name(stem_of(one.relative) + SUFFIX)
-                target.parent.mkdir(parents=True, exist_ok=True)
-                write_segment_file(result.labeling, target)
+        in_the_way = self._write(others, proposed)
         if self.report:
             values = [_values(result) for result in proposed]
-            write_whole(self.report, json.dumps(values, indent=1).encode())
-        return _tell(taught, proposed)
+            put(self.report, json.dumps(values, indent=1).encode(), made_from, replace=self.replace)
+        for line in in_the_way:
+            print(line, file=sys.stderr)
+        return max(_tell(taught, proposed), 1 if in_the_way else 0)
+
+    def _write(self, found: "list[Found]", proposed: "list[Proposed]") -> list[str]:
+        """The segment files; those that were in the way stay, and are told."""
+        from keyphase.commands.putting import put
+        from keyphase.errors import FileInTheWayError, SegmentFileError
+        from keyphase.files.parts import stem_of
+        from keyphase.labeling.segment_file import SUFFIX, segment_file_data
+
+        in_the_way = []
+        for one, result in zip(found, proposed, strict=True):
+            if result.labeling is None:
+                continue
+            target = self.output / one.relative.with_name(stem_of(one.relative) + SUFFIX)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            data, name = segment_file_data(result.labeling, target), one.path.name
+            try:
+                put(target, data, name, replace=self.replace, refusal=SegmentFileError)
+            except FileInTheWayError as error:
+                in_the_way.append(str(error))
+        return in_the_way
 
     def _taught(self, recordings: list[Path]) -> "tuple[list[Taught], set[Path]]":
         """What is learnt from, and the recordings it was learnt on."""

@@ -16,13 +16,18 @@ class Record:
     """The recording to write (NPZ)."""
     seed: int = 0
     """The same seed gives the same recording."""
+    replace: bool = False
+    """Replace a file in the way that is not of this workcell and seed as keyphase wrote it."""
 
     def run(self) -> int:
         """Record and write."""
-        from keyphase.readers import save_npz
+        from keyphase.commands.putting import put, refuse_in_the_way
+        from keyphase.readers import npz_data
         from keyphase.simulation import record
 
+        made_from = f"{self.workcell}, seed {self.seed}"
+        refuse_in_the_way(self.output, made_from, replace=self.replace)
         demonstration = record(self.workcell, seed=self.seed)
-        save_npz(demonstration, self.output)
+        put(self.output, npz_data(demonstration), made_from, replace=self.replace)
         print(f"{self.output}: {demonstration.duration_s:.2f} s at {demonstration.rate_hz:g} Hz")
         return 0

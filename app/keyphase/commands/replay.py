@@ -145,29 +145,24 @@ class ReplaySegments:
             if path:
                 self._write(path, written(skills, demonstration.name))
 
-    def _write(self, path: Path, text: str) -> None:
+    def _write(self, path: Path, made: str | bytes) -> None:
         """Raises FileInTheWayError where somebody else's file would be replaced unasked."""
-        from keyphase.labeling.storage.written_files import write_unasked
+        from keyphase.commands.putting import put
 
-        write_unasked(
-            path,
-            text.encode(),
-            self.segments.name,
-            SimulationError,
-            if_there="replace" if self.replace else "ask",
-        )
+        data = made.encode() if isinstance(made, str) else made
+        put(path, data, self.segments.name, replace=self.replace, refusal=SimulationError)
 
     def _run_once(
         self, cell: "Cell", demonstration: "Demonstration", skills: "tuple[Skill, ...]"
     ) -> int:
-        from keyphase.readers import save_npz
+        from keyphase.readers import npz_data
         from keyphase.simulation.replay.replay import ReplayOptions, run
         from keyphase.simulation.replay.report import as_json, replay_text, replay_values
 
         simulation = cell.build(self.world.disturbance(), self.seed)
         result = run(simulation, skills, demonstration, ReplayOptions(self.coupling))
         if self.output:
-            save_npz(result.demonstration, self.output)
+            self._write(self.output, npz_data(result.demonstration))
         print(as_json(replay_values(result)) if self.json else replay_text(result))
         return 0 if result.succeeded else 1
 

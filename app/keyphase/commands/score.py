@@ -18,6 +18,8 @@ class ScoreSegments:
     """Print for machines."""
     picture: Path | None = None
     """Draw it, too (.png, .svg or .pdf; needs matplotlib)."""
+    replace: bool = False
+    """Replace a picture in the way that keyphase did not write, or that was changed since."""
 
     def run(self) -> int:
         """Print judged and strict scores, timing and calibration, per recording and set."""
@@ -25,8 +27,10 @@ class ScoreSegments:
 
         result = score(self.truth, self.segments)
         if self.picture is not None:
-            from keyphase.scoring.picture import draw_score
+            from keyphase.commands.putting import put
+            from keyphase.scoring.picture import score_picture
 
-            draw_score(result, self.picture)
+            made_from = f"the score of {self.segments}"
+            put(self.picture, score_picture(result, self.picture), made_from, replace=self.replace)
         print(as_json(result) if self.json else as_table(result))
         return 0

@@ -51,8 +51,11 @@ class SegmentRecordings:
 
         from keyphase.batch.report import report_json
         from keyphase.batch.segmenting import segment_all
-        from keyphase.files.writing import write_whole
+        from keyphase.commands.putting import put, refuse_in_the_way
 
+        made_from = f"the report of {self.output}"
+        if self.report:
+            refuse_in_the_way(self.report, made_from, replace=self.replace)
         with tqdm(unit="recording", disable=None) as bar:
 
             def progress(done: int, total: int) -> None:
@@ -74,7 +77,7 @@ class SegmentRecordings:
                 progress=progress,
             )
         if self.report:
-            write_whole(self.report, report_json(report).encode())
+            put(self.report, report_json(report).encode(), made_from, replace=self.replace)
         return _tell(report, self.output)
 
 

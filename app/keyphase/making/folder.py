@@ -9,15 +9,23 @@ from keyphase.files.writing import write_whole
 from keyphase.making.families import FAMILIES, SINGLE
 from keyphase.making.made import Made
 from keyphase.making.making import make
-from keyphase.readers import save_npz
+from keyphase.readers import npz_data
 
 TRUTH = "truth.json"
 
 Maker = Callable[[str, int], Made]
 """From a family and a seed to a demonstration with its truth."""
 
+Put = Callable[[Path, bytes, str], None]
+"""Where a file goes, what it holds, and what it was made from."""
+
 BY_FORMULA: Mapping[str, Maker] = dict.fromkeys([*FAMILIES, *SINGLE], make)
 """The maker of every family of this package."""
+
+
+def write_over(path: Path, data: bytes, _made_from: str) -> None:
+    """A `Put` that replaces what is there."""
+    write_whole(path, data, MakingError)
 
 
 def make_folder(
@@ -27,10 +35,12 @@ def make_folder(
     output: Path,
     progress: Callable[[int, int], None] | None = None,
     makers: Mapping[str, Maker] = BY_FORMULA,
+    put: Put = write_over,
 ) -> Path:
     """Write `count` demonstrations of each family, seeded from `seed` on, and their truth.json.
 
     `makers` are who makes which family; others than those by formula live with the simulation.
+    `put` writes each file, and may refuse to where one is in the way.
     A recording is FAMILY/SEED.npz below `output`. Returns the path of the truth. Raises MakingError
     for an unknown family, a count below one, or a folder that takes no files.
     """
@@ -46,12 +56,12 @@ def make_folder(
         made = makers[family](family, number)
         path = output / family / f"{number}.npz"
         _make_folder(path.parent)
-        save_npz(made.demonstration, path)
+        put(path, npz_data(made.demonstration), f"{family}, seed {number}")
         truth[f"{family}/{number}"] = made.truth()
         if progress:
             progress(done, len(jobs))
     target = output / TRUTH
-    write_whole(target, f"{json.dumps(truth, indent=1)}\n".encode(), MakingError)
+    put(target, f"{json.dumps(truth, indent=1)}\n".encode(), "made demonstrations")
     return target
 
 

@@ -1,9 +1,11 @@
 """One picture of a labeling: the timeline, the path, or both."""
 
+import io
 from pathlib import Path
 from typing import Any, Literal
 
 from keyphase.errors import ExportError, MissingPackageError
+from keyphase.files.writing import write_whole
 from keyphase.labeling.label import label
 from keyphase.labeling.labeling import Labeling
 from keyphase.pictures.path import draw_path
@@ -30,8 +32,27 @@ def draw(
     labeling = label(segmented) if isinstance(segmented, Segmentation) else segmented
     figure = _figure(labeling, what)
     if path is not None:
-        _save(figure, Path(path))
+        write_whole(Path(path), picture_data(figure, Path(path)), ExportError)
     return figure
+
+
+def picture_data(figure: Any, path: Path) -> bytes:
+    """What the file of a figure holds that is named as `path` is.
+
+    The same figure gives the same bytes. Raises ExportError for another ending than .svg, .pdf or
+    .png.
+    """
+    suffix = path.suffix.lower()
+    if suffix not in PICTURE_SUFFIXES:
+        raise ExportError(f"{path}: expected a picture named *{', *'.join(PICTURE_SUFFIXES)}.")
+    from matplotlib import rc_context
+
+    dates = {".svg": {"Date": None}, ".pdf": {"CreationDate": None, "ModDate": None}}
+    file = io.BytesIO()
+    # Ids in an SVG are random without a salt.
+    with rc_context({"svg.hashsalt": "keyphase", "pdf.fonttype": 42}):
+        figure.savefig(file, format=suffix[1:], dpi=150, metadata=dates.get(suffix))
+    return file.getvalue()
 
 
 def _figure(labeling: Labeling, what: What) -> Any:
@@ -64,18 +85,3 @@ def _figure(labeling: Labeling, what: What) -> Any:
     if what == "both":
         draw_path(figure.add_subplot(grid[:, 1], projection="3d"), labeling)
     return figure
-
-
-def _save(figure: Any, path: Path) -> None:
-    suffix = path.suffix.lower()
-    if suffix not in PICTURE_SUFFIXES:
-        raise ExportError(f"{path}: expected a picture named *{', *'.join(PICTURE_SUFFIXES)}.")
-    from matplotlib import rc_context
-
-    dates = {".svg": {"Date": None}, ".pdf": {"CreationDate": None, "ModDate": None}}
-    try:
-        # Ids in an SVG are random without a salt.
-        with rc_context({"svg.hashsalt": "keyphase", "pdf.fonttype": 42}):
-            figure.savefig(path, dpi=150, metadata=dates.get(suffix))
-    except OSError as error:
-        raise ExportError(f"{path}: the picture cannot be written ({error.strerror}).") from error

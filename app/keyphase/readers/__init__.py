@@ -25,7 +25,7 @@ from keyphase.readers.foreign import foreign_kind
 from keyphase.readers.formats.known import format_of
 from keyphase.readers.formats.reader import fingerprint_of, read_format
 from keyphase.readers.native_csv import has_native_header, read_csv, save_csv
-from keyphase.readers.native_npz import MAGIC, read_npz, save_npz
+from keyphase.readers.native_npz import MAGIC, npz_data, read_npz, save_npz
 from keyphase.readers.recipes.file import load_recipe, parse_recipe
 from keyphase.readers.recipes.reader import read_by_recipe
 from keyphase.readers.recipes.recipe import Recipe
@@ -38,6 +38,7 @@ __all__ = [
     "find_recordings",
     "fingerprint",
     "load_recipe",
+    "npz_data",
     "own_or_folder_recipe",
     "parse_recipe",
     "read",

@@ -162,10 +162,18 @@ def _shown(names: list[str]) -> str:
 
 
 def save_npz(demonstration: Demonstration, path: Path | str) -> None:
-    """Write the native archive; the same demonstration gives the same bytes.
+    """Write the native archive; a file that is there is replaced.
 
     Name, source and notices are not stored: a reader sets them. Raises DemonstrationError where
     the metadata is not JSON or the folder takes no files.
+    """
+    write_whole(Path(path), npz_data(demonstration), DemonstrationError)
+
+
+def npz_data(demonstration: Demonstration) -> bytes:
+    """The native archive; the same demonstration gives the same bytes.
+
+    Raises DemonstrationError where the metadata is not JSON.
     """
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
@@ -175,7 +183,7 @@ def save_npz(demonstration: Demonstration, path: Path | str) -> None:
                 _write_member(archive, name, values)
         if demonstration.metadata:
             _write_member(archive, _METADATA, np.array(_json(demonstration)))
-    write_whole(Path(path), buffer.getvalue(), DemonstrationError)
+    return buffer.getvalue()
 
 
 def _write_member(archive: zipfile.ZipFile, name: str, values: NDArray[Any]) -> None:

@@ -1,11 +1,13 @@
 """A score as one picture: F1 of each set, calibration of confidences, timing of what was found."""
 
+import io
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from keyphase.errors import MissingPackageError, ScoreError
+from keyphase.files.writing import write_whole
 from keyphase.scoring.calibration import Calibration
 from keyphase.scoring.score import Score
 
@@ -14,10 +16,17 @@ _JUDGED, _STRICT, _GRID = "#2f6fb3", "#b9c4d0", "#dfe4ea"
 
 
 def draw_score(score: Score, path: Path) -> None:
-    """Write the picture of a score to `path` (.png, .svg or .pdf).
+    """Write the picture of a score to `path`; a file that is there is replaced.
 
-    Raises MissingPackageError without matplotlib, ScoreError for another ending or a folder that
-    takes no files.
+    Raises as `score_picture` does, and ScoreError for a folder that takes no files.
+    """
+    write_whole(path, score_picture(score, path), ScoreError)
+
+
+def score_picture(score: Score, path: Path) -> bytes:
+    """The picture of a score as the file `path` (.png, .svg or .pdf) would hold it.
+
+    Raises MissingPackageError without matplotlib, ScoreError for another ending.
     """
     if path.suffix.lower() not in SUFFIXES:
         raise ScoreError(f"{path}: expected a picture named *{', *'.join(SUFFIXES)}.")
@@ -36,10 +45,10 @@ def draw_score(score: Score, path: Path) -> None:
     _draw_sets(of_sets, score)
     _draw_calibration(calibrated, score.calibration)
     _draw_timing(timed, score)
-    try:
-        figure.savefig(path, dpi=110, metadata={"Date": None} if path.suffix == ".svg" else None)
-    except OSError as error:
-        raise ScoreError(f"{path}: cannot be written ({error.strerror}).") from error
+    file, kind = io.BytesIO(), path.suffix.lower()
+    dateless = {"Date": None} if kind == ".svg" else None
+    figure.savefig(file, format=kind[1:], dpi=110, metadata=dateless)
+    return file.getvalue()
 
 
 def _draw_sets(axes: Any, score: Score) -> None:

@@ -59,6 +59,13 @@ def write_unasked(
     return path
 
 
+def require_free(path: Path, made_from: str) -> None:
+    """Raise FileInTheWayError where `write_unasked` would, whatever it were given to write."""
+    whose = _whose(path, None, made_from)
+    if whose is not None:
+        raise FileInTheWayError(path, whose)
+
+
 def _write_new(path: Path, data: bytes, refusal: type[KeyphaseError]) -> None:
     try:
         write_new(path, data, refusal)
@@ -66,13 +73,13 @@ def _write_new(path: Path, data: bytes, refusal: type[KeyphaseError]) -> None:
         raise FileInTheWayError(path, "it appeared this moment") from error
 
 
-def _whose(path: Path, data: bytes, made_from: str) -> str | None:
+def _whose(path: Path, data: bytes | None, made_from: str) -> str | None:
     """Why what is there is not to be replaced unasked; None where nothing would be lost."""
     target = Path(os.path.realpath(path))
     if not os.path.lexists(target):
         return None
     there = _hash_of(target)
-    if there is None or there == _hash(data):
+    if there is None or (data is not None and there == _hash(data)):
         # What is no file is refused by whoever writes; what is the same already is not lost.
         return None
     written = _lines(path.parent, path.name)
