@@ -60,6 +60,18 @@ def test_name_a_segment(editor: KeyphasePage) -> None:
     assert not any(s["proposed"] for s in editor.document["segments"] if s["kept"])
 
 
+def test_a_name_typed_at_once_is_taken_from_its_first_letter(editor: KeyphasePage) -> None:
+    editor.press("]")
+    focused = editor.page.evaluate(
+        """() => {
+          dispatchEvent(new KeyboardEvent("keydown", { key: "l" }));
+          return document.activeElement.ariaLabel;
+        }"""
+    )
+    assert focused == "Label of the segment"
+    editor.press("Escape")
+
+
 def test_visit_move_and_remove_a_boundary(editor: KeyphasePage) -> None:
     before = editor.document["boundaries"]
     editor.press("Home")

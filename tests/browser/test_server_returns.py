@@ -47,13 +47,13 @@ def test_a_killed_server_that_returns_is_used_again_without_a_reload(
         os.kill(server.pid, signal.SIGKILL)
         server.wait()
         page.until("!keyphase.state.connected")
+        page.page.locator("#banners .gone").wait_for()
         told = page.text("#banners")
         assert re.search(r"stopped\. Everything up to \d\d:\d\d:\d\d is saved", told)
 
         server, again = _open(recording, port)
         assert again == link
-        page.until("keyphase.state.connected")
-        page.until("keyphase.state.document")
+        page.until("keyphase.state.connected && !keyphase.state.readOnly")
         page.change(lambda: page.press("i"))
         assert page.page.evaluate("window.neverReloaded")
         assert page.document["undo"]

@@ -75,7 +75,9 @@ export function createSegmentActions(store, { edit, onSegment, selectedSegment, 
       return segment ? undefined : others.nextDoubt();
     },
     rename(index = selectedSegment()?.index) {
-      if (index !== undefined && index !== null && !state.readOnly) store.set({ renaming: index });
+      if (index === undefined || index === null || state.readOnly) return;
+      store.set({ renaming: index });
+      store.drawNow();
     },
   };
   return actions;

@@ -7,7 +7,7 @@
  * @typedef {import("../model/state.js").State} State
  * @typedef {(names: string[], draw: (state: State) => void) => void} Listen
  * @typedef {{state: State, set: (patch: Partial<State>) => void, on: Listen, later: Listen,
- *   afterFrame: (done: () => void) => void}} Store
+ *   drawNow: () => void, afterFrame: (done: () => void) => void}} Store
  */
 
 /**
@@ -66,6 +66,11 @@ export function createStore(initial) {
     },
     later(names, draw) {
       patient.push({ names, draw });
+    },
+    /** Draws what has changed at once: where keys typed next must find what was just opened. */
+    drawNow() {
+      cancelAnimationFrame(frame);
+      drawFrame();
     },
     afterFrame(done) {
       waiting.push(done);

@@ -109,6 +109,7 @@ export function createRename(store, timeline, actions) {
     if (renaming === null) return;
     const after = doc.segments.findIndex(({ kept }, index) => index > renaming && kept);
     store.set({ renaming: goesOn && after >= 0 ? after : null });
+    store.drawNow();
     const text = label?.trim();
     if (text) actions.label(text, renaming);
   }
