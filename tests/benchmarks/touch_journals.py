@@ -82,7 +82,7 @@ def _touched(folder: Path, times: int, chance: random.Random) -> int:
         touch(journal, chance)
         confirmed.append(_label(page, number))
         told = page.told["document"]["notices"]
-        unmentioned += not any("Another program touched" in notice for notice in told)
+        unmentioned += not any("Another program touched" in notice["text"] for notice in told)
     workbench.close()
     lost = _lost(folder, confirmed)
     what = ", ".join(f"{count} {name}" for name, count in sorted(counts.items()))

@@ -27,8 +27,8 @@ def _unreadable_notes(page: KeyphasePage) -> None:
     page.page.evaluate(
         """() => {
           const { store } = keyphase;
-          const document = { ...store.state.document, notices: ["2 rows were dropped."] };
-          store.set({ document });
+          const notices = [{ text: "Dropped 2 rows.", severity: "warning" }];
+          store.set({ document: { ...store.state.document, notices } });
         }"""
     )
     page.page.locator("#read-notices").click()

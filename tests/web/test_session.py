@@ -182,7 +182,7 @@ def test_the_second_server_on_a_recording_says_that_it_only_looks(
         second.wait_for("refused", lambda m: m["request"] == "set")
 
     assert document["locked"]
-    assert any("looking only" in notice for notice in document["notices"])
+    assert any("looking only" in notice["text"] for notice in document["notices"])
     assert "Nothing can be changed" in refusal["text"]
 
 

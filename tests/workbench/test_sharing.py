@@ -71,10 +71,10 @@ def test_of_ten_the_four_done_are_the_same_to_the_last_byte_and_one_undo_restore
 
 def test_what_would_be_found_now_of_a_done_one_is_offered_as_a_comparison(tmp_path: Path) -> None:
     with page_on(tmp_path, "ab", "b") as page:
-        assert not any("found now" in notice for notice in page.open("b")["notices"])
+        assert not any("found now" in notice["text"] for notice in page.open("b")["notices"])
         say(page, "spread", GIVEN, step="apply")
         document = page.open("b")
-        assert any("compare with “found now”" in notice for notice in document["notices"])
+        assert any("compare with “found now”" in notice["text"] for notice in document["notices"])
         page.say("compare", document, **{"with": "found now"})
         page.wait_for(lambda: "comparison" in page.told)
         told = page.told["comparison"]
@@ -121,6 +121,6 @@ def test_parameters_that_the_folder_got_meanwhile_are_not_taken_back(tmp_path: P
         page.wait_for(lambda: page.told.get("notice", {}).get("text") == GIVEN)
         page.say("undo", page.open("a"))
         page.wait_for(
-            lambda: any("by now" in notice for notice in page.told["document"]["notices"])
+            lambda: any("by now" in one["text"] for one in page.told["document"]["notices"])
         )
         assert read_folder_settings(tmp_path).parameters.min_distance_s == 0.9

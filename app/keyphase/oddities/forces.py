@@ -45,7 +45,7 @@ def constant_force(demonstration: Demonstration) -> list[Oddity]:
         return []
     what = "force_N never changes" if len(still) == 3 else f"force_N {' and '.join(still)} never"
     text = f"{what}{'' if len(still) == 3 else ' changes'}: was it measured?"
-    return [Oddity("constant", "note", text)]
+    return [Oddity("constant", "warning" if len(still) == 3 else "note", text)]
 
 
 def saturated_force(demonstration: Demonstration) -> list[Oddity]:
@@ -92,7 +92,7 @@ def wandering_force(demonstration: Demonstration) -> list[Oddity]:
         f"While the tool stands still the force wanders by {wander:.2g} N within {_WINDOW_S:g} s; "
         "steps of that size are no contacts."
     )
-    return [Oddity("wander", "note", text)]
+    return [Oddity("wander", "warning", text)]
 
 
 def helping_force(demonstration: Demonstration) -> list[Oddity]:

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 from typing import Literal
 
 from keyphase.demonstration import Demonstration
+from keyphase.notices import Severity
 
 Kind = Literal["time", "gap", "jump", "zero rows", "constant", "saturated", "still pose", "wander",
                "sign", "scale"]  # fmt: skip
-Severity = Literal["note", "warning"]
 
 
 @dataclass(frozen=True)

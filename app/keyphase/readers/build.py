@@ -9,7 +9,8 @@ from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import DemonstrationError
 from keyphase.files.parts import stem_of
 from keyphase.files.reading import WholeFile
-from keyphase.oddities import oddities_of
+from keyphase.notices import Caution
+from keyphase.oddities import Oddity, oddities_of
 from keyphase.readers.held import held_notices
 from keyphase.readers.timing import irregular_notices
 
@@ -37,7 +38,11 @@ def build(
                 source=file.source,
                 notices=(*notices, *found),
             )
-            return read.told(odd.text for odd in oddities_of(read))
+            return read.told(_told(odd) for odd in oddities_of(read))
     except DemonstrationError as error:
         reason = str(error).removeprefix(f"{name}: ")
         raise DemonstrationError(f"{file.name}: {reason}") from error
+
+
+def _told(odd: Oddity) -> str:
+    return Caution(odd.text) if odd.severity == "warning" else odd.text

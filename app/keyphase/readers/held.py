@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
+from keyphase.notices import Caution
 
 _SHARE_OF_LONG_RUNS = 0.25
 _MIN_RUNS = 10
@@ -42,9 +43,10 @@ def held_notices(channels: Mapping[str, Array]) -> tuple[str, ...]:
         if values.ndim != 2 or len(values) != len(time):
             continue
         if hold := find_hold(time, values):
-            notices.append(
+            told = (
                 f"{channel} changes in only {len(hold.fresh_rows)} of {len(time)} rows "
                 f"(about {hold.rate_hz:.3g} Hz) and repeats its last value in between; "
                 "left as it came."
             )
+            notices.append(Caution(told))
     return tuple(notices)

@@ -15,6 +15,7 @@ from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import DemonstrationError
 from keyphase.files.reading import WholeFile
 from keyphase.files.writing import write_whole
+from keyphase.notices import Caution
 from keyphase.readers.build import build
 from keyphase.readers.orientation import refuse_not_unit
 from keyphase.readers.table import Table, TableForm, open_table, split_cells
@@ -108,7 +109,8 @@ def _unknown_notices(table: Table, columns: list[int]) -> tuple[str, ...]:
     if not unknown:
         return ()
     more = f" and {len(unknown) - _SHOWN_NAMES} more" if len(unknown) > _SHOWN_NAMES else ""
-    return (f"Left out columns that are no channel: {', '.join(unknown[:_SHOWN_NAMES])}{more}.",)
+    shown = ", ".join(unknown[:_SHOWN_NAMES])
+    return (Caution(f"Left out columns that are no channel: {shown}{more}."),)
 
 
 def save_csv(demonstration: Demonstration, path: Path | str) -> None:

@@ -27,6 +27,7 @@ from keyphase.demonstration import Demonstration
 from keyphase.errors import DemonstrationError
 from keyphase.files.reading import WholeFile
 from keyphase.files.writing import write_whole
+from keyphase.notices import Caution
 from keyphase.readers.build import build
 from keyphase.readers.npz_members import (
     Member,
@@ -153,7 +154,7 @@ def _unknown_notices(archive: zipfile.ZipFile) -> tuple[str, ...]:
         return ()
     near = difflib.get_close_matches(unknown[0].removesuffix(_SUFFIX)[:60], _KNOWN, n=1)
     hint = f"; did you mean {near[0]}?" if near else "."
-    return (f"Left out members that are no channel: {_shown(unknown)}{hint}",)
+    return (Caution(f"Left out members that are no channel: {_shown(unknown)}{hint}"),)
 
 
 def _shown(names: list[str]) -> str:

@@ -15,6 +15,7 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.errors import DemonstrationError
+from keyphase.notices import Caution
 
 _MAX_LINE_LENGTH = 100_000
 """Thousands of columns; what is longer is no table, and the csv module would refuse its cells."""
@@ -195,11 +196,13 @@ def _end_notices(
     last = numbers[len(body) - 1]
     if len(body) > 2 and len(split_cells(body[-1], form.separator)) < width:
         body.pop()
-        return (f"The file ends within line {last}, which was left out: it was cut there.",)
-    return (
-        f"The last line, {last}, has no line end: if the file was cut there, its last number is "
-        "not whole.",
-    )
+        told = f"The file ends within line {last}, which was left out: it was cut there."
+    else:
+        told = (
+            f"The last line, {last}, has no line end: if the file was cut there, its last number "
+            "is not whole."
+        )
+    return (Caution(told),)
 
 
 def _lines(file: str, data: bytes, form: TableForm, limit_bytes: int) -> list[str]:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.errors import DemonstrationError
+from keyphase.notices import Caution
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.damage import damage_told
 from keyphase.readers.formats.numeric import MAX_NUMBERS_A_ROW
@@ -135,7 +136,8 @@ class _Streams:
     def notices(self) -> tuple[str, ...]:
         """Which topics said too little to be read."""
         few = [topic for topic, one in self._streams.items() if len(one.rows) < 2]
-        return (f"Topics of one message were passed over: {', '.join(few[:5])}.",) if few else ()
+        told = f"Topics of one message were passed over: {', '.join(few[:5])}."
+        return (Caution(told),) if few else ()
 
 
 def _stacked(values: tuple[Any, ...]) -> NDArray[Any] | None:

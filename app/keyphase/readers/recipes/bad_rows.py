@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.errors import DemonstrationError
+from keyphase.notices import Caution
 from keyphase.oddities.poses import MAX_SPEED_M_S
 from keyphase.readers.recipes.channels import Channels, Noted
 from keyphase.readers.recipes.recipe import Rows
@@ -61,4 +62,4 @@ def _notice(bad: NDArray[np.bool_], which: str, line: Callable[[int], int]) -> t
     if not bad.any():
         return ()
     first = line(int(np.argmax(bad)))
-    return (f"Dropped {int(bad.sum())} rows {which}, first line {first}.",)
+    return (Caution(f"Dropped {int(bad.sum())} rows {which}, first line {first}."),)

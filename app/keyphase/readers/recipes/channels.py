@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
+from keyphase.notices import Caution
 from keyphase.readers.orientation import (
     from_euler,
     from_matrices,
@@ -212,5 +213,5 @@ def _quaternion(
         return from_quaternions(values, form.order, row_name), ()
     furthest = np.max(np.abs(np.linalg.norm(values, axis=1) - 1.0))
     told = f"Quaternions were normalised; the furthest had a norm {furthest:.3g} from one."
-    notices = (told,) if furthest > _NORM_TOLD else ()
+    notices = (Caution(told),) if furthest > _NORM_TOLD else ()
     return from_quaternions(normalised(values, row_name), form.order, row_name), notices

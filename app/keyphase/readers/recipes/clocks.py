@@ -10,6 +10,7 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.errors import RecipeError
+from keyphase.notices import Caution
 from keyphase.readers.resampling import interpolate
 
 _STEERING = ("position_m", "orientation_wxyz", "force_N", "torque_Nm")
@@ -65,10 +66,11 @@ def _notices(
     cut = float(time[0] - lead[0] + lead[-1] - time[-1])
     notices = ()
     if others:
-        notices += (
-            f"Interpolated {', '.join(others)} to the times of {leading} "
-            f"({rates[leading]:.3g} Hz).",
+        told = (
+            f"Interpolated {', '.join(others)} to the times of {leading} ({rates[leading]:.3g} Hz)."
         )
+        notices += (Caution(told),)
     if cut > 0:
-        notices += (f"Left out {cut:.3g} s at the ends that not all channels cover.",)
+        told = f"Left out {cut:.3g} s at the ends that not all channels cover."
+        notices += (Caution(told),)
     return notices

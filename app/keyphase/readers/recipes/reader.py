@@ -11,6 +11,7 @@ import numpy as np
 from keyphase.demonstration import Demonstration
 from keyphase.errors import DemonstrationError, RecipeError
 from keyphase.files.reading import WholeFile
+from keyphase.notices import Caution
 from keyphase.readers.build import build
 from keyphase.readers.held import find_hold
 from keyphase.readers.recipes.bad_rows import without_bad_rows
@@ -95,7 +96,7 @@ def _distinct(channels: Channels, recipe: Recipe, table: Columned) -> Noted:
     refuse_not_increasing(kept["time_s"], where(table, recipe.time.column, rows))
     first = table.line(int(np.argmax(repeats)))
     notice = f"Dropped {repeats.sum()} rows with the time of the row before, first line {first}."
-    return kept, (notice,)
+    return kept, (Caution(notice),)
 
 
 def _refuse_single_row(channels: Channels, file: str) -> None:
@@ -146,10 +147,11 @@ def _interpolated(channels: Channels, recipe: Recipe) -> Noted:
         hold = find_hold(time, values) if channel != "time_s" else None
         if hold:
             changed[channel] = interpolate_hold(channel, time, values, hold)
-            notices += (
+            told = (
                 f"Interpolated {channel} between the {len(hold.fresh_rows)} of {len(time)} rows at "
-                f"which it changed (about {hold.rate_hz:.3g} Hz).",
+                f"which it changed (about {hold.rate_hz:.3g} Hz)."
             )
+            notices += (Caution(told),)
     return changed, notices
 
 
@@ -171,7 +173,7 @@ def _even(channels: Channels, recipe: Recipe, limit_bytes: int, file: str) -> No
         )
     resampled = resample(channels, rate)
     notice = f"Resampled {len(time)} rows to {len(resampled['time_s'])} at {rate:g} Hz."
-    return resampled, (notice,)
+    return resampled, (Caution(notice),)
 
 
 def _loads(channels: Channels) -> list[str]:

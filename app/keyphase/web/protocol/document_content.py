@@ -8,6 +8,7 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.labeling.labeling import LabeledBoundary, LabeledSegment, Labeling, PlanEntry
+from keyphase.notices import Caution, severity_of
 from keyphase.oddities import breaks_of
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.segmentation.segmentation import Candidate, Peak, Reason
@@ -53,7 +54,7 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         channels=channels(demonstration),
         force_channels=curve.channels if curve else 0,
         edits=len(state.document.edits),
-        notices=(*demonstration.notices, *_recovered(demonstration), *state.notices),
+        notices=_notices(state),
         parameters=asdict(segmentation.parameters),
         threshold=segmentation.threshold,
         automatic_threshold=automatic_threshold(segmentation),
@@ -112,9 +113,12 @@ def ghosts(before: Labeling, now: Labeling) -> tuple[say.Ghost, ...]:
     return (*comes, *goes)
 
 
-def _recovered(demonstration: Demonstration) -> list[str]:
+def _notices(state: DeskState) -> tuple[say.NoticeMessage, ...]:
+    demonstration = state.demonstration
     broken_off = demonstration.metadata.get("recovered") is True
-    return ["Its recorder broke off; the last second at most is missing."] if broken_off else []
+    lost = [Caution("Its recorder broke off; the last second at most is missing.")] * broken_off
+    told = (*demonstration.notices, *lost, *state.notices)
+    return tuple(say.NoticeMessage(str(one), severity_of(one)) for one in told)
 
 
 def boundaries_of(labeling: Labeling) -> tuple[say.BoundaryMessage, ...]:

@@ -6,6 +6,7 @@ from msgspec import UNSET, Struct, UnsetType
 
 from keyphase.labeling.labeling import Inapplicable
 from keyphase.labeling.vocabulary import VocabularyLabel
+from keyphase.notices import Severity
 from keyphase.segmentation.segmentation import CandidateKind, Origin
 from keyphase.workbench.recordings import State
 
@@ -153,6 +154,17 @@ class BreakMessage(Struct, frozen=True):
     text: str
 
 
+class NoticeMessage(Struct, frozen=True):
+    """What a person should know: of reading, of the journal or of the folder.
+
+    severity  a warning where data was left out, held, filled or mended, is odd, or is not kept as
+              usual
+    """
+
+    text: str
+    severity: Severity
+
+
 class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     """What a recording is at one revision.
 
@@ -182,7 +194,7 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     channels: tuple[str, ...]
     force_channels: int
     edits: int
-    notices: tuple[str, ...]
+    notices: tuple[NoticeMessage, ...]
     parameters: dict[str, Any]
     threshold: float | None
     automatic_threshold: float | None

@@ -13,6 +13,7 @@ from keyphase.labeling.label import label
 from keyphase.labeling.labeling import LabeledSegment, Labeling
 from keyphase.labeling.spreading import Change, preview
 from keyphase.labeling.storage.journal import Journal
+from keyphase.notices import Caution
 from keyphase.segmentation import Parameters, Segmentation, Segmenter
 from keyphase.workbench.desks.desk_state import Cause, DeskState
 from keyphase.workbench.desks.folder import Folder
@@ -198,7 +199,7 @@ class OpenRecording:
             kept_labeling=self.kept_labeling,
             tracks=self.tracks,
             vocabulary=self.folder.settings.vocabulary,
-            notices=(*self.journal.notices, *self._folder_notices(), *self._told_of_now()),
+            notices=(*self._cautions(), *self._told_of_now()),
             state=self._state(),
             locked=self.journal.read_only,
             changed=self.journal.changed,
@@ -268,8 +269,10 @@ class OpenRecording:
         now = self._found_now()
         return [] if now is None else [told(self.kept_labeling, now)]
 
-    def _folder_notices(self) -> list[str]:
-        return [one for one in (self.folder.settings.notice, self._folder_kept) if one]
+    def _cautions(self) -> list[Caution]:
+        """What journal and folder say."""
+        of_folder = (self.folder.settings.notice, self._folder_kept)
+        return [Caution(one) for one in (*self.journal.notices, *of_folder) if one]
 
     def _state(self) -> State:
         if self.document.done:

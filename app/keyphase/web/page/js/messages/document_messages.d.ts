@@ -29,7 +29,7 @@ export interface DocumentMessage {
   channels: string[];
   force_channels: number;
   edits: number;
-  notices: string[];
+  notices: NoticeMessage[];
   parameters: { [name: string]: any };
   threshold: number | null;
   automatic_threshold: number | null;
@@ -60,6 +60,16 @@ export interface DocumentMessage {
 export interface CauseMessage {
   event: number;
   client: string;
+}
+
+/**
+ * What a person should know: of reading, of the journal or of the folder.
+ * - severity: a warning where data was left out, held, filled or mended, is odd, or is not kept as
+ *   usual
+ */
+export interface NoticeMessage {
+  text: string;
+  severity: "note" | "warning";
 }
 
 /**

@@ -6,15 +6,6 @@
 import { byId, el } from "../../lib/dom.js";
 import { plural } from "../../lib/format.js";
 
-const DOUBTFUL = new RegExp(
-  [
-    "dropp|left out|held|repeats its|mend|damag|torn|skip|cut|missing|not be written|repair",
-    "interpol|resampl|duplicate|without data|gap|jump|turns by|0 0 0|never change|at its limit",
-    "wander|helps|read as|no line end",
-  ].join("|"),
-  "i",
-);
-
 /** @param {import("../../lib/store.js").Store} store */
 export function createReadNotices(store) {
   const button = byId("read-notices");
@@ -26,7 +17,9 @@ export function createReadNotices(store) {
       el(
         "ul",
         {},
-        ...notices.map((text) => el("li", { class: isDoubtful(text) ? "low" : "", text })),
+        ...notices.map((notice) =>
+          el("li", { class: isWarning(notice) ? "low" : "", text: notice.text }),
+        ),
       ),
       el("button", {
         type: "button",
@@ -43,11 +36,11 @@ export function createReadNotices(store) {
     button.hidden = !count;
     if (!count) return;
     byId("read-notices-count").textContent = String(count);
-    button.classList.toggle("low", doc.notices.some(isDoubtful));
+    button.classList.toggle("low", doc.notices.some(isWarning));
     button.title = `${plural(count, "note")} on how it was read`;
     button.setAttribute("aria-label", button.title);
   });
 }
 
-/** Whether a note says that the data is not all there as it was recorded. @param {string} text */
-export const isDoubtful = (text) => DOUBTFUL.test(text);
+/** @param {import("../../model/types.js").Doc["notices"][number]} notice */
+const isWarning = ({ severity }) => severity === "warning";
