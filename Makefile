@@ -8,6 +8,9 @@ SOURCES := app tests examples
 
 .PHONY: demo quick test check bench compare wheel clean browser page-scripts protocol
 
+# Hundreds of short processes are started by the tests; each would compile all it imports.
+export PYTHONDONTWRITEBYTECODE :=
+
 # The environment and the browser are installed at the same time.
 MAKEFLAGS += --jobs=2
 
