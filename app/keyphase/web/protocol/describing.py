@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import assert_never
 
 from keyphase.errors import KeyphaseError, RequestError
 from keyphase.web.protocol import requests as ask
@@ -12,8 +13,6 @@ from keyphase.workbench.importing.importing import Importing, Waiting
 from keyphase.workbench.uploads import Upload
 from keyphase.workbench.view import View
 from keyphase.workbench.workbench import Workbench
-
-DescribeRequest = ask.Describe | ask.DescribeTry | ask.DescribeConfirm | ask.DescribeLeave
 
 
 class Describing:
@@ -37,7 +36,7 @@ class Describing:
             return False
         return True
 
-    def do(self, request: DescribeRequest) -> None:
+    def do(self, request: ask.DescribeRequest) -> None:
         """Do what the page says. Raises KeyphaseError for what is refused at once."""
         match request:
             case ask.Describe():
@@ -50,6 +49,8 @@ class Describing:
             case ask.DescribeLeave():
                 self._importing.leave(request.id)
                 self._send(TableDone(request.id))
+            case _:
+                assert_never(request)
 
     def recipe_arrived(self) -> None:
         """Read by a recipe that was sent what waits for one, and what could not be read before."""

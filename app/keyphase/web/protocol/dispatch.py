@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, assert_never
 
 import msgspec
 from msgspec import UNSET
@@ -22,17 +22,17 @@ if TYPE_CHECKING:
     from keyphase.web.protocol.conversation import Conversation
 
 
-def do(page: "Conversation", request: ask.Request) -> None:
+def do(page: "Conversation", request: ask.DispatchedRequest) -> None:
     """Do what a page asks. Raises KeyphaseError for what is refused at once."""
     match request:
         case ask.Select():
             page.view.select(request.segment, request.recording, request.revision)
-        case ask.OnDocument():
-            with page.workbench.library.at(request.recording) as desk:
-                _at_desk(page, desk, request)
         case ask.Signals():
             with page.workbench.library.at(request.recording) as desk:
                 _send_signals(page, desk, request)
+        case ask.OnDocument():
+            with page.workbench.library.at(request.recording) as desk:
+                _at_desk(page, desk, request)
         case ask.Replay() | ask.ReplaySettings() | ask.Push():
             _replay(page, request)
         case ask.Trials() | ask.TrialsCancel() | ask.Margin():
@@ -43,7 +43,7 @@ def do(page: "Conversation", request: ask.Request) -> None:
             _look(page, request)
 
 
-def _at_desk(page: "Conversation", desk: Desk, request: ask.OnDocument) -> None:
+def _at_desk(page: "Conversation", desk: Desk, request: ask.EditingRequest) -> None:
     """Requests about one document, bound to its desk now, whatever is opened meanwhile."""
     asked = page.asked(request)
     match request:
@@ -74,6 +74,8 @@ def _at_desk(page: "Conversation", desk: Desk, request: ask.OnDocument) -> None:
             page.send(comparison_message(_state(desk), request.other, proposal))
         case ask.Spread():
             _spread(page, desk, request)
+        case _:
+            assert_never(request)
 
 
 def _take_over(page: "Conversation", desk: Desk, request: ask.TakeOver) -> None:
@@ -123,6 +125,8 @@ def _spread(page: "Conversation", desk: Desk, request: ask.Spread) -> None:
             )
         case "leave":
             workbench.leave_spread(page.view)
+        case _:
+            assert_never(request.step)
 
 
 def _send_signals(page: "Conversation", desk: Desk, request: ask.Signals) -> None:
@@ -135,7 +139,7 @@ def _state(desk: Desk) -> DeskState:
     return desk.state
 
 
-def _look(page: "Conversation", request: ask.Request) -> None:
+def _look(page: "Conversation", request: ask.LookRequest) -> None:
     """Requests about what this page looks at."""
     view = page.view
     match request:
@@ -162,9 +166,11 @@ def _look(page: "Conversation", request: ask.Request) -> None:
                 view.scene.place_robot()
         case ask.Latency():
             page.latency(request.milliseconds)
+        case _:
+            assert_never(request)
 
 
-def _replay(page: "Conversation", request: ask.Request) -> None:
+def _replay(page: "Conversation", request: ask.ReplayRequest) -> None:
     replay = page.view.replay
     match request:
         case ask.Replay():
@@ -177,9 +183,11 @@ def _replay(page: "Conversation", request: ask.Request) -> None:
             replay.configure(lambda settings: replace(settings, **chosen))
         case ask.Push():
             page.view.scene.offer_push(request.offered)
+        case _:
+            assert_never(request)
 
 
-def _beside_replay(page: "Conversation", request: ask.Request) -> None:
+def _beside_replay(page: "Conversation", request: ask.BesideReplayRequest) -> None:
     replay = page.view.replay
     match request:
         case ask.Trials():
@@ -190,6 +198,8 @@ def _beside_replay(page: "Conversation", request: ask.Request) -> None:
             replay.try_margin()
         case ask.Margin():
             replay.cancel_margin()
+        case _:
+            assert_never(request)
 
 
 def _record(page: "Conversation", request: ask.Record) -> None:
@@ -209,6 +219,8 @@ def _record(page: "Conversation", request: ask.Record) -> None:
             lead.undo_take()
         case "redo_take":
             lead.redo_take()
+        case _:
+            assert_never(request.do)
 
 
 def _named(request: ask.Record) -> str:

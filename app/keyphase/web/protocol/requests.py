@@ -55,11 +55,8 @@ from keyphase.web.protocol.view_requests import (
     UploadCancel,
 )
 
-Request = (
-    Open
-    | OpenDemonstration
-    | Follow
-    | Set
+EditingRequest = (
+    Set
     | Reset
     | Edit
     | Undo
@@ -71,29 +68,27 @@ Request = (
     | Spread
     | Compare
     | TakeOver
-    | Upload
-    | UploadCancel
-    | Describe
-    | DescribeTry
-    | DescribeConfirm
-    | DescribeLeave
-    | Select
-    | Seek
-    | Play
-    | Signals
     | Export
-    | Show
-    | Theme
-    | Replay
-    | ReplaySettings
-    | Push
-    | Trials
-    | TrialsCancel
-    | Margin
-    | Record
-    | Robot
-    | Latency
 )
+"""What changes, compares or writes one document."""
+
+LookRequest = Open | OpenDemonstration | Follow | Seek | Play | Show | Theme | Robot | Latency
+"""What concerns only what a page looks at."""
+
+ReplayRequest = Replay | ReplaySettings | Push
+
+BesideReplayRequest = Trials | TrialsCancel | Margin
+
+DispatchedRequest = (
+    EditingRequest | Select | Signals | LookRequest | ReplayRequest | BesideReplayRequest | Record
+)
+"""What is done at once; the others are conversations of several messages."""
+
+UploadRequest = Upload | UploadCancel
+
+DescribeRequest = Describe | DescribeTry | DescribeConfirm | DescribeLeave
+
+Request = DispatchedRequest | UploadRequest | DescribeRequest
 
 LOOKING_REQUESTS = (
     Open,
