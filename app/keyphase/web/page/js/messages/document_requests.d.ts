@@ -111,6 +111,21 @@ export interface TakeOverRequest {
   event?: number | null;
 }
 
+/**
+ * Write a file. The segment file as `json` or `csv`, or those of `all` recordings; the plan as
+ * `skills`, `behavior tree`, `program`, `urscript` or `rapid`; the replay that is over as a `page`
+ * that needs no server. `if_there` says what becomes of files that keyphase did not write as they
+ * are; without, `in_the_way` tells which there are.
+ */
+export interface ExportRequest {
+  type: "export";
+  kind: "all" | "behavior tree" | "csv" | "json" | "page" | "program" | "rapid" | "skills" | "urscript";
+  if_there?: "ask" | "keep both" | "replace";
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
 /** Select a segment, or none. */
 export interface SelectRequest {
   type: "select";
@@ -129,19 +144,4 @@ export interface SignalsRequest {
   from_s: number;
   to_s: number;
   width: number;
-}
-
-/**
- * Write a file. The segment file as `json` or `csv`, or those of `all` recordings; the plan as
- * `skills`, `behavior tree`, `program`, `urscript` or `rapid`; the replay that is over as a `page`
- * that needs no server. `if_there` says what becomes of files that keyphase did not write as they
- * are; without, `in_the_way` tells which there are.
- */
-export interface ExportRequest {
-  type: "export";
-  kind: "all" | "behavior tree" | "csv" | "json" | "page" | "program" | "rapid" | "skills" | "urscript";
-  if_there?: "ask" | "keep both" | "replace";
-  recording: string;
-  revision: number;
-  event?: number | null;
 }

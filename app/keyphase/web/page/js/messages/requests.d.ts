@@ -47,9 +47,6 @@ import type {
 } from "./view_requests";
 
 export type Request =
-  | OpenRequest
-  | OpenDemonstrationRequest
-  | FollowRequest
   | SetRequest
   | ResetRequest
   | EditRequest
@@ -62,19 +59,18 @@ export type Request =
   | SpreadRequest
   | CompareRequest
   | TakeOverRequest
-  | UploadRequest
-  | UploadCancelRequest
-  | DescribeRequest
-  | DescribeTryRequest
-  | DescribeConfirmRequest
-  | DescribeLeaveRequest
+  | ExportRequest
   | SelectRequest
+  | SignalsRequest
+  | OpenRequest
+  | OpenDemonstrationRequest
+  | FollowRequest
   | SeekRequest
   | PlayRequest
-  | SignalsRequest
-  | ExportRequest
   | ShowRequest
   | ThemeRequest
+  | RobotRequest
+  | LatencyRequest
   | ReplayRequest
   | ReplaySettingsRequest
   | PushRequest
@@ -82,5 +78,9 @@ export type Request =
   | TrialsCancelRequest
   | MarginRequest
   | RecordRequest
-  | RobotRequest
-  | LatencyRequest;
+  | UploadRequest
+  | UploadCancelRequest
+  | DescribeRequest
+  | DescribeTryRequest
+  | DescribeConfirmRequest
+  | DescribeLeaveRequest;

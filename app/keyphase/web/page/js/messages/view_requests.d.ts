@@ -17,18 +17,6 @@ export interface FollowRequest {
   page: string | null;
 }
 
-/** A file follows in binary messages. */
-export interface UploadRequest {
-  type: "upload";
-  name: string;
-  size: number;
-}
-
-/** The file on its way is not wanted after all. */
-export interface UploadCancelRequest {
-  type: "upload_cancel";
-}
-
 /** Move the playhead. */
 export interface SeekRequest {
   type: "seek";
@@ -69,4 +57,16 @@ export interface LatencyRequest {
   type: "latency";
   event: number;
   milliseconds: number;
+}
+
+/** A file follows in binary messages. */
+export interface UploadRequest {
+  type: "upload";
+  name: string;
+  size: number;
+}
+
+/** The file on its way is not wanted after all. */
+export interface UploadCancelRequest {
+  type: "upload_cancel";
 }
