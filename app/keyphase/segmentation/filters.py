@@ -32,4 +32,4 @@ def _both_ways(values: Array, hz: float, rate_hz: float, kind: Literal["lowpass"
 def _sections(hz: float, rate_hz: float, kind: Literal["lowpass", "highpass"]) -> Array:
     from scipy.signal import butter
 
-    return butter(2, hz, kind, fs=rate_hz, output="sos")
+    return np.asarray(butter(2, hz, kind, fs=rate_hz, output="sos"), dtype=np.float64)

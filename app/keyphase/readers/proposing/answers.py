@@ -116,7 +116,7 @@ def recipe_text(answers: Answers, names: tuple[str, ...]) -> str:
     if missing := answers.open():
         raise RecipeError(" ".join(missing))
     sections = [_table(answers), _time(answers, names)]
-    lists = (
+    lists: tuple[tuple[str, tuple[Part, ...], str], ...] = (
         ("position", ("x", "y", "z"), "length"),
         ("force", ("fx", "fy", "fz"), "force"),
         ("torque", ("tx", "ty", "tz"), "torque"),
@@ -142,8 +142,8 @@ def _parts_of(guess: Guess) -> tuple[Part, ...]:
         return ("seconds", "nanoseconds")
     if guess.role == "joints":
         return ("joint",) * len(guess.columns)
-    parts = _PARTS_OF_ROLE.get(guess.role, ())
-    return (*parts, *("ignore",) * len(guess.columns))[: len(guess.columns)]
+    ignored: tuple[Part, ...] = ("ignore",) * len(guess.columns)
+    return (*_PARTS_OF_ROLE.get(guess.role, ()), *ignored)[: len(guess.columns)]
 
 
 def _table(answers: Answers) -> list[str]:

@@ -102,8 +102,9 @@ def _named(several: Any, name: str) -> list[tuple[str, dict[str, Any]]]:
 
 
 def _is_plain(name: object) -> TypeGuard[str]:
-    short = isinstance(name, str) and 0 < len(name) <= 100
-    return short and name.isprintable() and not set(name) & set("#/\\")
+    if not isinstance(name, str) or not 0 < len(name) <= 100:
+        return False
+    return name.isprintable() and not set(name) & set("#/\\")
 
 
 def _one(values: Mapping[str, Any], name: str) -> Recipe:

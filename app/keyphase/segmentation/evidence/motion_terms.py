@@ -217,7 +217,7 @@ def _edge_rows(
     return np.vstack(rows).astype(np.float64)
 
 
-def _crowding(at: Indices, crowd: Indices, rate_hz: float) -> Array:
+def _crowding(at: Indices | Array, crowd: Indices, rate_hz: float) -> Array:
     """Log of how many valleys lie within a second: a swing has many, a phase has not."""
     low = np.searchsorted(crowd, at - rate_hz)
     high = np.searchsorted(crowd, at + rate_hz, side="right")

@@ -62,5 +62,9 @@ def evidence_of(demonstration: Demonstration, motion: Motion, weights: Weights) 
 def _in_order(found: ContactCandidates) -> ContactCandidates:
     order = np.argsort(found.cell, kind="stable")
     return ContactCandidates(
-        *(part[order] for part in (found.cell, found.seen, found.interval, found.terms, found.step))
+        cell=found.cell[order],
+        seen=found.seen[order],
+        interval=found.interval[order],
+        terms=found.terms[order],
+        step=found.step[order],
     )

@@ -96,7 +96,9 @@ class Told:
             "contact": selection.contact.tolist(),
             "motion": selection.motion.tolist(),
         }
-        keys = [(kind, index, codes[kind][index]) for _, kind, index in self._told]
+        keys: list[tuple[CandidateKind, int, int]] = [
+            (kind, index, codes[kind][index]) for _, kind, index in self._told
+        ]
         known = self._known
         return tuple([known.get(key) or self._candidate(*key) for key in keys])
 

@@ -1,3 +1,5 @@
+# MuJoCo tells no types.
+# pyright: reportAttributeAccessIssue=false
 """Whether an arm reaches poses: damped least squares on a MuJoCo model."""
 
 from collections.abc import Sequence

@@ -104,12 +104,12 @@ def _with_site(path: Path, spec: mujoco.MjSpec, tool_frame: str) -> mujoco.MjsBo
             f"{path.name} must have a body, link or site '{tool_frame}', but has "
             f"{', '.join(names[-12:])}; name one of these with --tool-frame."
         )
-    if body is None:
-        body = site.parent
-        body.add_site(name=TOOL_SITE, pos=site.pos, quat=site.quat)
-    else:
+    if body is not None:
         body.add_site(name=TOOL_SITE)
-    return body
+        return body
+    assert site is not None
+    site.parent.add_site(name=TOOL_SITE, pos=site.pos, quat=site.quat)
+    return site.parent
 
 
 def _chain(path: Path, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> tuple[str, ...]:
