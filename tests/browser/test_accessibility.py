@@ -34,6 +34,11 @@ def _unreadable_notes(page: KeyphasePage) -> None:
     page.page.locator("#read-notices").click()
 
 
+def _formats(page: KeyphasePage) -> None:
+    page.press("Control+Shift+S")
+    page.page.locator("#exporting[open]").wait_for()
+
+
 STATES: dict[str, Callable[[KeyphasePage], None]] = {
     "as opened": lambda page: page.settle(),
     "a segment selected": _select,
@@ -46,6 +51,7 @@ STATES: dict[str, Callable[[KeyphasePage], None]] = {
     "recording": _tab("Record"),
     "replay": _tab("Replay"),
     "export": _tab("Export"),
+    "formats to export": _formats,
 }
 
 

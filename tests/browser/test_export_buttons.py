@@ -1,35 +1,73 @@
 """Exports from the page."""
 
 import json
+import sys
 from pathlib import Path
 
+import pytest
 from driver import KeyphasePage
+
+from keyphase.writers import WRITERS
 
 
 def test_control_s_writes_the_segment_file(editor: KeyphasePage) -> None:
     editor.press("Control+s")
-    editor.page.get_by_text("Written to").wait_for()
+    editor.page.get_by_text("Written to").first.wait_for()
     path = Path(editor.text(".notice").removeprefix("Written to ").strip())
     written = json.loads(path.read_text())
     assert len(written["segments"]) == editor.segments.count()
 
 
-def test_the_panel_says_which_file_each_export_writes_and_how_it_is_read(
+def _choose(page: KeyphasePage, name: str) -> None:
+    """The format in the dialog, with what is told of it."""
+    page.page.locator(f"#exporting[open] [data-format='{name}']").click()
+
+
+def test_any_format_is_written_from_one_dialog_that_says_what_it_loses(
     folder: Path, timeline: KeyphasePage
 ) -> None:
     page = timeline
-    page.panel.get_by_role("tab", name="Export").click()
-    for kind, file in (("json", "setup1.segments.json"), ("skills", "setup1.skills.json")):
-        button = page.panel.locator(f"[data-export='{kind}']")
-        assert file in button.inner_text()
-        button.click()
-        page.page.get_by_text(f"{file}").first.wait_for()
-        page.until(f"keyphase.state.saved?.path.endsWith('{file}')")
+    page.press("Control+Shift+S")
+    dialog = page.page.locator("#exporting")
+    dialog.locator("h2").wait_for()
+    assert dialog.locator("[data-format]").count() == len(WRITERS)
+    _choose(page, "elan")
+    told = dialog.locator(".export-details").inner_text()
+    for said in ("setup1.eaf", "end conditions", "whole milliseconds"):
+        assert said in told
+    assert not (folder / "setup1.eaf").exists()
+    for dark in (False, True):
+        page.page.evaluate("dark => keyphase.store.set({ dark })", dark)
         page.settle()
-        assert (folder / file).exists()
-        assert str(folder / file) in page.panel.locator(".saved-card .path").inner_text()
-    lines = page.panel.locator(".saved-card .lines").inner_text()
+        page.picture(f"exporting_{'dark' if dark else 'light'}")
+    dialog.get_by_role("button", name="Write", exact=True).click()
+    dialog.get_by_text(str(folder / "setup1.eaf")).first.wait_for()
     found: dict[str, object] = {}
-    exec(lines, found)
-    assert found["skills"]
-    page.picture("exported")
+    exec(dialog.locator(".lines").inner_text(), found)
+    assert found["document"]
+
+    (folder / "setup1.skills.json").write_text("{}")
+    _choose(page, "skills")
+    dialog.get_by_role("button", name="Write", exact=True).click()
+    page.page.get_by_role("button", name="Keep both").click()
+    dialog.get_by_text("setup1_2.skills.json").first.wait_for()
+    assert (folder / "setup1.skills.json").read_text() == "{}"
+
+    _choose(page, "robomimic")
+    assert dialog.get_by_role("button", name="Write", exact=True).is_disabled()
+    assert "robomimic" in dialog.locator(".export-refusal").inner_text()
+    page.press("Escape")
+
+
+def test_a_format_whose_package_is_missing_says_how_to_install_it(
+    monkeypatch: pytest.MonkeyPatch, editor: KeyphasePage
+) -> None:
+    module = sys.modules["keyphase.writers.offers"]
+    monkeypatch.setattr(module, "find_spec", lambda _name: None)
+    editor.page.locator("#tab-export").click()
+    editor.panel.locator("[data-export='formats']").click()
+    _choose(editor, "elan")
+    refusal = editor.page.locator("#exporting .export-refusal")
+    assert 'pip install "keyphase[elan]"' in refusal.inner_text()
+    editor.press("Escape")
+    editor.page.locator("#tab-segment").click()

@@ -73,7 +73,7 @@ def test_a_workcell_must_be_named_to_be_opened(page: PageClient) -> None:
 
 
 def test_the_plan_is_written_as_a_behaviour_tree(page: PageClient) -> None:
-    page.send("export", kind="behavior tree")
+    page.send("export", kind="behavior-tree")
 
     assert Path(page.wait_for("saved")["path"]).exists()
 

@@ -161,10 +161,10 @@ def test_a_segment_file_for_each_that_can_be_read(
 ) -> None:
     with PageClient(start_server(*three)) as page:
         page.wait_for("document")
-        page.send("export", kind="all")
+        page.send("export", kind="json", scope="all")
         notice = page.wait_for("notice", lambda m: m["level"] == "info")
 
-    assert notice["text"] == "2 of 3 segment files were written."
+    assert notice["text"] == "2 of 3 recordings were written: keyphase segment file."
     assert three[2].with_name("again.segments.json").exists()
 
 

@@ -19,7 +19,10 @@ _EXACT_S = 1e-6
 
 @dataclass(eq=False, slots=True)
 class Mark:
-    """A boundary under edit; spans of segments hold on to it, so it keeps its identity."""
+    """A boundary under edit; spans of segments hold on to it, so it keeps its identity.
+
+    proposed_confidence  how sure the proposal was that it was taken over from, where it was
+    """
 
     time_s: float
     contact_change: bool
@@ -28,6 +31,7 @@ class Mark:
     was_s: float | None = None
     accepted: bool = False
     taken_away: bool = False
+    proposed_confidence: float | None = None
     frozen: LabeledBoundary | None = None
 
     @property
@@ -44,6 +48,7 @@ class Mark:
         if self.frozen is not None and self.as_frozen:
             return replace(self.frozen, accepted=self.accepted)
         found = self.automatic
+        confidence = 1.0 if self.by_hand or found is None else found.confidence
         low, high = found.interval_s if found else (self.time_s, self.time_s)
         return LabeledBoundary(
             self.time_s,
@@ -51,7 +56,7 @@ class Mark:
             interval_s=(min(low, self.time_s), max(high, self.time_s))
             if self.by_hand
             else (low, high),
-            confidence=1.0 if self.by_hand or found is None else found.confidence,
+            confidence=confidence if (own := self.proposed_confidence) is None else own,
             contact_change=self.contact_change,
             was_s=self.was_s,
             accepted=self.accepted,

@@ -17,10 +17,12 @@ from keyphase.readers.table import open_table
 
 RECIPE_SUFFIX = ".recipe.toml"
 FOLDER_RECIPE = "recipe.toml"
+EXPORTS_FOLDER = "keyphase_exports"
+"""Copies of recordings with their segments, which are no recordings of their own."""
 
 _TABLE_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".log", ".asc")
 _BINARY_SUFFIXES = (".hdf5", ".h5", ".zip", ".bag", ".mcap", ".mat", ".npy")
-_SEGMENTS_SUFFIX = ".segments.csv"
+_SEGMENTS_SUFFIXES = (".segments.csv", ".segments.mcap")
 
 
 class Found(NamedTuple):
@@ -37,9 +39,9 @@ def find_recordings(
 
     A file that is named is taken as it is; reading it says what is wrong with it. In a folder
     count archives (.npz), native tables, and tables that have a recipe: their own, their folder's,
-    or the one given for all. Hidden folders and files are passed over, links to folders not
-    followed. No more of a file than its first line is read. Raises DemonstrationError for a folder
-    that cannot be listed.
+    or the one given for all. Hidden folders and files and what was exported are passed over,
+    links to folders not followed. No more of a file than its first line is read. Raises
+    DemonstrationError for a folder that cannot be listed.
     """
     found: dict[str, Found] = {}
     for path in map(Path, paths):
@@ -120,7 +122,7 @@ def undescribed_tables(folder: Path) -> tuple[Path, ...]:
         path
         for path in paths
         if path.name.lower().endswith(_TABLE_SUFFIXES)
-        and not path.name.endswith(_SEGMENTS_SUFFIX)
+        and not path.name.endswith(_SEGMENTS_SUFFIXES)
         and path.is_file()
         and not _is_recording(path, recipe_given=False)
     )
@@ -143,7 +145,7 @@ def _in_folder(folder: Path, recipe: Path | str | None) -> Iterator[Found]:
         shut.append(Path(error.filename))
 
     for parent, folders, files in os.walk(folder, onerror=pass_over):
-        folders[:] = [name for name in folders if not name.startswith(".")]
+        folders[:] = [one for one in folders if one != EXPORTS_FOLDER and not one.startswith(".")]
         datasets = [name for name in folders if format_of(Path(parent, name)) is not None]
         folders[:] = [name for name in folders if name not in datasets]
         paths += [Path(parent, name) for name in datasets]
@@ -163,10 +165,12 @@ def _refuse(error: OSError) -> None:
 
 def _is_recording(path: Path, recipe_given: bool) -> bool:
     name = path.name.lower()
+    if name.endswith(_SEGMENTS_SUFFIXES):
+        return False
     if name.endswith(".npz"):
         return True
     if name.endswith(_BINARY_SUFFIXES):
         return format_of(path) is not None
-    if not name.endswith(_TABLE_SUFFIXES) or name.endswith(_SEGMENTS_SUFFIX):
+    if not name.endswith(_TABLE_SUFFIXES):
         return False
     return bool(recipe_given or own_recipe(path) or folder_recipe(path) or begins_native(path))

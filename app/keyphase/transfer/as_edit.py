@@ -18,7 +18,8 @@ def as_edit(transfer: Transfer, segmentation: Segmentation) -> TakeOver:
         Label(0.5 * (p.start_s + p.end_s), p.name, (p.start_s, p.end_s)) for p in phases if p.name
     )
     kept = (Keep(0.5 * (p.start_s + p.end_s), p.kept, (p.start_s, p.end_s)) for p in phases)
-    return TakeOver(source, (*_boundary_edits(transfer, segmentation), *labels, *kept))
+    edits = (*_boundary_edits(transfer, segmentation), *labels, *kept)
+    return TakeOver(source, edits, tuple((b.time_s, b.confidence) for b in transfer.boundaries))
 
 
 def _boundary_edits(transfer: Transfer, segmentation: Segmentation) -> Iterator[Part]:

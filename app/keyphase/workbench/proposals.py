@@ -85,16 +85,19 @@ class Proposals:
         for recording in self._recordings():
             if recording.error is None:
                 folders.setdefault(recording.path.parent, []).append(recording)
+        wanted = {line.id for lines in folders.values() for line in _lacking(lines)}
         with self._lock:
-            self._found = {}
-        self._tell({})
+            # What was proposed stays until it is proposed anew, so that no key changes its meaning.
+            self._found = {id: one for id, one in self._found.items() if id in wanted}
+            told = dict(self._found)
+        self._tell(told)
         for lines in folders.values():
             self._propose_in(lines, number)
 
     def _propose_in(self, lines: list[Recording], number: int) -> None:
         done = [line for line in lines if line.state == "done"]
-        others = [line for line in lines if line.state == "automatic"]
-        if not (done and others):
+        others = _lacking(lines)
+        if not others:
             return
         with self._tasks.begin("Proposing from what is done") as task:
             taught = [one for one in map(self._taught, done) if one is not None]
@@ -141,6 +144,14 @@ class Proposals:
             self._found = {**self._found, line.id: found}
             told = dict(self._found)
         self._tell(told)
+
+
+def _lacking(lines: Iterable[Recording]) -> list[Recording]:
+    """The recordings of a folder that nobody has touched, where there is one that is done."""
+    lines = list(lines)
+    if not any(line.state == "done" for line in lines):
+        return []
+    return [line for line in lines if line.state == "automatic"]
 
 
 def _confidence(transfer: Transfer) -> float:

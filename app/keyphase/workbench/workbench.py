@@ -5,14 +5,16 @@ import threading
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
-from keyphase.errors import RequestError
-from keyphase.labeling.storage.written_files import IfThere
+from keyphase.errors import FileInTheWayError, RequestError
 from keyphase.readers.finding import begins_native, folder_recipe
 from keyphase.workbench.desks.desk import Desk
+from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.desks.library import Library
 from keyphase.workbench.exporting.all_recordings import export_all
-from keyphase.workbench.exporting.beside import require_own_names
+from keyphase.workbench.exporting.beside import InTheWay, require_own_names
+from keyphase.workbench.exporting.formats import write_in
 from keyphase.workbench.leading.takes import Takes
 from keyphase.workbench.looking import Looking
 from keyphase.workbench.playback import Clock
@@ -24,6 +26,7 @@ from keyphase.workbench.spread import Spread, Trial, beside, look_into
 from keyphase.workbench.tasks import Tasks, TaskState
 from keyphase.workbench.uploads import DEFAULT_LIMIT_BYTES, Upload
 from keyphase.workbench.view import View
+from keyphase.writers import Options, SegmentedRecording, writer_named
 
 KEPT_S = 30.0
 """A page that comes back within this time finds its view as it left it."""
@@ -192,17 +195,35 @@ class Workbench:
         given = self.settings.recipe is not None or folder_recipe(upload.part) is not None
         return not (given or upload.is_segment_file or begins_native(upload.part))
 
-    def export_all(self, view: View, if_there: IfThere = "ask") -> None:
-        """Write a segment file for every recording, and tell a page what became of it."""
-        recordings = self.recordings.recordings
-        exported = export_all(recordings, self.library, self.tasks, if_there)
+    def export_one(self, view: View, state: DeskState, kind: str, options: Options) -> None:
+        """Write a recording in a format, and tell a page what became of it."""
+        title = writer_named(kind).title
+        item = SegmentedRecording.of_labeling(state.kept_labeling)
+        with self.tasks.begin(f"{state.recording.name}: writing {title}"):
+            try:
+                for path in write_in(kind, (item,), options):
+                    view.each(lambda watcher, at=path: watcher.show_saved(at, kind))
+            except FileInTheWayError as error:
+                files, at = (InTheWay.of(error),), state.recording.id
+                view.each(lambda watcher: watcher.show_in_the_way(at, kind, files))
+
+    def export_all(
+        self, view: View, kind: str, scope: Literal["done", "all"], options: Options
+    ) -> None:
+        """Write all recordings, or those that are done, and tell a page what became of it."""
+        listed = self.recordings.recordings
+        chosen = [one for one in listed if scope == "all" or one.state == "done"]
+        exported = export_all(chosen, self.library, self.tasks, kind, options)
+        if len(exported.paths) == 1:
+            view.each(lambda watcher: watcher.show_saved(exported.paths[0], kind))
         for reason in exported.refused:
             view.tell("warning", reason)
-        view.tell("info", f"{exported.written} of {len(recordings)} segment files were written.")
+        title = writer_named(kind).title
+        view.tell("info", f"{exported.written} of {len(chosen)} recordings were written: {title}.")
         files = exported.in_the_way
         if files:
             at = view.recording or ""
-            view.each(lambda watcher: watcher.show_in_the_way(at, "all", files))
+            view.each(lambda watcher: watcher.show_in_the_way(at, kind, files))
 
     def require_own_names(self, recording: Recording) -> None:
         """Raise RequestError where another of the list would be written to the same files."""

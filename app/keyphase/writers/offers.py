@@ -1,6 +1,6 @@
 """What can be written of the recording at work, for people to choose from."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -21,6 +21,9 @@ class Offer:
     remarks      what else a person should know
     reads_back   three lines of Python that read the target
     refusal      why it cannot be written, or "" where it can
+    install      the command that brings what is missing, or ""
+    copies       it is a copy of what was recorded
+    trims        idle ends can be left out
     """
 
     name: str
@@ -30,32 +33,48 @@ class Offer:
     remarks: tuple[str, ...]
     reads_back: str
     refusal: str
+    install: str = ""
+    copies: bool = False
+    trims: bool = False
 
 
-def offers(labeling: Labeling, output: Path) -> tuple[Offer, ...]:
+def offers(labeling: Labeling, output: Path, copies: Path | None = None) -> tuple[Offer, ...]:
     """Every format in order, as `labeling` would be written into the folder `output`.
 
-    Nothing is read but the first bytes of the recording. Raises SegmentFileError where the
+    Copies of what was recorded would go into the folder `copies`, below it one of each format's
+    name. Nothing is read but the first bytes of the recording. Raises SegmentFileError where the
     recording was never saved.
     """
     item = SegmentedRecording.of_labeling(labeling)
-    return tuple(_offer(writer, item, output) for writer in WRITERS)
+    return tuple(
+        _offer(
+            writer,
+            item,
+            copies / writer.name if copies and writer.one_for == "container" else output,
+        )
+        for writer in WRITERS
+    )
 
 
 def _offer(writer: Writer, item: SegmentedRecording, output: Path) -> Offer:
     target = writer.target(item, output)
-    lines = writer.reads_back.replace("PATH", str(target))
+    offer = Offer(
+        name=writer.name,
+        title=writer.title,
+        target=target,
+        not_carried=(),
+        remarks=(),
+        reads_back=writer.lines_reading(target),
+        refusal="",
+        copies=writer.copies,
+        trims=writer.trims,
+    )
+    if writer.module and find_spec(writer.module) is None:
+        install = f'pip install "keyphase[{writer.extra}]"'
+        needs = f"{writer.title} needs the package '{writer.module}'; install it: {install}."
+        return replace(offer, refusal=needs, install=install)
     try:
-        _require_package(writer)
         planned = planned_export([item], writer.name, output)
     except KeyphaseError as error:
-        return Offer(writer.name, writer.title, target, (), (), lines, str(error))
-    return Offer(writer.name, writer.title, target, planned.not_carried, planned.remarks, lines, "")
-
-
-def _require_package(writer: Writer) -> None:
-    if writer.module and find_spec(writer.module) is None:
-        raise KeyphaseError(
-            f"{writer.title} needs the package '{writer.module}'; install it: "
-            f'pip install "keyphase[{writer.extra}]".'
-        )
+        return replace(offer, refusal=str(error))
+    return replace(offer, not_carried=planned.not_carried, remarks=planned.remarks)

@@ -15,5 +15,8 @@ def put(item: SegmentedRecording, target: Path, data: bytes, options: Options) -
     something else is there, unless the options say what becomes of it; ExportError where the folder
     takes no files.
     """
-    made_from = item.recording.name
-    return write_unasked(target, data, made_from, ExportError, if_there=options.if_there)
+    made_from, named = item.recording.name, target.name.startswith(item.name)
+    ending = target.name.removeprefix(item.name) if named else ""
+    return write_unasked(
+        target, data, made_from, ExportError, if_there=options.if_there, ending=ending
+    )

@@ -1,5 +1,6 @@
 """What a writer is: one format that segments can be written in, and what it can hold of them."""
 
+import json
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -67,6 +68,10 @@ class Writer:
     copies: bool = False
     requires: Callable[[SegmentedRecording], None] = field(default=_takes_any)
     module: str = ""
+
+    def lines_reading(self, path: Path) -> str:
+        """Three lines of Python that read what was written to `path`, whatever its name."""
+        return self.reads_back.replace("PATH", json.dumps(str(path), ensure_ascii=False)[1:-1])
 
     def target(self, item: SegmentedRecording, output: Path) -> Path:
         """The file or folder that holds the recording, in the folder `output`."""

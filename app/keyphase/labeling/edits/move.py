@@ -42,6 +42,7 @@ class Move(BaseEdit, frozen=True, tag="move"):
             mark = mark or Mark(self.from_s, contact_change=False)
             if not mark.by_hand and mark.automatic is not None:
                 mark.was_s = mark.automatic.time_s
+            mark.proposed_confidence = None
             walk.line.place(mark, self.to_s)
 
     def step_name(self, labeling: Labeling) -> str:

@@ -20,20 +20,30 @@ MAX_TAKEN_OVER = 100_000
 Part = Remove | Add | Contact | Label | Keep | Plan
 """What taking over consists of."""
 
+Share = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
+
 
 class TakeOver(BaseEdit, frozen=True, tag="take_over"):
     """Take over another's segmentation of this recording; edits before count no more.
 
     source  where it came from, for people
     edits   what makes it of the automatic segmentation, in order; see `taking_over`
+    confidences  time and confidence (0 to 1) of boundaries, where the source is not sure of all
     """
 
     source: str
     edits: Annotated[tuple[Part, ...], msgspec.Meta(max_length=MAX_TAKEN_OVER)]
+    confidences: Annotated[
+        tuple[tuple[float, Share], ...], msgspec.Meta(max_length=MAX_TAKEN_OVER)
+    ] = ()
 
     def checked(self) -> "TakeOver":
         """With each part checked, and a source that is plain text."""
-        return TakeOver(check_label(self.source), tuple(each.checked() for each in self.edits))
+        return msgspec.structs.replace(
+            self,
+            source=check_label(self.source),
+            edits=tuple(each.checked() for each in self.edits),
+        )
 
     def enter(self, number: int, in_force: InForce) -> None:
         """All edits before count no more."""
@@ -44,6 +54,10 @@ class TakeOver(BaseEdit, frozen=True, tag="take_over"):
         """Its parts one after another."""
         for each in self.edits:
             each.apply(number, walk, insisted)
+        for time_s, confidence in self.confidences:
+            mark = walk.line.find(time_s)
+            if mark is not None:
+                mark.proposed_confidence = confidence
 
     def step_name(self, labeling: Labeling) -> str:
         """With where it came from."""

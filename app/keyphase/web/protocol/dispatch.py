@@ -1,7 +1,6 @@
 """What a page's requests do: those about a document to its desk, the rest to the page's view."""
 
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING, assert_never
 
 import msgspec
@@ -11,9 +10,9 @@ from keyphase.errors import RequestError
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web.protocol import requests as ask
 from keyphase.web.protocol.comparison_content import comparison_message
+from keyphase.web.protocol.exporting import exporting
 from keyphase.web.protocol.signals_frame import signals_frame
 from keyphase.workbench.desks.desk import Desk
-from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.desks.parameters import with_parameter
 from keyphase.workbench.showing.comparing import PROPOSED
 from keyphase.workbench.uploads import copy_of_shipped
@@ -67,11 +66,11 @@ def _at_desk(page: "Conversation", desk: Desk, request: ask.EditingRequest) -> N
             page.wait_for(desk.forget_label(request.label, asked))
         case ask.TakeOver():
             _take_over(page, desk, request)
-        case ask.Export():
-            _export(page, desk, request)
+        case ask.Offers() | ask.Export():
+            exporting(page, desk, request)
         case ask.Compare():
             proposal = page.workbench.proposals.of(request.recording)
-            page.send(comparison_message(_state(desk), request.other, proposal))
+            page.send(comparison_message(desk.opened(), request.other, proposal))
         case ask.Spread():
             _spread(page, desk, request)
         case _:
@@ -96,22 +95,6 @@ def _set(page: "Conversation", desk: Desk, request: ask.Set) -> None:
     desk.set_parameters(change, page.asked(request), held=request.held)
 
 
-def _export(page: "Conversation", desk: Desk, request: ask.Export) -> None:
-    view, kind, if_there = page.view, request.kind, request.if_there
-    if kind == "all":
-        view.errands.submit(lambda: page.workbench.export_all(view, if_there))
-        return
-    page.workbench.require_own_names(desk.recording)
-    if kind in ("json", "csv"):
-
-        def saved(path: Path) -> None:
-            view.each(lambda watcher: watcher.show_saved(path, kind))
-
-        page.wait_for(desk.export(kind, page.asked(request), saved, if_there))
-    else:
-        view.replay.export(_state(desk), kind, if_there)
-
-
 def _spread(page: "Conversation", desk: Desk, request: ask.Spread) -> None:
     workbench = page.workbench
     match request.step:
@@ -130,13 +113,7 @@ def _spread(page: "Conversation", desk: Desk, request: ask.Spread) -> None:
 
 
 def _send_signals(page: "Conversation", desk: Desk, request: ask.Signals) -> None:
-    page.send(signals_frame(_state(desk).tracks, request))
-
-
-def _state(desk: Desk) -> DeskState:
-    if desk.state is None:
-        raise RequestError("This recording is not open yet; wait until it is shown.")
-    return desk.state
+    page.send(signals_frame(desk.opened().tracks, request))
 
 
 def _look(page: "Conversation", request: ask.LookRequest) -> None:

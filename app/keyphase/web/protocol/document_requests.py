@@ -20,6 +20,8 @@ from keyphase.web.protocol.request_kinds import (
 Width = Annotated[int, Meta(ge=2, le=20_000)]
 """Fewer than two pixels is no curve, and the decimation panics."""
 
+Scope = Literal["this", "done", "all"]
+
 
 class Set(OnDocument, tag="set", frozen=True):
     """Change a parameter; `held` while the person is still dragging."""
@@ -106,16 +108,22 @@ class Signals(PageRequest, tag="signals", frozen=True):
     width: Width
 
 
-class Export(OnDocument, tag="export", frozen=True):
-    """Write a file.
+class Offers(OnDocument, tag="offers", frozen=True):
+    """Tell in which formats this recording can be written, and what each would lose."""
 
-    The segment file as `json` or `csv`, or those of `all` recordings; the plan as `skills`,
-    `behavior tree`, `program`, `urscript` or `rapid`; the replay that is over as a `page` that
-    needs no server. `if_there` says what becomes of files that keyphase did not write as they are;
-    without, `in_the_way` tells which there are.
+
+class Export(OnDocument, tag="export", frozen=True):
+    """Write a recording, or others of the list, too.
+
+    kind       a format by the name it has in `offers`, or `page`: the replay that is over, as one
+               that needs no server
+    scope      this recording, those that are done, or all of the list
+    trim_idle  leave out idle ends, where the format can
+    if_there   what becomes of files that keyphase did not write as they are; without, `in_the_way`
+               tells which there are
     """
 
-    kind: Literal[
-        "json", "csv", "all", "skills", "behavior tree", "program", "urscript", "rapid", "page"
-    ]
+    kind: Name
+    scope: Scope = "this"
+    trim_idle: bool = False
     if_there: IfThere = "ask"

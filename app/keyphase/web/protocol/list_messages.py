@@ -4,7 +4,6 @@ from typing import Any, Literal
 
 from msgspec import UNSET, Struct, UnsetType, field
 
-from keyphase.workbench.exporting.beside import InTheWay
 from keyphase.workbench.proposals import Proposal
 from keyphase.workbench.recording_list import Listing
 from keyphase.workbench.recordings import Recording, State, folder_name, printable
@@ -99,23 +98,6 @@ class Refused(Struct, frozen=True, tag_field="type", tag="refused"):
     recording: str | None
     event: int | None
     text: str
-
-
-class Saved(Struct, frozen=True, tag_field="type", tag="saved"):
-    """A file was written."""
-
-    path: str
-
-
-class InTheWayMessage(Struct, frozen=True, tag_field="type", tag="in_the_way"):
-    """Files that were not replaced, since keyphase did not write them as they are.
-
-    kind  of the export that met them; ask again with `if_there` "replace" or "keep both"
-    """
-
-    recording: str
-    kind: str
-    files: tuple[InTheWay, ...]
 
 
 class UploadReady(Struct, frozen=True, tag_field="type", tag="upload_ready"):

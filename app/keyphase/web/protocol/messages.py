@@ -16,16 +16,15 @@ from keyphase.web.protocol.document_messages import (
     SelectionMessage,
     ShownMessage,
 )
+from keyphase.web.protocol.export_messages import InTheWayMessage, OffersMessage, Saved
 from keyphase.web.protocol.import_messages import TableDone, TableProposal
 from keyphase.web.protocol.list_messages import (
     ComparisonMessage,
     Following,
     Hello,
-    InTheWayMessage,
     Notice,
     Recordings,
     Refused,
-    Saved,
     SpreadMessage,
     TaskMessage,
     UploadCancelled,
@@ -50,6 +49,7 @@ Message = (
     | Refused
     | Saved
     | InTheWayMessage
+    | OffersMessage
     | SpreadMessage
     | ComparisonMessage
     | UploadReady

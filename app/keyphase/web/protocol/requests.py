@@ -15,6 +15,7 @@ from keyphase.web.protocol.document_requests import (
     Export,
     ForgetLabel,
     KeepLabels,
+    Offers,
     Redo,
     Reset,
     Select,
@@ -68,6 +69,7 @@ EditingRequest = (
     | Spread
     | Compare
     | TakeOver
+    | Offers
     | Export
 )
 """What changes, compares or writes one document."""

@@ -11,6 +11,7 @@ import msgspec
 from keyphase.simulation.part_shapes import Shape
 from keyphase.web.protocol import control_messages as controls
 from keyphase.web.protocol import document_messages as documents
+from keyphase.web.protocol import export_messages as exports
 from keyphase.web.protocol import list_messages as lists
 from keyphase.web.protocol.document_content import document_message, ghosts
 from keyphase.web.protocol.messages import Message
@@ -21,7 +22,6 @@ from keyphase.workbench.leading.status import LeadThroughStatus
 from keyphase.workbench.placing.robot_choice import RobotChoice
 from keyphase.workbench.playback import Playhead
 from keyphase.workbench.recording_list import Listing
-from keyphase.workbench.recordings import printable
 from keyphase.workbench.replaying.margin import MarginRun
 from keyphase.workbench.replaying.run import Tick
 from keyphase.workbench.replaying.running import Running
@@ -165,13 +165,13 @@ class Voice(Watcher):
         """What is known of a look at the folder."""
         self._send(lists.spread_message(spread))
 
-    def show_saved(self, path: Path, kind: str) -> None:  # noqa: ARG002
+    def show_saved(self, path: Path, kind: str) -> None:
         """A file was written."""
-        self._send(lists.Saved(printable(str(path))))
+        self._send(exports.saved_message(path, kind))
 
     def show_in_the_way(self, recording: str, kind: str, files: Sequence[InTheWay]) -> None:
         """Files that were not replaced."""
-        self._send(lists.InTheWayMessage(recording, kind, tuple(files)))
+        self._send(exports.InTheWayMessage(recording, kind, tuple(files)))
 
     def show_task(self, task: TaskState) -> None:
         """How far something is."""

@@ -166,6 +166,12 @@ class Desk:
             kind = f"parameters of {asked.page} after {self._asked}"
         return self._worker.submit(lambda: self._run(self._preview, asked), kind)
 
+    def opened(self) -> DeskState:
+        """How the recording stands. Raises RequestError while it is not open."""
+        if self.state is None:
+            raise RequestError("This recording is not open yet; wait until it is shown.")
+        return self.state
+
     def export(
         self, kind: str, asked: Asked, saved: Callable[[Path], None], if_there: IfThere = "ask"
     ) -> threading.Event:

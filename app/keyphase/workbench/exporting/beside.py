@@ -47,9 +47,13 @@ class Beside:
 
     def path(self, ending: str) -> Path:
         """Beside the recording, or, where nothing may be written there, in the current folder."""
+        return self.folder / f"{stem_of(self.recording)}{ending}"
+
+    @property
+    def folder(self) -> Path:
+        """That of the recording, or, where nothing may be written there, the current one."""
         folder = self.recording.parent
-        folder = folder if os.access(folder, os.W_OK) else Path.cwd()
-        return folder / f"{stem_of(self.recording)}{ending}"
+        return folder if os.access(folder, os.W_OK) else Path.cwd()
 
 
 def require_own_names(recording: Path, recordings: Iterable[Path]) -> None:

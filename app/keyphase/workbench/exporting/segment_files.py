@@ -8,7 +8,7 @@ from keyphase.labeling.segment_file import SUFFIX, segment_file_data
 from keyphase.labeling.storage.written_files import IfThere
 from keyphase.workbench.exporting.beside import Beside
 
-_ENDINGS = {"json": SUFFIX, "csv": str(Path(SUFFIX).with_suffix(".csv"))}
+ENDINGS = {"json": SUFFIX, "csv": str(Path(SUFFIX).with_suffix(".csv"))}
 
 
 def export(labeling: Labeling, recording: Path, kind: str, if_there: IfThere = "ask") -> Path:
@@ -17,8 +17,8 @@ def export(labeling: Labeling, recording: Path, kind: str, if_there: IfThere = "
     Raises RequestError for another kind than json or csv, FileInTheWayError where somebody else's
     file would be replaced, SegmentFileError where the folder takes none.
     """
-    if kind not in _ENDINGS:
+    if kind not in ENDINGS:
         raise RequestError(f"A segment file is json or csv, but not {kind!r}.")
     return Beside(recording, if_there).write(
-        _ENDINGS[kind], lambda path: segment_file_data(labeling, path), SegmentFileError
+        ENDINGS[kind], lambda path: segment_file_data(labeling, path), SegmentFileError
     )

@@ -15,9 +15,11 @@ from keyphase.skills.exports.urscript import urscript
 from keyphase.workbench.exporting.beside import Beside
 from keyphase.workbench.replaying.plan import ReplayPlan
 
+PLAN_KINDS = ("skills", "behavior-tree", "program", "urscript", "rapid")
+
 
 def export_plan(plan: ReplayPlan, recording: Path, kind: str, if_there: IfThere = "ask") -> Path:
-    """Write the plan as `skills`, `behavior tree`, `program`, `urscript` or `rapid`; its path.
+    """Write the plan as `skills`, `behavior-tree`, `program`, `urscript` or `rapid`; its path.
 
     It stands beside the recording, or, where nothing may be written there, in the current folder.
     A behaviour tree names its skills by their file, which is written with it. Raises RequestError
@@ -27,7 +29,7 @@ def export_plan(plan: ReplayPlan, recording: Path, kind: str, if_there: IfThere 
     there, name = Beside(recording, if_there), stem_of(recording)
     writers: Mapping[str, Callable[[], Path]] = {
         "skills": lambda: _write_skills(plan, there),
-        "behavior tree": lambda: _write_tree(plan, there),
+        "behavior-tree": lambda: _write_tree(plan, there),
         "program": lambda: _write_text(there, ".program.txt", program_listing(plan.skills, name)),
         "urscript": lambda: _write_text(there, ".script", urscript(plan.skills, name)),
         "rapid": lambda: _write_text(there, ".mod", rapid(plan.skills, name)),

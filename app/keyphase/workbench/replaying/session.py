@@ -171,7 +171,7 @@ class ReplaySession:
         self.leave()
 
     def export(self, state: DeskState, kind: str, if_there: IfThere = "ask") -> None:
-        """Write the plan of a recording: its `skills`, a `behavior tree`, or a `program`.
+        """Write the plan of a recording: its `skills`, a `behavior-tree`, or a `program`.
 
         Or the replay that is over, as a `page`. Raises SkillError for what cannot be executed,
         FileInTheWayError where somebody else's file would be replaced.

@@ -41,4 +41,6 @@ def strip(labeling: Labeling) -> tuple[Piece, ...]:
 
 
 def _is_open(boundary: LabeledBoundary) -> bool:
-    return not boundary.accepted and boundary.origin != "user"
+    """What a person placed is decided; what was taken over from others is as sure as they were."""
+    by_hand = boundary.origin == "user" and boundary.confidence == 1.0
+    return not boundary.accepted and not by_hand

@@ -7,6 +7,7 @@ import { segmentAt } from "../model/segments.js";
 import { createBoundaryActions } from "./boundary_actions.js";
 import { createPlaybackActions } from "./playback_actions.js";
 import { createSegmentActions } from "./segment_actions.js";
+import { createExportActions } from "./export_actions.js";
 import { createPanelActions } from "./panel_actions.js";
 import { createPlanActions } from "./plan_actions.js";
 import { createDoubtActions } from "./doubt_actions.js";
@@ -50,14 +51,6 @@ export function createActions(store, send, latency, own) {
   const actions = {
     send,
     open: (id) => send({ type: "open", id }),
-    exportAs: (kind) => doc() && send({ type: "export", kind }),
-    /**
-     * Once more, after files were in the way.
-     * @param {import("../messages/list_messages").InTheWayMessage} inTheWay
-     * @param {"replace"|"keep both"} ifThere
-     */
-    exportAgain: ({ recording, kind }, ifThere) =>
-      send({ type: "export", recording, kind: /** @type {any} */ (kind), if_there: ifThere }),
 
     undo: () => !state.readOnly && send({ type: "undo" }),
     redo: () => !state.readOnly && send({ type: "redo" }),
@@ -77,5 +70,6 @@ export function createActions(store, send, latency, own) {
     createParameterActions(store, send, latency, own),
     createRecordingActions(store, send, actions),
     createPanelActions(store, send),
+    createExportActions(store, send),
   );
 }

@@ -126,8 +126,8 @@ const recordingsCommands = (actions, dialogs) => [
   ["Previous difference", ["Shift J"], () => actions.visitDifference(-1)],
   ["Take over what is compared", [], actions.takeOver],
   ["Export the segment file", ["Ctrl S"], () => actions.exportAs("json")],
-  ["Export as CSV", [], () => actions.exportAs("csv")],
-  ["Export all recordings", [], () => actions.exportAs("all")],
+  ["Export in another format…", ["Ctrl Shift S"], actions.chooseExport],
+  ["Export all recordings", [], () => actions.exportAs("json", { scope: "all" })],
 ];
 
 /** @type {(actions: any, dialogs: Dialogs) => Row[]} */

@@ -111,15 +111,28 @@ export interface TakeOverRequest {
   event?: number | null;
 }
 
+/** Tell in which formats this recording can be written, and what each would lose. */
+export interface OffersRequest {
+  type: "offers";
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
 /**
- * Write a file. The segment file as `json` or `csv`, or those of `all` recordings; the plan as
- * `skills`, `behavior tree`, `program`, `urscript` or `rapid`; the replay that is over as a `page`
- * that needs no server. `if_there` says what becomes of files that keyphase did not write as they
- * are; without, `in_the_way` tells which there are.
+ * Write a recording, or others of the list, too.
+ * - kind: a format by the name it has in `offers`, or `page`: the replay that is over, as one that
+ *   needs no server
+ * - scope: this recording, those that are done, or all of the list
+ * - trim_idle: leave out idle ends, where the format can
+ * - if_there: what becomes of files that keyphase did not write as they are; without, `in_the_way`
+ *   tells which there are
  */
 export interface ExportRequest {
   type: "export";
-  kind: "all" | "behavior tree" | "csv" | "json" | "page" | "program" | "rapid" | "skills" | "urscript";
+  kind: string;
+  scope?: "all" | "done" | "this";
+  trim_idle?: boolean;
   if_there?: "ask" | "keep both" | "replace";
   recording: string;
   revision: number;

@@ -100,11 +100,13 @@ export interface ResetEdit {
  * Take over another's segmentation of this recording; edits before count no more.
  * - source: where it came from, for people
  * - edits: what makes it of the automatic segmentation, in order; see `taking_over`
+ * - confidences: time and confidence (0 to 1) of boundaries, where the source is not sure of all
  */
 export interface TakeOverEdit {
   kind: "take_over";
   source: string;
   edits: (RemoveEdit | AddEdit | ContactEdit | LabelEdit | KeepEdit | PlanEdit)[];
+  confidences?: [number, number][];
 }
 
 /**

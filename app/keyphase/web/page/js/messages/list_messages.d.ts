@@ -91,29 +91,6 @@ export interface Refused {
   text: string;
 }
 
-/** A file was written. */
-export interface Saved {
-  type: "saved";
-  path: string;
-}
-
-/**
- * Files that were not replaced, since keyphase did not write them as they are.
- * - kind: of the export that met them; ask again with `if_there` "replace" or "keep both"
- */
-export interface InTheWayMessage {
-  type: "in_the_way";
-  recording: string;
-  kind: string;
-  files: InTheWay[];
-}
-
-/** A file that would be replaced, and why that is asked first, for people. */
-export interface InTheWay {
-  name: string;
-  whose: string;
-}
-
 /**
  * What parameters would do to a folder, again and again until all `total` are known. Each look has
  * a number of its own, so that what was left is told from what is asked.

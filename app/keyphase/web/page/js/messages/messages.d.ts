@@ -16,16 +16,15 @@ import type {
   SelectionMessage,
   ShownMessage,
 } from "./document_messages";
+import type { InTheWayMessage, OffersMessage, Saved } from "./export_messages";
 import type { TableDone, TableProposal } from "./import_messages";
 import type {
   ComparisonMessage,
   Following,
   Hello,
-  InTheWayMessage,
   Notice,
   Recordings,
   Refused,
-  Saved,
   SpreadMessage,
   TaskMessage,
   UploadCancelled,
@@ -51,6 +50,7 @@ export type Message =
   | Refused
   | Saved
   | InTheWayMessage
+  | OffersMessage
   | SpreadMessage
   | ComparisonMessage
   | UploadReady

@@ -7,6 +7,7 @@ import type {
   ExportRequest,
   ForgetLabelRequest,
   KeepLabelsRequest,
+  OffersRequest,
   RedoRequest,
   ResetRequest,
   SelectRequest,
@@ -59,6 +60,7 @@ export type Request =
   | SpreadRequest
   | CompareRequest
   | TakeOverRequest
+  | OffersRequest
   | ExportRequest
   | SelectRequest
   | SignalsRequest

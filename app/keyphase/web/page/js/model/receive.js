@@ -87,19 +87,14 @@ export function createReceiver(
     replay_closed: () => store.set({ replay: null, samples: null, replayView: null }),
     replay_samples: (message) => replay.samples(message),
     refused(message) {
-      store.set({ saving: false });
+      store.set({ saving: false, exporting: null });
       own.refused(message.event);
       notices.show({ level: "warning", text: refusalText(state, message) });
     },
     notice(message) {
-      store.set({ saving: false });
+      store.set({ saving: false, exporting: null });
       if (message.level !== "info") own.refused(null);
       notices.show(message);
-    },
-    in_the_way: (message) => store.set({ inTheWay: message }),
-    saved(message) {
-      store.set({ saved: { path: message.path, recording: state.recording } });
-      notices.show({ level: "info", text: `Written to ${message.path}` });
     },
   };
 
@@ -107,7 +102,7 @@ export function createReceiver(
 }
 
 /**
- * What the server says of files that were sent, and of tables nobody has described yet.
+ * What the server says of files that were sent or written, and of tables nobody has described yet.
  * @param {import("../lib/store.js").Store} store
  * @param {() => any} upload
  * @param {any} notices
@@ -129,6 +124,14 @@ function aboutFiles(store, upload, notices) {
     },
     table_done({ id: done }) {
       store.set({ tables: state.tables.filter(({ id }) => id !== done) });
+    },
+    in_the_way: (message) => store.set({ inTheWay: message, exporting: null }),
+    offers(message) {
+      if (message.recording === state.recording) store.set({ offers: message });
+    },
+    saved({ path, reads_back: lines }) {
+      store.set({ saved: { path, lines, recording: state.recording }, exporting: null });
+      notices.show({ level: "info", text: `Written to ${path}` });
     },
   };
 }
@@ -154,6 +157,7 @@ function fresh(doc) {
     renaming: null,
     comparison: null,
     spread: null,
+    offers: null,
   };
 }
 

@@ -13,6 +13,7 @@ import { firstChoice } from "./rows.js";
  * @typedef {import("../messages/list_messages").ComparisonMessage} Comparison
  * @typedef {import("../messages/list_messages").SpreadMessage} Spread
  * @typedef {import("./types.js").Signals} Signals
+ * @typedef {{path: string, lines: string, recording: string|null}} Saved
  * @typedef {{level: string, text: string|null, act?: {text: string, run: () => void}}} Notice
  * @typedef {{
  *   connected: boolean|null, greeted: boolean, lookingOnly: boolean, readOnly: boolean,
@@ -30,8 +31,9 @@ import { firstChoice } from "./rows.js";
  *   defaults: Object<string, *>, record: RecordMessage|null, replaySettings: ReplaySettings|null,
  *   robot: Robot|null, pushOffered: boolean, trials: Trials|null,
  *   margin: import("../messages/control_messages").MarginMessage|null,
- *   shown: Object<string, boolean>, saved: ?{path: string, recording: string|null},
- *   inTheWay: import("../messages/list_messages").InTheWayMessage|null,
+ *   shown: Object<string, boolean>, saved: Saved|null, exporting: string|null,
+ *   offers: import("../messages/export_messages").OffersMessage|null,
+ *   inTheWay: import("../messages/export_messages").InTheWayMessage|null,
  *   following: string|null, lostAt: Date|null, command: string|null}} Told
  *
  * What a person looks at and holds; `hovered`, `current` and `explained` are numbers of boundaries,
@@ -93,6 +95,8 @@ function nothingTold() {
     margin: null,
     shown: {},
     saved: null,
+    exporting: null,
+    offers: null,
     inTheWay: null,
     following: null,
     lostAt: null,

@@ -73,7 +73,6 @@ export function createEndGroup(store, actions) {
 /** One figure; an empty one, where that may be, leaves it to the skill. */
 function figureField({ name, title, hint, unit, factor, low, high, may }, changed) {
   const input = number(`${title}, ${unit}`, low, high);
-  if (may) input.placeholder = "automatic";
   input.addEventListener("change", () => {
     if (input.value === "" && may) changed({ [name]: null });
     else if (input.value !== "" && input.checkValidity())

@@ -1,38 +1,26 @@
-/** Everything that can be written, the file each writes, and how the last one is read again. */
+/** What is written most often, the way to all other formats, and how the last one is read again. */
 
 import { el, icon } from "../../lib/dom.js";
 import { group } from "./fields.js";
-
-/** Kind, what it is, the file's ending after the recording's name, what is in it. */
-const SEGMENTS = [
-  ["json", "Segment file", ".segments.json", "Boundaries, segments, end conditions and plan."],
-  ["csv", "Table", ".segments.csv", "One line for each segment."],
-  ["all", "All recordings", "", "A segment file beside each recording of the list."],
-];
-const SKILLS = [
-  ["skills", "Skills", ".skills.json", "The skills as data."],
-  [
-    "behavior tree",
-    "Behaviour tree",
-    ".tree.xml",
-    "For BehaviorTree.CPP, with its skills beside it.",
-  ],
-  ["program", "Program listing", ".program.txt", "The plan as text that people read."],
-  ["urscript", "URScript", ".script", "Moves and contact moves for Universal Robots."],
-  ["rapid", "RAPID", ".mod", "Moves and contact moves for ABB robots."],
-];
-const REPLAY = [
-  ["page", "Shareable replay", ".replay.html", "One page that opens without a server."],
-];
 
 /**
  * @param {import("../../lib/store.js").Store} store
  * @param {any} actions
  */
 export function createExportTab(store, actions) {
-  const all = [...SEGMENTS, ...SKILLS, ...REPLAY].map((one) => exportButton(one, actions));
-  const of = (kinds) =>
-    all.filter(({ kind }) => kinds.some(([own]) => own === kind)).map(({ node }) => node);
+  const own = exportButton("json", "Segment file", "Ctrl S", () => actions.exportAs("json"));
+  const all = exportButton("all", "All recordings", "a segment file beside each", () =>
+    actions.exportAs("json", { scope: "all" }),
+  );
+  const other = exportButton(
+    "formats",
+    "Other formats…",
+    "tables, skills, robot programs, annotations, copies of datasets",
+    actions.chooseExport,
+  );
+  const page = exportButton("page", "Shareable replay", "*.replay.html", () =>
+    actions.exportAs("page"),
+  );
   const replayed = el("p", {
     class: "hint",
     text: "Run the replay first; what it did is what is shared.",
@@ -40,43 +28,34 @@ export function createExportTab(store, actions) {
   store.later(["document", "replay", "lookingOnly"], ({ document: doc, replay, lookingOnly }) => {
     const over = replay?.phase === "over";
     replayed.hidden = over;
-    for (const one of all) {
-      one.node.disabled = lookingOnly || !doc || (one.kind === "page" && !over);
-      one.file.textContent =
-        doc && one.ending ? `${stem(doc.name)}${one.ending}` : one.file.dataset.text;
-    }
+    for (const { node } of [own, all, other, page]) node.disabled = lookingOnly || !doc;
+    if (!over) page.node.disabled = true;
+    if (doc) own.file.textContent = `${stem(doc.name)}.segments.json`;
+    if (doc) page.file.textContent = `${stem(doc.name)}.replay.html`;
   });
   return el(
     "div",
     { class: "panel-body" },
     createSavedCard(store, actions),
-    group("Segments", {}, ...of(SEGMENTS)),
-    group("Skills", {}, ...of(SKILLS)),
-    group("Replay", {}, ...of(REPLAY), replayed),
+    group("Segments", {}, own.node, all.node, other.node),
+    group("Replay", {}, page.node, replayed),
   );
 }
 
 const stem = (name) => name.replace(/\.[^.]+$/, "");
 
-/** @param {string[]} one kind, title, ending, hint */
-function exportButton([kind, title, ending, hint], actions) {
-  const text = ending ? `*${ending}` : "one beside each recording";
-  const file = el("small", { data: { text }, text });
+/** @param {string} kind @param {string} title @param {string} text @param {() => void} run */
+function exportButton(kind, title, text, run) {
+  const file = el("small", { text });
   const node = /** @type {HTMLButtonElement} */ (
     el(
       "button",
-      {
-        type: "button",
-        class: "export",
-        title: hint,
-        data: { export: kind },
-        on: { click: () => actions.exportAs(kind) },
-      },
+      { type: "button", class: "export", data: { export: kind }, on: { click: run } },
       icon("file"),
       el("span", {}, el("b", { text: title }), file),
     )
   );
-  return { kind, ending, node, file };
+  return { node, file };
 }
 
 /**
@@ -106,8 +85,8 @@ function createSavedCard(store, actions) {
     card.hidden = !saved || saved.recording !== doc?.id;
     if (card.hidden) return;
     path.textContent = saved.path;
-    lines.textContent = readingLines(saved.path);
-    lines.hidden = copyLines.hidden = lines.textContent === "";
+    lines.textContent = saved.lines;
+    lines.hidden = copyLines.hidden = !saved.lines;
   });
   return card;
 }
@@ -119,16 +98,4 @@ function copier(text, what, actions) {
     text,
     on: { click: () => actions.copy(what()) },
   });
-}
-
-/** Python that reads a file that was written; "" where there is nothing to say. @param {string} path */
-export function readingLines(path) {
-  const quoted = JSON.stringify(path);
-  if (path.endsWith(".segments.json"))
-    return `import keyphase\nfile = keyphase.read_segment_file(${quoted})\nprint([(s.start_s, s.end_s, s.label) for s in file.segments])`;
-  if (path.endsWith(".csv"))
-    return `import csv\nwith open(${quoted}, newline="") as file:\n    segments = list(csv.DictReader(file))`;
-  if (path.endsWith(".json"))
-    return `import json\nwith open(${quoted}) as file:\n    skills = json.load(file)`;
-  return "";
 }
