@@ -10,16 +10,19 @@ from keyphase.errors import LabelingError
 from keyphase.labeling.comparing.comparison import Outline, compare
 from keyphase.labeling.comparing.taking_over import taking_over
 from keyphase.labeling.edits import (
+    Accept,
     Add,
     Keep,
     Label,
     Move,
     Plan,
     Remove,
+    TakeOver,
     edit_as_json,
     edit_from_json,
 )
 from keyphase.labeling.segment_file import read_segment_file, write_segment_file
+from keyphase.workbench.showing.doubts import unsure_count
 
 
 @pytest.fixture
@@ -116,3 +119,18 @@ def test_a_file_about_another_stretch_of_time_is_refused(annas, tmp_path):
     )
     with pytest.raises(LabelingError, match="choose a segment file of this recording"):
         taking_over(annas, shorter)
+
+
+def test_what_a_proposal_was_not_sure_of_is_in_doubt_until_it_is_accepted_or_moved(found):
+    doubtful = TakeOver("proposed", (Add(5.0), Add(9.0)), ((2.0, 0.9), (5.0, 0.3), (9.0, 0.4)))
+    person = Person(found)
+
+    taken = person.makes(doubtful)
+    assert [b.confidence for b in taken.boundaries if b.time_s in (2.0, 5.0, 9.0)] == [
+        0.9,
+        0.3,
+        0.4,
+    ]
+    assert unsure_count(taken) == 2
+    assert unsure_count(person.makes(Accept(5.0))) == 1
+    assert unsure_count(person.makes(Move(9.0, 8.9))) == 0

@@ -12,7 +12,7 @@ import numpy as np
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import LabelingError
-from keyphase.segmentation.segmentation import Candidate, Segmentation
+from keyphase.segmentation.segmentation import Boundary, Candidate, Segmentation
 from keyphase.transfer.alignment import Alignment, align
 from keyphase.transfer.ordering import Option, in_order
 from keyphase.transfer.signals import Signals, signals_of
@@ -20,6 +20,9 @@ from keyphase.transfer.taught import Taught
 
 SNAP_S = 0.4
 """How far from where it was taught a boundary may be moved to evidence."""
+
+SAME_S = 0.05
+"""A boundary of the program this near to a proposed one is the same."""
 
 MIN_PROBABILITY = 0.1
 """Evidence less likely than this moves nothing."""
@@ -184,9 +187,12 @@ def _program_agrees(taught: Sequence[Taught]) -> bool:
 def _with_own(
     proposed: Sequence[ProposedBoundary], segmentation: Segmentation
 ) -> tuple[ProposedBoundary, ...]:
-    """The program's own boundaries, and those proposed ones it passed over but has evidence for."""
+    """The program's own boundaries, and those proposed ones it passed over but has evidence for.
+
+    One that the finished recordings have there, too, is at least as sure as they make it.
+    """
     own = [
-        ProposedBoundary(b.time_s, b.confidence, b.contact_change, b.time_s)
+        ProposedBoundary(b.time_s, _confirmed(b, proposed), b.contact_change, b.time_s)
         for b in segmentation.boundaries
     ]
     times = np.array([b.time_s for b in own] or [np.inf])
@@ -198,6 +204,11 @@ def _with_own(
         and b.time_s != b.warped_s
     ]
     return tuple(sorted([*own, *more], key=lambda boundary: boundary.time_s))
+
+
+def _confirmed(own: Boundary, proposed: Sequence[ProposedBoundary]) -> float:
+    same = (b.confidence for b in proposed if abs(b.time_s - own.time_s) <= SAME_S)
+    return max(own.confidence, *same, 0.0)
 
 
 def _phases(

@@ -15,6 +15,14 @@ export function createDoubtActions(store, actions) {
     if (recording === wanted) own.visitUnsure(1);
     wanted = null;
   });
+  /** The document as it was before a proposal was taken over. @type {import("../model/types.js").Doc|null} */
+  let taking = null;
+  store.on(["document"], ({ document: doc }) => {
+    if (!taking || (doc?.id === taking.id && doc.revision <= taking.revision)) return;
+    const arrived = doc?.id === taking.id;
+    taking = null;
+    if (arrived) own.nextDoubt();
+  });
   const tell = (text) => store.set({ notice: { level: "info", text } });
 
   /** Goes to the next recording with an unsure boundary, and there to the least certain one. */
@@ -32,6 +40,10 @@ export function createDoubtActions(store, actions) {
       const at = unsure.indexOf(state.current);
       const next = at < 0 ? (direction > 0 ? 0 : unsure.length - 1) : at + direction;
       return actions.visit(unsure.at(next % unsure.length));
+    },
+    /** Once what is being taken over has come, its first doubt is shown. */
+    doubtsOfProposal() {
+      taking = state.document;
     },
     /** The next unsure boundary; where none is left, what can be done now is told. */
     nextDoubt() {

@@ -59,7 +59,9 @@ export function createRecordingActions(store, send, actions) {
     /** Takes over what is proposed from finished recordings; where nothing is, all names. */
     acceptAll() {
       if (!proposedHere(state)) return actions.acceptNames();
-      if (!state.readOnly) send({ type: "take_over", from: PROPOSED });
+      if (state.readOnly) return undefined;
+      actions.doubtsOfProposal();
+      send({ type: "take_over", from: PROPOSED });
       return own.compare(null);
     },
     /** Makes the other segmentation this recording's, as one step. */
