@@ -18,8 +18,8 @@ from keyphase.readers import read, save_npz
 NAMES = ("Reach", "Lower", "Slide")
 COUNT = 10
 MOST_PRESSES = 4
-KNOCKED, KNOCK_N = (1, 2, 7), 0.5
-"""In these something weak touches the tool near the end, which no other has."""
+TURNED = (1, 5)
+"""These have the other sign of force, so that they are less like what was taught."""
 
 TOLERANCE_S = 0.15
 _RATE_HZ = 125.0
@@ -49,9 +49,7 @@ def _ten(folder: Path) -> list[tuple[float, float]]:
             np.stack([np.interp(time, paced, column) for column in values.T], axis=1)
             for values in (base.position_m, base.force_N)
         )
-        force = random.uniform(0.3, 1.2) * force
-        if number in KNOCKED:
-            force[:, 0] += KNOCK_N * (time > paced[-1] - 0.8)
+        force = (-1 if number in TURNED else 1) * random.uniform(0.3, 1.2) * force
         recording = Demonstration(
             f"{number:02d}",
             time,

@@ -1,6 +1,7 @@
 """What a page's requests do: those about a document to its desk, the rest to the page's view."""
 
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, assert_never
 
 import msgspec
@@ -10,12 +11,17 @@ from keyphase.errors import RequestError
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web.protocol import requests as ask
 from keyphase.web.protocol.comparison_content import comparison_message
-from keyphase.web.protocol.exporting import exporting
+from keyphase.web.protocol.export_messages import offers_message
 from keyphase.web.protocol.signals_frame import signals_frame
 from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.parameters import with_parameter
+from keyphase.workbench.exporting.beside import Beside
+from keyphase.workbench.exporting.formats import offered
+from keyphase.workbench.exporting.segment_files import ENDINGS
+from keyphase.workbench.replaying.exports import PLAN_KINDS
 from keyphase.workbench.showing.comparing import PROPOSED
 from keyphase.workbench.uploads import copy_of_shipped
+from keyphase.writers import Options, writer_named
 
 if TYPE_CHECKING:
     from keyphase.web.protocol.conversation import Conversation
@@ -67,7 +73,7 @@ def _at_desk(page: "Conversation", desk: Desk, request: ask.EditingRequest) -> N
         case ask.TakeOver():
             _take_over(page, desk, request)
         case ask.Offers() | ask.Export():
-            exporting(page, desk, request)
+            _exporting(page, desk, request)
         case ask.Compare():
             proposal = page.workbench.proposals.of(request.recording)
             page.send(comparison_message(desk.opened(), request.other, proposal))
@@ -93,6 +99,43 @@ def _set(page: "Conversation", desk: Desk, request: ask.Set) -> None:
         return with_parameter(parameters, request.parameter, request.value)
 
     desk.set_parameters(change, page.asked(request), held=request.held)
+
+
+def _exporting(page: "Conversation", desk: Desk, request: ask.Offers | ask.Export) -> None:
+    """Tell what can be written of the recording of a desk, or write it."""
+    match request:
+        case ask.Offers():
+            recording = desk.recording
+            found = offered(desk.opened().kept_labeling, recording.path)
+            page.send(offers_message(recording.id, Beside(recording.path).folder, found))
+        case ask.Export(kind="page"):
+            page.view.replay.export(desk.opened(), "page", request.if_there)
+        case ask.Export():
+            writer_named(request.kind)
+            _write(page, desk, request)
+        case _:
+            assert_never(request)
+
+
+def _write(page: "Conversation", desk: Desk, request: ask.Export) -> None:
+    """A segment file is written when all that was asked of its desk before is done."""
+    view, kind, scope = page.view, request.kind, request.scope
+    options = Options(request.trim_idle, request.if_there)
+    if scope != "this":
+        view.errands.submit(lambda: page.workbench.export_all(view, kind, scope, options))
+        return
+    page.workbench.require_own_names(desk.recording)
+    if kind in ENDINGS:
+
+        def saved(path: Path) -> None:
+            view.each(lambda watcher: watcher.show_saved(path, kind))
+
+        page.wait_for(desk.export(kind, page.asked(request), saved, request.if_there))
+    elif kind in PLAN_KINDS:
+        view.replay.export(desk.opened(), kind, request.if_there)
+    else:
+        state = desk.opened()
+        view.errands.submit(lambda: page.workbench.export_one(view, state, kind, options))
 
 
 def _spread(page: "Conversation", desk: Desk, request: ask.Spread) -> None:
