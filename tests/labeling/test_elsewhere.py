@@ -11,6 +11,8 @@ from keyphase.demonstration import Demonstration
 from keyphase.errors import JournalError
 from keyphase.labeling.edits import Add, Done
 from keyphase.labeling.storage.journal import Journal
+from keyphase.labeling.storage.records import encode
+from keyphase.readers import fingerprint
 
 
 @pytest.fixture(autouse=True)
@@ -99,6 +101,9 @@ def test_a_damaged_journal_beside_is_passed_over(labeled: Path, tmp_path: Path) 
     beside = labeled.parent / ".keyphase"
     shutil.copy(beside / "run.npz.journal", beside / "aaa.npz.journal")
     (beside / "bbb.npz.journal").write_bytes(b"\xff" * 100)
+    nameless = {"op": "recording", "format": 2, "sha256": fingerprint(labeled)}
+    step = {"op": "step", "number": 0, "after": None, "name": "x", "edit": {"kind": "reset"}}
+    (beside / "ccc.npz.journal").write_bytes(encode(nameless) + encode(step))
     with Journal(moved(labeled, labeled.with_name("other.npz"))) as journal:
         assert journal.elsewhere is not None
 

@@ -77,6 +77,45 @@ def test_settings_of_which_nothing_can_be_read_are_kept_before_others_are_writte
 
 
 @pytest.mark.parametrize(
+    ("damage", "left", "ratio"),
+    [
+        (lambda text: text[: text.index('"c"')], ["a", "b"], 20.0),
+        (lambda text: text[: text.index('"force_ratio"') + 16], ["a", "b", "c"], 20.0),
+        (lambda text: text[: text.index('"min_distance_s"')], ["a", "b", "c"], 7.0),
+        (lambda text: text.replace('"b"', '"b'), ["a", "c"], 7.0),
+        (lambda text: text.replace('"labels"', "<<<<<<< mine"), ["a", "b", "c"], 7.0),
+        (lambda text: text.replace("7.0", "9" * 5000), ["a", "b", "c"], 20.0),
+        (lambda text: text.replace("7.0", "[" * 9999 + "]" * 9999), ["a", "b", "c"], 20.0),
+    ],
+)
+def test_of_settings_that_are_no_json_any_more_what_is_whole_is_kept(tmp_path, damage, left, ratio):
+    change_folder_settings(tmp_path, learn("a", "b", "c"))
+    change_folder_settings(tmp_path, lambda s: replace(s, parameters=Parameters(force_ratio=7.0)))
+    path = tmp_path / ".keyphase" / "folder.json"
+    path.write_text(damage(path.read_text()))
+    damaged = path.read_bytes()
+    after = change_folder_settings(tmp_path, learn("d"))
+    assert names(read_folder_settings(tmp_path)) == [*left, "d"]
+    assert after.parameters.force_ratio == ratio
+    assert path.with_suffix(".old-1").read_bytes() == damaged
+
+
+def test_settings_of_a_later_version_that_were_cut_are_not_written_over(tmp_path):
+    change_folder_settings(tmp_path, learn("a"))
+    path = tmp_path / ".keyphase" / "folder.json"
+    path.write_text('{"version": 2, "labels": [{"name": "b", "color": "#')
+    with pytest.raises(JournalError, match="later version"):
+        change_folder_settings(tmp_path, learn("c"))
+
+
+def test_settings_of_millions_of_values_are_not_unfolded(tmp_path):
+    change_folder_settings(tmp_path, learn("a"))
+    path = tmp_path / ".keyphase" / "folder.json"
+    path.write_text('{"version": 1, "more": [' + "[]," * 1_000_000 + "[]]}")
+    assert "more than the 100000" in (read_folder_settings(tmp_path).notice or "")
+
+
+@pytest.mark.parametrize(
     ("change", "left", "told"),
     [
         (lambda c: c["labels"][1].update(color="red"), ["a", "b", "c"], "colour of “b”"),

@@ -10,7 +10,8 @@ from keyphase.errors import JournalError
 from keyphase.labeling.edits import Add, Label
 from keyphase.labeling.storage import state_folder
 from keyphase.labeling.storage.journal import Journal
-from keyphase.labeling.storage.records import encode
+from keyphase.labeling.storage.readings import read_journal
+from keyphase.labeling.storage.records import MAX_LINES, encode
 from keyphase.labeling.storage.state_folder import journal_path
 from keyphase.labeling.storage.summary import summarize
 
@@ -194,7 +195,29 @@ def test_a_record_with_numbers_beyond_floats_costs_only_itself(demo):
         file.write(b"%08x %s\n" % (0, b'{"op": "at", "number": 1e999}'))
     with Journal(demo) as journal:
         assert list(journal.document.edits.values()) == [Add(1.0, False)]
-        assert any(notice.startswith("5 records") for notice in journal.notices)
+        told = " ".join(journal.notices)
+    assert "3 records" in told
+    assert "left out: 3, 7, 8." in told
+
+
+def test_a_recipe_whose_name_is_no_text_cannot_reach_the_page(demo):
+    editor = Editor(demo)
+    editor.makes(Add(1.0))
+    editor.journal.close()
+    opening = {"op": "recording", "format": 2, "sha256": "0"}
+    with editor.journal.path.open("ab") as file:
+        file.write(encode({**opening, "recipe": {"name": "a\ud800", "sha256": "1"}}))
+    with Journal(demo) as journal:
+        assert any("as read with a recipe" in notice for notice in journal.notices)
+        assert all(notice.isprintable() for notice in journal.notices)
+
+
+def test_millions_of_empty_lines_take_no_room(demo):
+    path = journal_path(demo.source.path, state_folder.state_folder(demo.source.path.parent).path)
+    path.write_bytes(b"\n" * 3_000_000)
+    with Journal(demo, read_only=True) as journal:
+        assert len(read_journal(path).read.damaged) == MAX_LINES + 1
+        assert journal.document.history.steps == ()
 
 
 def test_a_name_that_is_no_text_cannot_reach_the_page(demo):

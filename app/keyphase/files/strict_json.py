@@ -8,9 +8,14 @@ from jsonschema_rs import Draft202012Validator
 from keyphase.files.numbers import finite_number, whole_number
 
 MAX_VALUES = 1_000_000
-"""Brackets, colons and commas in one text; what has more would take far more memory than it has."""
+"""In one text; what has more would take far more memory than it has."""
 
 _MAX_MESSAGE = 200
+
+
+def values_in(data: bytes) -> int:
+    """About how many values a JSON text holds: brackets, colons and commas in it."""
+    return sum(data.count(mark) for mark in (b"[", b"{", b":", b","))
 
 
 def parsed_json(data: bytes, most_values: int = MAX_VALUES) -> Any:
@@ -19,9 +24,9 @@ def parsed_json(data: bytes, most_values: int = MAX_VALUES) -> Any:
     Raises ValueError for what is no JSON, for NaN, numbers that a float does not hold, nesting
     beyond measure, and more values than `most_values`.
     """
-    marks = sum(data.count(mark) for mark in (b"[", b"{", b":", b","))
-    if marks > most_values:
-        raise ValueError(f"it holds about {marks} values, more than the {most_values} it may have")
+    count = values_in(data)
+    if count > most_values:
+        raise ValueError(f"it holds about {count} values, more than the {most_values} it may have")
     try:
         return json.loads(
             data, parse_constant=finite_number, parse_float=finite_number, parse_int=whole_number

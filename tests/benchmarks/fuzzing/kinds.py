@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+import msgspec
 import numpy as np
 
 from fuzzing import sound
@@ -106,13 +107,18 @@ def _journal(path: Path) -> object:
     summarize(recording)
     with Journal(_read(recording), read_only=True) as opened:
         document = opened.document
-        return document.edits, document.parameters, document.done, opened.notices
+        return (
+            document.edits,
+            document.parameters,
+            document.done,
+            msgspec.json.encode(opened.notices),
+        )
 
 
 def _folder(path: Path) -> object:
     from keyphase.labeling.storage.folder_settings import read_folder_settings
 
-    return read_folder_settings(path.parent.parent)
+    return msgspec.json.encode(read_folder_settings(path.parent.parent).notice)
 
 
 def _urdf(path: Path) -> object:

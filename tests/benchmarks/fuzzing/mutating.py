@@ -41,7 +41,8 @@ def _inside_archive(data: bytes, chance: random.Random) -> bytes:
         members[chosen] = mutated(content[:128], chance) + content[128:]
     elif chance.random() < 0.2:
         name = mutated(chosen.encode(), chance).decode("latin-1")[:200]
-        members[name or "x"] = members.pop(chosen)
+        # What comes after a NUL is no part of a name.
+        members[name.partition("\0")[0] or "x"] = members.pop(chosen)
     else:
         members[chosen] = content[:128] + mutated(content[128:], chance)
     out = io.BytesIO()

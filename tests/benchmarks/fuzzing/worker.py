@@ -57,9 +57,7 @@ def _tried(kind: Kind, sound: Path, folder: Path, chance: random.Random) -> dict
     try:
         with _limited() as peak, warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            outcome, said = _outcome(
-                kind, sound if kind.target != "run.csv.recipe.toml" else target
-            )
+            outcome, said = _outcome(kind, sound)
         allowed = TIMES_ITS_SIZE * _size(sound) + CONSTANT_BYTES
         if peak[0] > allowed:
             outcome, said = "memory", f"{peak[0] >> 20} MB for {_size(sound)} bytes; {said}"

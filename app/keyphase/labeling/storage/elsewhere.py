@@ -142,6 +142,4 @@ def _folders(path: Path) -> list[str]:
 
 
 def _name(reading: Reading) -> str:
-    named = [str(r["name"]) for r in reading.read.records if r.get("op") == "recording"]
-    name = named[-1] if named else reading.path.stem
-    return "".join(c if c.isprintable() else "?" for c in name[:300])
+    return reading.state.name or reading.path.stem

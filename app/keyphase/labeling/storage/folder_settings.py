@@ -11,7 +11,8 @@ from filelock import FileLock, Timeout
 from keyphase.errors import JournalError
 from keyphase.files.reading import read_regular
 from keyphase.files.writing import write_whole
-from keyphase.labeling.storage.folder_content import VERSION, FolderContent, folder_content
+from keyphase.labeling.storage.folder_content import VERSION, folder_content
+from keyphase.labeling.storage.folder_json import salvaged, settings_json
 from keyphase.labeling.storage.old_files import keep_as_old, put_back
 from keyphase.labeling.storage.state_folder import StateFolder, state_folder
 from keyphase.labeling.vocabulary import Vocabulary
@@ -19,7 +20,7 @@ from keyphase.segmentation.parameters import Parameters
 
 FILE_NAME = "folder.json"
 
-_LIMIT_BYTES = 16 * 1024**2
+_LIMIT_BYTES = 4 * 1024**2
 _PATIENCE_S = 30.0
 _ASK_EVERY_S = 0.01
 """Often, so that of two who write again and again neither waits for long."""
@@ -102,19 +103,26 @@ def _read(path: Path | None) -> FolderSettings:
     if path is None:
         return FolderSettings()
     try:
-        content = json.loads(read_regular(path, _LIMIT_BYTES))
-    except (OSError, ValueError, RecursionError) as error:
-        return FolderSettings(notice=f"The settings in {path} cannot be read ({error}).")
+        data = read_regular(path, _LIMIT_BYTES)
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        return FolderSettings(notice=f"The settings in {path} cannot be read ({reason}).")
+    damage = None
+    try:
+        content = settings_json(data)
+    except ValueError as error:
+        damage, content = str(error), salvaged(data)
     read = folder_content(content)
-    return FolderSettings(
-        read.vocabulary, read.parameters, _notice(path, read), read.later, read.others
-    )
+    notice = _notice(path, read.left_out, damage)
+    return FolderSettings(read.vocabulary, read.parameters, notice, read.later, read.others)
 
 
-def _notice(path: Path, read: FolderContent) -> str | None:
-    if not read.left_out:
+def _notice(path: Path, left_out: tuple[str, ...], damage: str | None) -> str | None:
+    if damage is not None:
+        return f"The settings in {path} are damaged ({damage}); what is whole in them was kept."
+    if not left_out:
         return None
-    shown = "; ".join(read.left_out[:5]) + ("; …" if len(read.left_out) > 5 else "")
+    shown = "; ".join(left_out[:5]) + ("; …" if len(left_out) > 5 else "")
     return f"Of the settings in {path} this could not be read: {shown}."
 
 

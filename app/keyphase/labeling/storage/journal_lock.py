@@ -9,6 +9,8 @@ import fcntl
 import os
 from pathlib import Path
 
+from keyphase.files.reading import first_bytes
+
 
 class JournalLock:
     """A lock on a file, held until `release` or the end of the process, a kill included."""
@@ -47,7 +49,7 @@ class JournalLock:
     def holder(self) -> str:
         """Who holds it, for people."""
         try:
-            process = self._path.read_text("ascii").strip()
+            process = first_bytes(self._path, 20).decode("ascii").strip()
         except (OSError, UnicodeDecodeError):
             process = ""
         return f"another keyphase (process {process})" if process.isdigit() else "another keyphase"

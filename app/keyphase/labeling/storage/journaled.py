@@ -1,5 +1,6 @@
 """What a journal's records say: the recording they are about, its history, whether it is done."""
 
+from bisect import bisect_right
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any
@@ -25,6 +26,7 @@ _MAX_NAME_LENGTH = 300
 class Journaled:
     """The state a journal leads to.
 
+    name         of the recording then
     sha256       of the recording when a person last agreed to it; None in an empty journal
     own_before   parameters of this recording alone that an older version had without saying so
     done_before  it was finished by a version that did not keep what was seen
@@ -39,6 +41,7 @@ class Journaled:
     done_before: bool = False
     recipe: Mapping[str, Any] | None = None
     refused: int = 0
+    name: str = ""
 
 
 def state_after(records: Iterable[Record]) -> Journaled:
@@ -48,17 +51,17 @@ def state_after(records: Iterable[Record]) -> Journaled:
     number of that step, so a record that is lost costs no other. Raises JournalError for records
     of a later format.
     """
-    state = Journaled()
+    following = _Following()
     earlier = False
     for record in records:
         try:
             earlier = earlier or record.get("format") == _WITHOUT_VARIANT
-            state = _followed(state, _as_of_now(record) if earlier else record)
+            following.follow(_as_of_now(record) if earlier else record)
         except JournalError:
             raise
         except (KeyphaseError, ArithmeticError, LookupError, TypeError, ValueError):
-            state = replace(state, refused=state.refused + 1)
-    return state
+            following.refused += 1
+    return following.state()
 
 
 def opening(demonstration: Demonstration) -> Record:
@@ -103,19 +106,55 @@ def compact(state: Journaled, first: Record) -> list[Record]:
     ]
 
 
-def _followed(state: Journaled, record: Record) -> Journaled:
-    match record["op"]:
-        case "recording":
-            return _with_recording(state, record)
-        case "step":
-            return _with_step(state, record)
-        case "at":
-            history = replace(state.history, position=_position(state.history, record["number"]))
-            return replace(state, history=history)
-        case "done":
-            return replace(state, done_before=bool(record["done"]))
-        case _:
-            raise ValueError("an operation this version does not know")
+class _Following:
+    """A journal while it is followed, record after record; the same time for each."""
+
+    def __init__(self) -> None:
+        self.refused = 0
+        self._told = Journaled()
+        self._steps: list[Step] = []
+        self._numbers: list[int] = []
+        self._position = 0
+        self._next_number = 0
+
+    def state(self) -> Journaled:
+        """Where it has led to."""
+        return replace(
+            self._told,
+            history=History(tuple(self._steps), self._position),
+            next_number=max(self._told.next_number, self._next_number),
+            refused=self.refused,
+        )
+
+    def follow(self, record: Record) -> None:
+        """Raises JournalError for a later format, other errors for what is not understood."""
+        match record["op"]:
+            case "recording":
+                self._told = _with_recording(self._told, record)
+            case "step":
+                self._take_step(record)
+            case "at":
+                self._position = self._after(record["number"])
+            case "done":
+                self._told = replace(self._told, done_before=bool(record["done"]))
+            case _:
+                raise ValueError("an operation this version does not know")
+
+    def _take_step(self, record: Record) -> None:
+        number = _whole(record["number"])
+        step = Step(number, _plain(str(record["name"])), _change(record))
+        position = self._after(record["after"])
+        if position and number <= self._numbers[position - 1]:
+            raise ValueError("numbers of steps ascend")
+        del self._steps[position:], self._numbers[position:]
+        self._steps.append(step)
+        self._numbers.append(number)
+        self._position = position + 1
+        self._next_number = max(self._next_number, number + 1)
+
+    def _after(self, number: Any) -> int:
+        """How many steps are in force after step `number`; where it was lost, those before it."""
+        return 0 if number is None else bisect_right(self._numbers, _whole(number))
 
 
 def _with_recording(state: Journaled, record: Record) -> Journaled:
@@ -130,20 +169,12 @@ def _with_recording(state: Journaled, record: Record) -> Journaled:
     recipe = record.get("recipe")
     return replace(
         state,
+        name=_plain(str(record.get("name", ""))),
         sha256=str(record["sha256"]),
         next_number=number,
         own_before=own,
         recipe=recipe if isinstance(recipe, Mapping) else None,
     )
-
-
-def _with_step(state: Journaled, record: Record) -> Journaled:
-    number = _whole(record["number"])
-    change = _change(record)
-    position = _position(state.history, record["after"])
-    step = Step(number, _plain(str(record["name"])), change)
-    history = replace(state.history, position=position).with_step(step)
-    return replace(state, history=history, next_number=max(state.next_number, number + 1))
 
 
 def _as_of_now(record: Record) -> Record:
@@ -176,14 +207,6 @@ def _whole(value: Any) -> int:
 def _plain(name: str) -> str:
     """A name of a step that a page can show, whatever the journal held."""
     return "".join(c if c.isprintable() else "?" for c in name[:_MAX_NAME_LENGTH])
-
-
-def _position(history: History, number: Any) -> int:
-    """How many steps are in force after step `number`; where it was lost, those before it."""
-    if number is None:
-        return 0
-    _whole(number)
-    return sum(step.number <= number for step in history.steps)
 
 
 def _change(record: Record) -> Any:

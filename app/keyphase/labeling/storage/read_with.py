@@ -25,4 +25,8 @@ def read_otherwise(labeled: Mapping[str, Any] | None, source: Source) -> str | N
 
 
 def _called(recipe: Mapping[str, Any]) -> str:
-    return f"the recipe {str(recipe.get('name'))[:200]}" if recipe.get("sha256") else "no recipe"
+    if not recipe.get("sha256"):
+        return "no recipe"
+    name = recipe.get("name")
+    known = isinstance(name, str) and name.isprintable()
+    return f"the recipe {name[:200]}" if known else "a recipe"

@@ -6,9 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from keyphase.files.numbers import finite_number
+from keyphase.files.strict_json import MAX_VALUES, parsed_json, values_in
 
 Record = Mapping[str, Any]
+
+MAX_LINES = 200_000
+"""What comes after so many is not looked at; a journal is rewritten long before."""
 
 
 @dataclass(frozen=True)
@@ -36,12 +39,24 @@ def encode(record: Record) -> bytes:
 
 def decode(data: bytes) -> ReadRecords:
     """All records of a journal that are whole; what is not is left out and counted."""
-    *lines, rest = data.split(b"\n")
-    read = [_decode_line(line) for line in lines]
+    *lines, rest = data.split(b"\n", MAX_LINES)
+    if b"\n" in rest:
+        lines, rest = [*lines, rest], b""
+    read = _decoded(lines)
     damaged = tuple(i for i, record in enumerate(read, start=1) if record is None)
     last = _decode_line(rest) if rest else None
     records = tuple(record for record in (*read, last) if record is not None)
     return ReadRecords(records, damaged, bool(rest) and last is None, not damaged and not rest)
+
+
+def _decoded(lines: list[bytes]) -> list[Record | None]:
+    """The record of each line, None for one that cannot be read, or for which no room is left."""
+    records: list[Record | None] = []
+    room = MAX_VALUES
+    for line in lines:
+        room -= values_in(line)
+        records.append(_decode_line(line) if room >= 0 else None)
+    return records
 
 
 def _decode_line(line: bytes) -> Record | None:
@@ -49,7 +64,7 @@ def _decode_line(line: bytes) -> Record | None:
     if checksum != b"%08x" % zlib.crc32(content):
         return None
     try:
-        record = json.loads(content, parse_float=finite_number, parse_constant=finite_number)
-    except (ValueError, RecursionError):
+        record = parsed_json(content)
+    except ValueError:
         return None
     return record if isinstance(record, dict) else None

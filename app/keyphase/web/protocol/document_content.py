@@ -73,7 +73,7 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         saved_at=state.saved_at,
         greatest_step_N=greatest_step(labeling),
         state=state.state,
-        locked=state.locked,
+        locked=state.locked and printable(state.locked),
         changed=state.changed,
         elsewhere=_elsewhere(state),
         labels=state.vocabulary.labels,
@@ -83,7 +83,7 @@ def document_message(state: DeskState) -> say.DocumentMessage:
 
 def _elsewhere(state: DeskState) -> say.ElsewhereMessage | None:
     found = state.elsewhere
-    return found and say.ElsewhereMessage(found.name, found.steps, found.done)
+    return found and say.ElsewhereMessage(printable(found.name), found.steps, found.done)
 
 
 @lru_cache(maxsize=8)
@@ -118,7 +118,7 @@ def _notices(state: DeskState) -> tuple[say.NoticeMessage, ...]:
     broken_off = demonstration.metadata.get("recovered") is True
     lost = [Caution("Its recorder broke off; the last second at most is missing.")] * broken_off
     told = (*demonstration.notices, *lost, *state.notices)
-    return tuple(say.NoticeMessage(str(one), severity_of(one)) for one in told)
+    return tuple(say.NoticeMessage(printable(one), severity_of(one)) for one in told)
 
 
 def boundaries_of(labeling: Labeling) -> tuple[say.BoundaryMessage, ...]:
