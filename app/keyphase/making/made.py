@@ -34,6 +34,7 @@ class Made:
     ignore_motion_s   the same for boundaries that claim no contact change: motion that begins, ends
                       or turns so near a contact change that one boundary serves both, and turns
                       beside a wrench, of which conventions differ
+    gripped           grasps, releases and slips, where there is a gripper
     """
 
     family: str
@@ -41,16 +42,19 @@ class Made:
     events: tuple[Event, ...]
     ignore_s: tuple[tuple[float, float], ...] = ()
     ignore_motion_s: tuple[tuple[float, float], ...] = ()
+    gripped: tuple[Event, ...] = ()
 
     def truth(self) -> dict[str, Any]:
         """Its entry in a truth file, as JSON values."""
         events = [[round(each.time_s, 4), each.label] for each in self.events]
+        gripped = [[round(each.time_s, 4), each.label] for each in self.gripped]
         return {
             "rate_hz": round(self.demonstration.rate_hz, 3),
             "tolerance_s": TOLERANCE_S,
             "events": events,
             "ignore": _rounded(self.ignore_s),
             "kind": f"made by formula, family {self.family}",
+            **({"gripper": gripped} if gripped else {}),
             "judged": {
                 "what": "all",
                 "events": events,

@@ -3,18 +3,19 @@
 Axes are the robot base's: x forward, y left, z up.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.rotations.quaternions import difference, from_rotation_vector
 from keyphase.segmentation.contact import ContactForce, contact_force_of
+from keyphase.segmentation.gripper import SAME_EVENT_S, GripperEvent
 from keyphase.segmentation.motion import METRES_PER_RADIAN, Motion, motion_of
 from keyphase.segmentation.paper.strokes import idle_speed, mean_velocity
-from keyphase.segmentation.segmentation import Change
+from keyphase.segmentation.segmentation import Change, GripperChange
 
 IDLE = "idle"
 
@@ -26,6 +27,13 @@ ENDINGS: Mapping[Change, str] = {
     "released": " until release",
 }
 """How a segment is said to end, by what became of the contact."""
+
+UNTIL: Mapping[GripperChange | Literal[""], str] = {
+    "": "",
+    "grasp": " until grasp",
+    "release": " until release",
+}
+"""How a segment is said to end, by what the gripper does."""
 
 _TOWARDS = (("forward", "back"), ("left", "right"), ("up", "down"))
 _SECOND_AXIS = 0.5
@@ -74,14 +82,19 @@ class Proposal(NamedTuple):
 
 
 def proposed_label(
-    evidence: Evidence, start_s: float, end_s: float, contact_change: bool
+    evidence: Evidence,
+    start_s: float,
+    end_s: float,
+    contact_change: bool,
+    gripper: Sequence[GripperEvent] = (),
 ) -> Proposal:
     """Proposal for the segment from `start_s` to `end_s`.
 
-    `contact_change` says whether one is at its end.
+    `contact_change` says whether one is at its end, `gripper` when the gripper did something.
     """
     first, last = _bins(evidence.motion, start_s, end_s)
-    ending = _ending(evidence, end_s) if contact_change else ""
+    done = _done_by_gripper(gripper, end_s)
+    ending = _ending(evidence, end_s) if contact_change else UNTIL[done]
     # The next bin counts, too: after a gap in the data the tool may be somewhere else.
     next_bin = min(last, len(evidence.motion.time_s) - 1)
     travel = evidence.motion.pose_m[last - 1] - evidence.motion.pose_m[first]
@@ -90,6 +103,10 @@ def proposed_label(
         strength = _built_up_force(evidence, first, last)
         if strength:
             return Proposal(f"Push{ending}", f"{strength:.0f} N", False)
+        if done == "grasp":
+            return Proposal("Grasp", "", False)
+        if _done_by_gripper(gripper, start_s) == "release":
+            return Proposal("Release", "", False)
         return Proposal(IDLE + ending, "", True)
     if _size(travel) < 0.5 * _size(beyond):
         travel = beyond
@@ -161,6 +178,12 @@ def _manner(evidence: Evidence, first: int, last: int, travel: Array) -> str:
     against = -float(force @ travel)
     strength = _size(force) * _size(travel)
     return "Push" if against > _AGAINST * strength else "Slide"
+
+
+def _done_by_gripper(gripper: Sequence[GripperEvent], time_s: float) -> GripperChange | Literal[""]:
+    near = (one for one in gripper if abs(one.time_s - time_s) <= SAME_EVENT_S)
+    nearest = min(near, key=lambda one: abs(one.time_s - time_s), default=None)
+    return nearest.change if nearest else ""
 
 
 def _ending(evidence: Evidence, end_s: float) -> str:

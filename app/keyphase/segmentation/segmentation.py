@@ -7,9 +7,10 @@ from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.end_condition import EndCondition
 from keyphase.segmentation.parameters import Parameters
 
-Origin = Literal["position", "force", "both", "user"]
+Origin = Literal["position", "force", "both", "gripper", "user"]
 CandidateKind = Literal["contact", "motion"]
 Change = Literal["", "made", "lost", "changed", "released"]
+GripperChange = Literal["grasp", "release"]
 Rejection = Literal[
     "", "below threshold", "below ratio", "does not stay", "too close", "at an end", "small step"
 ]
@@ -135,6 +136,7 @@ class Boundary:
     position_s      where position alone puts it, where origin is position or both
     reasons         the terms of its probability, strongest first; none in variant paper
     change          what became of the contact; "" where it is no contact change
+    gripper         what the gripper did there; "" where nothing
     """
 
     time_s: float
@@ -146,6 +148,7 @@ class Boundary:
     position_s: float | None = None
     reasons: tuple[Reason, ...] = ()
     change: Change = ""
+    gripper: GripperChange | Literal[""] = ""
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from keyphase.segmentation.end_condition import end_condition_at, ends_in_contac
 from keyphase.segmentation.evidence.finding import EvidenceMethod
 from keyphase.segmentation.found import Found
 from keyphase.segmentation.free_force import free_force
+from keyphase.segmentation.gripper import SAME_EVENT_S, GripperEvent, gripper_events, with_gripper
 from keyphase.segmentation.labels import Evidence, proposed_label
 from keyphase.segmentation.motion import Motion, motion_of
 from keyphase.segmentation.own_finding import find_by_own_method
@@ -38,11 +39,12 @@ class Segmenter:
         """The segmentation under these parameters, or the default ones."""
         parameters = parameters or Parameters()
         found = self._found(parameters)
+        boundaries = with_gripper(found.boundaries, self._segments.gripper)
         return Segmentation(
             demonstration=self.demonstration,
             parameters=parameters,
-            boundaries=found.boundaries,
-            segments=self._segments_between(found.boundaries),
+            boundaries=boundaries,
+            segments=self._segments_between(boundaries),
             gaussians=found.gaussians,
             curve=found.curve,
             peaks=found.peaks,
@@ -106,11 +108,19 @@ class _Segments(dict[tuple[float, float, bool], Segment]):
         return Evidence.of(self._demonstration, self._motion())
 
     @cached_property
+    def gripper(self) -> tuple[GripperEvent, ...]:
+        """Grasps and releases inside the recording."""
+        start, end = self._demonstration.start_s, self._demonstration.end_s
+        events = gripper_events(self._demonstration)
+        inside = start + SAME_EVENT_S, end - SAME_EVENT_S
+        return tuple(one for one in events if inside[0] <= one.time_s <= inside[1])
+
+    @cached_property
     def _free_force(self) -> Array:
         return free_force(self._demonstration)
 
     def __missing__(self, span: tuple[float, float, bool]) -> Segment:
-        label, measure, idle = proposed_label(self.evidence, *span)
+        label, measure, idle = proposed_label(self.evidence, *span, self.gripper)
         end = end_condition_at(self._demonstration, *span, self._free_force)
         self[span] = Segment(span[0], span[1], label, idle, end, measure)
         return self[span]

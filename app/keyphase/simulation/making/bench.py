@@ -26,6 +26,9 @@ _MIN_FORCE_N = 0.03
 _TURN_NM_PER_RAD = 15.0
 _TURN_DAMPING = 0.24
 _GRIP_N = 25.0
+_FINGER_M = 0.035
+_PAD_M = 0.004
+_OPEN_M = 2.0 * (_FINGER_M - _PAD_M)
 _BENCH = "bench"
 _TOOL = "tool"
 
@@ -56,12 +59,16 @@ class Surroundings:
 
 @dataclass(frozen=True, eq=False)
 class Led:
-    """What came of it, sample by sample at `RATE_HZ`: poses, wrench on the tool, what touches."""
+    """What came of it, sample by sample at `RATE_HZ`: poses, wrench on the tool, what touches.
+
+    opening_m  (N,) between the fingers, or None where the tool has none
+    """
 
     position_m: Array
     rotation: Rotation
     wrench: Array
     touching: tuple[Touching, ...]
+    opening_m: Array | None = None
 
 
 def lead(around: Surroundings, wanted_m: Array, turns: Rotation, closing: Array) -> Led:
@@ -73,7 +80,8 @@ def lead(around: Surroundings, wanted_m: Array, turns: Rotation, closing: Array)
     names = [model.body(model.geom(g).bodyid[0]).name for g in range(model.ngeom)]
     ours = {index for index, name in enumerate(names) if name in (_TOOL, "left", "right")}
     speed = np.gradient(wanted_m, STEP_S, axis=0)
-    positions, rotations, wrenches, touching = [], [], [], []
+    positions, rotations, wrenches, touching, openings = [], [], [], [], []
+    fingers = [model.joint(name).qposadr[0] for name in ("left", "right") if model.nu]
     for row in range(len(wanted_m)):
         _pull(model, data, tool, wanted_m[row], speed[row], turns[row], around.stiffness_N_m)
         if model.nu:
@@ -84,11 +92,13 @@ def lead(around: Surroundings, wanted_m: Array, turns: Rotation, closing: Array)
         rotations.append(data.xquat[tool].copy())
         wrenches.append(wrench)
         touching.append(pairs)
+        openings.append(_OPEN_M - data.qpos[fingers].sum())
     return Led(
         np.array(positions),
         Rotation.from_quat(np.array(rotations), scalar_first=True),
         np.array(wrenches),
         tuple(touching),
+        np.array(openings) if fingers else None,
     )
 
 
@@ -141,7 +151,7 @@ def _add_tool(spec: mujoco.MjSpec, around: Surroundings, start_m: Array) -> None
 
 def _add_fingers(spec: mujoco.MjSpec, tool) -> None:
     for name, side in (("left", -1.0), ("right", 1.0)):
-        finger = tool.add_body(name=name, pos=(0.0, side * 0.035, 0.0), gravcomp=1.0)
+        finger = tool.add_body(name=name, pos=(0.0, side * _FINGER_M, 0.0), gravcomp=1.0)
         finger.add_joint(
             name=name,
             type=mujoco.mjtJoint.mjJNT_SLIDE,
@@ -151,7 +161,7 @@ def _add_fingers(spec: mujoco.MjSpec, tool) -> None:
             damping=20.0,
         )
         gripping = Surroundings(softness_s=0.01, friction=1.5)
-        _add_box(finger, (0.01, 0.004, 0.02), 0.05, gripping)
+        _add_box(finger, (0.01, _PAD_M, 0.02), 0.05, gripping)
         motor = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
         motor.gear[0] = 1.0
 

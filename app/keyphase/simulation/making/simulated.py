@@ -2,6 +2,7 @@
 
 import zlib
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from keyphase.making.sensing import Moving, wrist_sensor
 from keyphase.making.truth import with_truth
 from keyphase.simulation.making.bench import RATE_HZ, Led, lead
 from keyphase.simulation.making.families import FAMILIES
-from keyphase.simulation.making.touching import contact_events, felt
+from keyphase.simulation.making.touching import contact_events, felt, grip_events
 from keyphase.simulation.making.wanting import Wanting
 
 MIN_STROKE_M = 0.003
@@ -55,8 +56,10 @@ def make_simulated(family: str, seed: int) -> Made:
         np.asarray(led.rotation.as_quat(scalar_first=True))[rows],
         wrench[rows, :3],
         wrench[rows, 3:],
+        gripper=None if led.opening_m is None else led.opening_m[rows],
     )
-    return with_truth(family, demonstration, contacts, motion, wanting.reversals_s, ignored)
+    made = with_truth(family, demonstration, contacts, motion, wanting.reversals_s, ignored)
+    return replace(made, gripped=grip_events(led.touching, closing))
 
 
 def _really_moving(wanting: Wanting, led: Led) -> list[Stretch]:

@@ -17,7 +17,8 @@ from keyphase.simulation.making.bench import RATE_HZ, Touching
 
 LASTS_S = 0.15
 FELT_N = 0.3
-_TOOLS = frozenset({"tool", "left", "right"})
+_FINGERS = frozenset({"left", "right"})
+_TOOLS = _FINGERS | {"tool"}
 _WINDOW_S = (0.02, 0.25)
 
 
@@ -48,6 +49,33 @@ def contact_events(
         elif entered > left:
             ignored.append(around)
     return events, ignored
+
+
+def grip_events(touching: Sequence[Touching], closing: Array) -> tuple[Event, ...]:
+    """When both fingers began to hold the same thing, and when the first of them left it again.
+
+    `closing` (N,) is what the hand wants, above a half to hold; what leaves meanwhile slips.
+    Touches shorter than `LASTS_S` are fingers that bounce.
+    """
+    held = np.array([_held(pairs) for pairs in touching])
+    changes = np.flatnonzero(np.diff(held.astype(int))) + 1
+    events: list[Event] = []
+    for row, until in pairwise([*changes.tolist(), len(held)]):
+        if until - row < LASTS_S * RATE_HZ or (events and held[row] == _is_grasp(events[-1])):
+            continue
+        if held[row] or events:
+            label = "grasp" if held[row] else "slip" if closing[row] > 0.5 else "release"
+            events.append(Event(row / RATE_HZ, label, "contact"))
+    return tuple(events)
+
+
+def _is_grasp(event: Event) -> bool:
+    return event.label == "grasp"
+
+
+def _held(pairs: Touching) -> bool:
+    by = {finger: {a for pair in pairs if finger in pair for a in pair} for finger in _FINGERS}
+    return bool(by["left"] & by["right"] - _FINGERS)
 
 
 def _felt(pairs: Touching, held: bool) -> Touching:

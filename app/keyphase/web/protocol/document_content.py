@@ -100,6 +100,7 @@ def channels(demonstration: Demonstration) -> tuple[str, ...]:
         "force": demonstration.force_N,
         "torque": demonstration.torque_Nm,
         "joints": demonstration.joints_rad,
+        "gripper": demonstration.gripper,
     }
     return tuple(name for name, values in recorded.items() if values is not None)
 

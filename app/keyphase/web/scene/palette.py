@@ -47,6 +47,7 @@ LIGHT = Theme(
         "position": _rgb("#7048e8"),
         "force": _rgb("#e8590c"),
         "both": _rgb("#c2255c"),
+        "gripper": _rgb("#0b7285"),
         "user": _rgb("#1b1f24"),
     },
 )
@@ -61,6 +62,7 @@ DARK = Theme(
         "position": _rgb("#a78bfa"),
         "force": _rgb("#ff922b"),
         "both": _rgb("#f783ac"),
+        "gripper": _rgb("#3bc9db"),
         "user": _rgb("#f1f3f5"),
     },
 )

@@ -1,11 +1,16 @@
 """Why a boundary is where it is, in words."""
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 from keyphase.labeling.labeling import LabeledBoundary
 from keyphase.segmentation.segmentation import Gaussian, Peak
+
+_OF_GRIPPER: Mapping[str, str] = {
+    "grasp": "The gripper has closed here.",
+    "release": "The gripper begins to open here.",
+}
 
 
 def sentences(boundary: LabeledBoundary, threshold: float | None, meeting: "Meeting") -> list[str]:
@@ -16,11 +21,13 @@ def sentences(boundary: LabeledBoundary, threshold: float | None, meeting: "Meet
         return ["Placed by you."]
     if boundary.was_s is not None:
         said.append(f"Moved by you from {boundary.was_s:.3f} s.")
+    if found.gripper:
+        said.append(_OF_GRIPPER[found.gripper])
     if found.peak is not None:
         said.append(_about_peak(found.peak, threshold))
     if found.peak is not None and found.position_s is not None:
         said.append(_about_position(found.position_s - found.time_s))
-    if found.peak is None and found.position_s is not None:
+    if found.peak is None and not found.gripper and found.position_s is not None:
         said += meeting.sentences(found.position_s)
     if not boundary.contact_change and found.peak is not None:
         said.append("It counts as no contact change.")

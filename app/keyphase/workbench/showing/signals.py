@@ -97,6 +97,8 @@ class SignalTracks:
             )
         known["position"] = lambda: self._three(1e3 * (d.position_m - d.position_m[0]))
         known["speed"] = lambda: (Series("speed", d.time_s, speed_mm_s(d)),)
+        if d.gripper is not None:
+            known["gripper"] = lambda values=d.gripper: (Series("gripper", d.time_s, values),)
         for name, values in (("force", d.force_N), ("torque", d.torque_Nm)):
             if values is not None:
                 known[name] = lambda values=values: self._three(values)

@@ -82,7 +82,7 @@ export interface NoticeMessage {
  */
 export interface BoundaryMessage {
   time_s: number;
-  origin: "both" | "force" | "position" | "user";
+  origin: "both" | "force" | "gripper" | "position" | "user";
   interval_s: [number, number];
   confidence: number;
   contact_change: boolean;
@@ -221,7 +221,7 @@ export interface GhostMessage {
 /** A boundary that a change under way would bring or take. */
 export interface Ghost {
   time_s: number;
-  origin: "both" | "force" | "position" | "user";
+  origin: "both" | "force" | "gripper" | "position" | "user";
   fate: "comes" | "goes";
 }
 

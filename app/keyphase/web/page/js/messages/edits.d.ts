@@ -133,7 +133,7 @@ export interface Frozen {
 /** A boundary as it stood; see `LabeledBoundary`. */
 export interface FrozenBoundary {
   time_s: number;
-  origin: "both" | "force" | "position" | "user";
+  origin: "both" | "force" | "gripper" | "position" | "user";
   interval_s: [number, number];
   confidence: number;
   contact_change: boolean;

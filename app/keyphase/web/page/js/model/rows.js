@@ -32,6 +32,7 @@ export const TRACKS = [
   { key: "error", title: "Normalized error", unit: "", channel: "force", large: 112, small: 78 },
   { key: "position", title: "Position", unit: "mm", channel: "position", large: 86, small: 56 },
   { key: "speed", title: "Speed", unit: "mm/s", channel: "position", large: 64, small: 46 },
+  { key: "gripper", title: "Gripper", unit: "open", channel: "gripper", large: 56, small: 42 },
   { key: "force", title: "Force", unit: "N", channel: "force", large: 96, small: 62 },
   { key: "torque", title: "Torque", unit: "N m", channel: "torque", large: 86, small: 56 },
   {

@@ -25,6 +25,7 @@ export function createStatus(store) {
     el("div", { class: "progress" }, progress),
   );
   const latency = el("span", { id: "latency", class: "wide", hidden: true });
+  const gripper = sign("gripper", false);
   byId("status").append(
     el("span", { id: "replay-status" }),
     where,
@@ -34,8 +35,12 @@ export function createStatus(store) {
     progressGroup,
     el("span", { class: "space" }),
     latency,
+    gripper,
     ...legend(),
   );
+  store.later(["document"], ({ document: doc }) => {
+    gripper.hidden = !doc?.boundaries.some(({ origin }) => origin === "gripper");
+  });
 
   store.later(["pointer", "clock", "whole", "fine", "document"], (state) => {
     const { document: doc, pointer, clock } = state;
@@ -71,6 +76,10 @@ function vector(name) {
   return { values, node: el("span", {}, name, ...values, UNITS[name]) };
 }
 
+function sign(origin, filled) {
+  return el("span", {}, glyphIcon(origin, filled), String(origin));
+}
+
 function legend() {
   const origins = [
     ["position", false],
@@ -79,9 +88,7 @@ function legend() {
     ["user", true],
   ];
   return [
-    ...origins.map(([origin, filled]) =>
-      el("span", {}, glyphIcon(/** @type {any} */ (origin), filled), String(origin)),
-    ),
+    ...origins.map(([origin, filled]) => sign(origin, filled)),
     el("span", { class: "wide", text: "filled: contact change" }),
     el("span", { class: "wide", text: "shaded: interval" }),
   ];

@@ -13,6 +13,12 @@ const SHAPES = {
     },
   ],
   both: (x, y, r) => ["rect", { x: x - r, y: y - 0.9 * r, width: 2 * r, height: 1.8 * r }],
+  gripper: (x, y, r) => [
+    "path",
+    {
+      d: `M${x - r} ${y - r}h${0.7 * r}v${1.3 * r}h${0.6 * r}v${-1.3 * r}h${0.7 * r}v${2 * r}h${-2 * r}z`,
+    },
+  ],
   user: (x, y, r) => ["path", { d: `M${x} ${y + r}L${x - 1.1 * r} ${y - 0.85 * r}h${2.2 * r}z` }],
 };
 

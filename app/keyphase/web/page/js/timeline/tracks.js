@@ -1,4 +1,4 @@
-/** The plain tracks: position, speed, force, torque, orientation. The error has its own file. */
+/** The plain tracks: position, speed, gripper, force, torque, orientation. The error has its own file. */
 
 import { svg } from "../lib/dom.js";
 import { plain, signed } from "../lib/format.js";
@@ -16,6 +16,7 @@ const AXES = [
 const PENS = {
   position: { curves: AXES, width: 1.6, digits: 1 },
   speed: { curves: [{ key: "speed", color: "--curve" }], width: 1.2, digits: 1 },
+  gripper: { curves: [{ key: "gripper", color: "--origin-gripper" }], width: 1.4, digits: 3 },
   force: { curves: AXES, width: 1.1, digits: 2 },
   torque: { curves: AXES, width: 1.1, digits: 3 },
   orientation: { curves: AXES, width: 1.4, digits: 1 },
