@@ -110,9 +110,9 @@ def _boundary(event: GripperEvent, moved_s: float | None) -> Boundary:
 
 
 def _reason(event: GripperEvent) -> Reason:
-    how = "closing ends" if event.change == "grasp" else "opening begins"
+    how = "closed" if event.change == "grasp" else "opens"
     odds = float(np.log(event.confidence / (1.0 - event.confidence)))
-    return Reason(f"the gripper's {how}, over {100 * event.share:.0f} % of its range", 0.0, odds)
+    return Reason(f"the gripper {how} by {100 * event.share:.0f} %", event.share, odds)
 
 
 def _strokes(time: Array, opening: Array, moving: float) -> Iterator[tuple[float, float]]:
