@@ -98,3 +98,18 @@ def test_what_was_read_with_another_recipe_is_another_demonstration(tmp_path):
 
 def _by(source, name):
     return Source(source.path, source.sha256, name, name.encode().hex().ljust(64, "0"))
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "way"),
+    [
+        ("run.csv", b"time_s,position_x_m\n0,1\n", "keyphase segment .*run.csv"),
+        ("run.npz", b"PK\x03\x04", "keyphase segment .*run.npz"),
+        ("run.segments.csv", b"id,start_s\n1,0\n", r"name run\.segments\.json"),
+        ("run.segments.json", b'{"segments": [', "expected JSON.*write the file again"),
+    ],
+)
+def test_whoever_names_something_else_is_told_the_way(tmp_path, name, data, way):
+    (tmp_path / name).write_bytes(data)
+    with pytest.raises(SegmentFileError, match=way):
+        read_segment_file(tmp_path / name)

@@ -140,5 +140,8 @@ def test_the_notices_say_which_recipe_was_used(folder: Path) -> None:
 
 
 def test_a_table_without_recipe_is_refused_with_the_way_to_write_one(folder: Path) -> None:
-    with pytest.raises(DemonstrationError, match=r"recipe foreign\.csv\.recipe\.toml beside it"):
+    with pytest.raises(
+        DemonstrationError, match=r"keyphase inspect --write .*foreign\.csv`"
+    ) as refused:
         read(folder / "foreign.csv")
+    assert "recipe foreign.csv.recipe.toml beside it" in str(refused.value)

@@ -183,9 +183,24 @@ def _json(path: Path) -> Any:
     try:
         return parsed_json(data)
     except ValueError as error:
-        raise SegmentFileError(
+        raise _no_segment_file(path, data, error) from error
+
+
+def _no_segment_file(path: Path, data: bytes, error: ValueError) -> SegmentFileError:
+    """A damaged one is written again; whoever names a recording or a table is told the way."""
+    if path.suffix == ".json" or data.lstrip()[:1] in (b"{", b""):
+        return SegmentFileError(
             f"{path}: expected JSON, but it cannot be parsed ({error}); write the file again."
-        ) from error
+        )
+    if path.name.endswith(".segments.csv"):
+        return SegmentFileError(
+            f"{path}: expected a segment file (*{SUFFIX}), but this is its table, which is only "
+            f"written; name {path.with_suffix('.json').name}."
+        )
+    return SegmentFileError(
+        f"{path}: expected a segment file (*{SUFFIX}), but this seems to be a recording; segment "
+        f"it first (keyphase segment {path} --output FOLDER) and name what that writes."
+    )
 
 
 def _refuse_too_many(content: Any, path: Path) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from keyphase.demonstration import Demonstration
 from keyphase.errors import DemonstrationError
 from keyphase.files.parts import split_part, with_part
-from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
+from keyphase.files.reading import DEFAULT_LIMIT_BYTES, WholeFile, read_whole
 from keyphase.readers.finding import (
     FOLDER_RECIPE,
     RECIPE_SUFFIX,
@@ -106,8 +106,23 @@ def _read_table(
         chosen = folder_recipe(path)
     loaded = _loaded(chosen)
     if loaded is None:
-        return read_csv(file, limit_bytes)
+        return _read_undescribed(file, limit_bytes)
     return read_by_recipe(file, loaded, limit_bytes, part)
+
+
+def _read_undescribed(file: WholeFile, limit_bytes: int) -> Demonstration:
+    """A table without a recipe; of one that is not native the way to a recipe is told."""
+    try:
+        return read_csv(file, limit_bytes)
+    except DemonstrationError as error:
+        if has_native_header(file.data):
+            raise
+        path = split_part(file.source.path)[0]
+        raise DemonstrationError(
+            f"{str(error).removesuffix('.')}; another table is read through a recipe "
+            f"{path.name}{RECIPE_SUFFIX} beside it, which `keyphase inspect --write {path}` "
+            "proposes, or the page when the file is dropped on it."
+        ) from error
 
 
 def _loaded(recipe: Recipe | Path | str | None) -> Recipe | None:

@@ -86,8 +86,7 @@ def _missing(table: Table, missing: list[str]) -> DemonstrationError:
     found = ", ".join(repr(name[:40]) for name in table.names[:_SHOWN_NAMES])
     return DemonstrationError(
         f"{table.file}: the column {missing[0]} is missing from the header in line 1, which begins "
-        f"{found}; name the columns as a native table does, or describe the table in a recipe "
-        f"{Path(table.file).name}.recipe.toml beside it."
+        f"{found}; name the columns as a native table does."
     )
 
 
