@@ -75,3 +75,33 @@ def test_the_published_way_has_the_line_of_its_error_and_no_evidence(wipe: Keyph
     wipe.settle()
     assert wipe.page.locator(".evidence-line:visible").count() == 0
     assert wipe.page.locator(".threshold-line").count() == 1
+
+
+def test_the_number_shown_at_the_line_is_what_comes_when_it_is_let_go(wipe: KeyphasePage) -> None:
+    x, y = wipe.box('[data-tag="motion_threshold"] text').middle
+    row = wipe.row("evidence")
+    profile = wipe.page.locator('[data-profile="motion_threshold"]')
+    wipe.page.mouse.move(x, y)
+    profile.wait_for()
+    wipe.page.mouse.down()
+    for share in (0.15, 0.6, 0.9):
+        wipe.page.mouse.move(x, row.y + share * row.height, steps=4)
+        wipe.until("'motion_threshold' in keyphase.state.held")
+        wipe.settle()
+        shown = int(profile.get_attribute("data-count") or -1)
+        wipe.until(f"keyphase.state.document.boundaries.length === {shown}")
+        wipe.picture(f"profile_{share}")
+    wipe.page.mouse.up()
+    wipe.until("!('motion_threshold' in keyphase.state.held)")
+    assert len(wipe.document["boundaries"]) == shown
+
+
+def test_what_another_parameter_holds_back_is_counted_and_released(wipe: KeyphasePage) -> None:
+    wipe.set_parameter("least_step_N", 8.0)
+    before = len(wipe.document["boundaries"])
+    release = wipe.page.locator("[data-release='least_step_N']")
+    count = int(release.inner_text().split()[0])
+    wipe.picture("held_back")
+    wipe.change(release.click)
+    assert len(wipe.document["boundaries"]) == before + count
+    assert wipe.document["parameters"]["least_step_N"] == 0.0

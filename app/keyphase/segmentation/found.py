@@ -8,6 +8,8 @@ from keyphase.segmentation.segmentation import (
     ErrorCurve,
     EvidenceTrack,
     Gaussian,
+    HeldBack,
+    LineCounts,
     Peak,
 )
 
@@ -25,3 +27,5 @@ class Found:
     candidates: tuple[Candidate, ...] = ()
     track: EvidenceTrack | None = None
     unlike: float = 0.0
+    line_counts: tuple[LineCounts, ...] = ()
+    held_back: tuple[HeldBack, ...] = ()

@@ -89,6 +89,29 @@ class Candidate:
     force_step_N: tuple[float, float, float] | None = None
 
 
+@dataclass(frozen=True)
+class LineCounts:
+    """How many boundaries are found wherever a line lies, all else as it is.
+
+    parameter  whose line it is
+    steps      probabilities (K,) at which the number changes, ascending
+    counts     (K + 1,) numbers: of a line up to each step, and above the last
+    """
+
+    parameter: Literal["force_threshold", "motion_threshold"]
+    steps: tuple[float, ...]
+    counts: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class HeldBack:
+    """Boundaries held back by a parameter whatever the lines, and its value that lets them go."""
+
+    parameter: Literal["least_step_N", "turns"]
+    count: int
+    free: float | str
+
+
 @dataclass(frozen=True, eq=False)
 class EvidenceTrack:
     """How likely a boundary is over time: a bump at each candidate, as high as its probability.
@@ -176,7 +199,8 @@ class Segmentation:
     threshold in force (given or automatic), None without force.
     `motion_threshold` is the probability that boundaries of motion must reach, `candidates` and
     `track` what there is to choose from, `unlike` how far the recording is from all that the
-    weights were fitted on; in variant paper they are None, empty and zero.
+    weights were fitted on, `line_counts` and `held_back` what other parameters would bring; in
+    variant paper they are None, empty and zero.
     Segments tile the demonstration: the first starts at its start, the last ends at its end.
     """
 
@@ -192,3 +216,5 @@ class Segmentation:
     candidates: tuple[Candidate, ...] = ()
     track: EvidenceTrack | None = None
     unlike: float = 0.0
+    line_counts: tuple[LineCounts, ...] = ()
+    held_back: tuple[HeldBack, ...] = ()

@@ -53,6 +53,8 @@ class Segmenter:
             candidates=found.candidates,
             track=found.track,
             unlike=found.unlike,
+            line_counts=found.line_counts,
+            held_back=found.held_back,
         )
 
     def _found(self, parameters: Parameters) -> Found:

@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.segmentation.evidence.counts import held_back, line_counts
 from keyphase.segmentation.evidence.drawn import DrawnCurve
 from keyphase.segmentation.evidence.gaussians import SegmentGaussians, intervals_s
 from keyphase.segmentation.evidence.selection import (
@@ -65,6 +66,14 @@ class EvidenceMethod:
             candidates=told.candidates(selection),
             track=track,
             unlike=self.evidence.unlike,
+            line_counts=line_counts(self.evidence, scores, selection, parameters),
+            held_back=held_back(
+                self.evidence,
+                lambda freed: self._scored(freed)[0],
+                self._weights,
+                parameters,
+                selection,
+            ),
         )
 
     @cached_property

@@ -87,15 +87,25 @@ def select(
     contact[scores.small] = SMALL
     motion = np.where(scores.motion >= log_odds(motion_line), GIVEN, BELOW).astype(np.int8)
     motion[np.isneginf(scores.motion)] = CLOSE
-    if evidence.grid.wrench is not None and parameters.turns != "all":
-        depth = evidence.motion.terms[:, MOTION_COLUMNS["depth"]]
-        clear = (depth >= CLEAR_DEPTH) & (parameters.turns == "clear")
-        motion[(motion == GIVEN) & ~evidence.motion.rest & ~clear] = TURN
+    motion[(motion == GIVEN) & uncounted_turns(evidence, parameters)] = TURN
     touching = evidence.contact_s[contact == GIVEN]
     near = distance_to(evidence.motion_s, touching)
-    reach = max(parameters.merge_tolerance_s, min(parameters.min_distance_s, 0.1))
-    motion[(motion == GIVEN) & (near < reach)] = CONTACT
+    motion[(motion == GIVEN) & (near < contact_reach_s(parameters))] = CONTACT
     return Selection(contact, motion, contact_line, motion_line)
+
+
+def uncounted_turns(evidence: Evidence, parameters: Parameters) -> NDArray[np.bool_]:
+    """Candidates of motion (M,) that are turns which do not count, whatever their score."""
+    if evidence.grid.wrench is None or parameters.turns == "all":
+        return np.zeros(len(evidence.motion_s), dtype=bool)
+    depth = evidence.motion.terms[:, MOTION_COLUMNS["depth"]]
+    clear = (depth >= CLEAR_DEPTH) & (parameters.turns == "clear")
+    return ~evidence.motion.rest & ~clear
+
+
+def contact_reach_s(parameters: Parameters) -> float:
+    """A change of motion nearer than this to a contact change is part of it."""
+    return max(parameters.merge_tolerance_s, min(parameters.min_distance_s, 0.1))
 
 
 def _line(given: float | None, automatic: float) -> float:

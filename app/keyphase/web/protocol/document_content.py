@@ -65,6 +65,8 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         peaks=tuple(map(_peak, segmentation.peaks)),
         gaussians=len(segmentation.gaussians),
         candidates=tuple(map(_candidate, segmentation.candidates)),
+        line_counts=segmentation.line_counts,
+        held_back=segmentation.held_back,
         plan=plan_of(labeling),
         proposed_drops=tuple(labeling.proposed_drops),
         inapplicable=tuple(labeling.inapplicable),

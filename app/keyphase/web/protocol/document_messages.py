@@ -7,7 +7,7 @@ from msgspec import UNSET, Struct, UnsetType
 from keyphase.labeling.labeling import Inapplicable
 from keyphase.labeling.vocabulary import VocabularyLabel
 from keyphase.notices import Severity
-from keyphase.segmentation.segmentation import CandidateKind, Origin
+from keyphase.segmentation.segmentation import CandidateKind, HeldBack, LineCounts, Origin
 from keyphase.workbench.recordings import State
 
 Point = tuple[float, float, float]
@@ -181,6 +181,8 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     labels        the folder's vocabulary, in the order of the number keys
     saved_at      HH:MM:SS of the last step on disk
     inapplicable  edits whose place is gone
+    line_counts   how many boundaries are found wherever each line lies
+    held_back     how many more there would be, were another parameter let go
     """
 
     revision: int
@@ -217,6 +219,8 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     changed: bool
     elsewhere: ElsewhereMessage | None
     labels: tuple[VocabularyLabel, ...]
+    line_counts: tuple[LineCounts, ...] = ()
+    held_back: tuple[HeldBack, ...] = ()
     breaks: tuple[BreakMessage, ...] = ()
     selected: int | None = None
 

@@ -15,6 +15,8 @@
  * - labels: the folder's vocabulary, in the order of the number keys
  * - saved_at: HH:MM:SS of the last step on disk
  * - inapplicable: edits whose place is gone
+ * - line_counts: how many boundaries are found wherever each line lies
+ * - held_back: how many more there would be, were another parameter let go
  */
 export interface DocumentMessage {
   type: "document";
@@ -52,6 +54,8 @@ export interface DocumentMessage {
   changed: boolean;
   elsewhere: ElsewhereMessage | null;
   labels: VocabularyLabel[];
+  line_counts: LineCounts[];
+  held_back: HeldBack[];
   breaks: BreakMessage[];
   selected: number | null;
 }
@@ -198,6 +202,25 @@ export interface ElsewhereMessage {
 export interface VocabularyLabel {
   name: string;
   color: string;
+}
+
+/**
+ * How many boundaries are found wherever a line lies, all else as it is.
+ * - parameter: whose line it is
+ * - steps: probabilities (K,) at which the number changes, ascending
+ * - counts: (K + 1,) numbers: of a line up to each step, and above the last
+ */
+export interface LineCounts {
+  parameter: "force_threshold" | "motion_threshold";
+  steps: number[];
+  counts: number[];
+}
+
+/** Boundaries held back by a parameter whatever the lines, and its value that lets them go. */
+export interface HeldBack {
+  parameter: "least_step_N" | "turns";
+  count: number;
+  free: number | string;
 }
 
 /** A stretch in which nothing was demonstrated, a gap or a jump, and what it is in words. */

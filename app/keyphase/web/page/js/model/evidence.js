@@ -52,6 +52,32 @@ export function lineValue(height, automatic, pixels) {
 }
 
 /**
+ * @typedef {ReturnType<typeof linesOf>[number]} LineInForce
+ * @typedef {import("../messages/document_messages").LineCounts} Counts
+ *
+ * How many boundaries come of each place of a line, where that is known.
+ * @param {import("./types.js").Doc|null} doc
+ * @param {string} parameter
+ * @returns {Counts|undefined}
+ */
+export const countsOf = (doc, parameter) =>
+  doc?.line_counts?.find((one) => one.parameter === parameter);
+
+/** How many are found with the line here. @param {Counts} counts @param {number} line */
+export const countAt = ({ steps, counts }, line) => counts[stepsBelow(steps, line)];
+
+/** From where to where the number stays the same. @param {Counts} counts @param {number} line */
+export function stretchAt({ steps }, line) {
+  const below = stepsBelow(steps, line);
+  return [steps[below - 1] ?? PROBABILITY.low, steps[below] ?? PROBABILITY.high];
+}
+
+const stepsBelow = (steps, line) => steps.filter((step) => step < line).length;
+
+/** What else holds boundaries back, in words. @type {Object<string, string>} */
+export const FILTERS = { least_step_N: "the least step", turns: "turns" };
+
+/**
  * Heights of tags that would overlap, moved apart within a track.
  * @param {number[]} wanted px
  * @param {number} apart px

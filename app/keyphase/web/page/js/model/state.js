@@ -37,11 +37,12 @@ import { firstChoice } from "./rows.js";
  *   following: string|null, lostAt: Date|null, command: string|null}} Told
  *
  * What a person looks at and holds; `hovered`, `current` and `explained` are numbers of boundaries,
- * `selected` and `renaming` of segments, `candidate` of a candidate, `pointer` and `clock` are times
+ * `selected` and `renaming` of segments, `candidate` of a candidate, `pointer` and `clock` are times,
+ * `lineOver` is the parameter of the line under the pointer
  * @typedef {import("./types.js").View} View
  * @typedef {{
  *   view: View|null, viewBefore: View|null, clock: number, selected: number|null,
- *   hovered: number|null, candidate: number|null, current: number|null, explained: number|null,
+ *   hovered: number|null, candidate: number|null, lineOver: string|null, current: number|null, explained: number|null,
  *   pointer: number|null, drag: import("./drag.js").Drag|null, range: [number, number]|null,
  *   planDrag: any, renaming: number|null, held: Object<string, *>,
  *   pending: import("./pending.js").Pending[], tab: string, drawer: "panel"|"queue"|null,
@@ -113,6 +114,7 @@ function nothingSeen(small) {
     selected: null,
     hovered: null,
     candidate: null,
+    lineOver: null,
     current: null,
     explained: null,
     pointer: null,

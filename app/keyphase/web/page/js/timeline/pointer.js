@@ -51,6 +51,7 @@ export function attachPointer(store, timeline, actions) {
     store.set({
       hovered: hit.kind === "boundary" ? hit.boundary : null,
       candidate: hit.candidate ?? null,
+      lineOver: hit.kind === "line" ? hit.line : null,
       pointer: inTracks ? timeline.scale().time(point.x) : null,
     });
   }
@@ -121,7 +122,7 @@ export function attachPointer(store, timeline, actions) {
   surface.addEventListener("pointerup", finish);
   surface.addEventListener("pointercancel", finish);
   surface.addEventListener("pointerleave", () => {
-    if (!gesture) store.set({ pointer: null, hovered: null, candidate: null });
+    if (!gesture) store.set({ pointer: null, hovered: null, candidate: null, lineOver: null });
   });
 
   surface.addEventListener("dblclick", (event) => {

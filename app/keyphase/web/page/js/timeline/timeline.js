@@ -31,7 +31,7 @@ export function createTimeline(pane, store, actions) {
     scale,
     bottom: () => pane.clientHeight,
   };
-  const tracks = createTrackRows(content, store);
+  const tracks = createTrackRows(content, store, actions);
   arrangeOn(pane, content, store, stage, tracks);
   drawOn(store, stage, tracks);
   new ResizeObserver(() =>
@@ -115,7 +115,7 @@ function drawOn(store, stage, tracks) {
   on(["document", "layout", "plotWidth"], (state) => head.drawStrip(stage, state));
   on([...SEGMENTS, ...PLACE], (state) => head.drawSegments(stage, state));
   on([...PLACE, "whole", "fine", "folded"], drawTracks);
-  on(["document", "held", "logarithmic", "candidate"], (state) =>
+  on(["document", "held", "logarithmic", "candidate", "lineOver"], (state) =>
     tracks.drawLined(state, stage.scale()),
   );
   on(["clock", "recording", ...PLACE], (state) => head.drawPlayhead(stage, state));

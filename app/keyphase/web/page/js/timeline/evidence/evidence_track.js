@@ -11,7 +11,9 @@ import { createCurves, fillAbove } from "../curves.js";
 import { createReadout } from "../gutter.js";
 import { tickLabels } from "../tracks.js";
 import { drawCandidates, nearestCandidate, showNote } from "./candidates.js";
+import { createHeldBack } from "./held_back.js";
 import { drawLines, tagLevels } from "./lines.js";
+import { drawProfile } from "./profile.js";
 
 /** Room above and below the way of the lines, as a share of it. */
 const AIR = 0.05;
@@ -20,8 +22,12 @@ const LINE_PX = 4;
 const TAG_PX = 8;
 const NOTHING = { times: new Float64Array(), values: new Float64Array() };
 
-/** @param {import("../gutter.js").TrackParts} parts */
-export function createEvidenceTrack({ plot, marks, gutter, texts }) {
+/**
+ * @param {import("../gutter.js").TrackParts} parts
+ * @param {import("../../lib/store.js").Store} _store
+ * @param {any} actions
+ */
+export function createEvidenceTrack({ plot, marks, gutter, texts }, _store, actions) {
   const pens = LINES.map(({ origin }) => ({ color: `--origin-${origin}`, width: 1.2 }));
   const folded = createCurves(plot, [{ color: "--text-3", width: 1 }]);
   const note = el("div", { class: "candidate-note", role: "tooltip", hidden: true });
@@ -30,6 +36,7 @@ export function createEvidenceTrack({ plot, marks, gutter, texts }) {
     gutter,
     LINES.map(({ kind }, k) => ({ key: kind, color: pens[k].color })),
   );
+  const heldBack = createHeldBack(gutter, actions);
   let shades = { lines: [], series: [], view: null, colors: colorsOf(pens) };
   const curves = createCurves(plot, pens, (chart, box) => paintShades(chart, box, shades));
   let paired = { source: null, series: [] };
@@ -52,6 +59,7 @@ export function createEvidenceTrack({ plot, marks, gutter, texts }) {
       plot.classList.toggle("folded", row.folded);
       (row.folded ? curves : folded).hide();
       note.hidden = true;
+      heldBack(state);
       if (!source?.length) return marks.replaceChildren();
       const range = rangeOf(state.small);
       if (row.folded) {
@@ -68,6 +76,7 @@ export function createEvidenceTrack({ plot, marks, gutter, texts }) {
       return marks.replaceChildren(
         ...tickLabels(range, curves.y, texts()),
         ...drawCandidates(state, scale, curves.y),
+        ...drawProfile(lines, state, scale, curves.y),
         ...drawLines(lines, state, scale, curves.y, row.height),
       );
     },

@@ -7,14 +7,15 @@ import { createEvidenceTrack } from "../evidence/evidence_track.js";
 import { createGutter } from "../gutter.js";
 import { createTrack } from "../tracks.js";
 
-/** @type {Object<string, (parts: any, store: any) => any>} tracks with lines that one can drag */
+/** @type {Object<string, (parts: any, store: any, actions: any) => any>} tracks with lines that one can drag */
 const LINED = { error: createErrorTrack, evidence: createEvidenceTrack };
 
 /**
  * @param {HTMLElement} content what holds the rows
  * @param {import("../../lib/store.js").Store} store
+ * @param {any} actions
  */
-export function createTrackRows(content, store) {
+export function createTrackRows(content, store, actions) {
   /** @type {Map<string, any>} */
   const tracks = new Map();
 
@@ -22,7 +23,7 @@ export function createTrackRows(content, store) {
   function trackOf(definition) {
     const known = tracks.get(definition.key);
     if (known) return known;
-    const track = makeTrack(definition, store);
+    const track = makeTrack(definition, store, actions);
     content.append(track.row);
     tracks.set(definition.key, track);
     return track;
@@ -74,15 +75,21 @@ export function createTrackRows(content, store) {
 /**
  * @param {typeof TRACKS[number]} definition
  * @param {import("../../lib/store.js").Store} store
+ * @param {any} actions
  */
-function makeTrack({ key, title, unit }, store) {
+function makeTrack({ key, title, unit }, store, actions) {
   const gutter = createGutter({ key, title, unit }, (name) => fold(store, name));
   const plot = el("div", { class: "plot", data: { track: key } });
   const marks = svg("g", { data: { marks: key } });
   const holder = svg("svg", { class: "marks" }, marks);
   const row = el("div", { class: "track", data: { key } }, gutter.node, plot, holder);
   const parts = { plot, marks, gutter: gutter.body, texts: gutter.texts };
-  return { ...(LINED[key]?.(parts, store) ?? createTrack(key, parts)), row, gutter, holder };
+  return {
+    ...(LINED[key]?.(parts, store, actions) ?? createTrack(key, parts)),
+    row,
+    gutter,
+    holder,
+  };
 }
 
 /** @param {any} track @param {import("../../model/rows.js").Row} row @param {number} head px above */

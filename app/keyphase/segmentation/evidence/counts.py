@@ -1,0 +1,113 @@
+"""How many boundaries come of each place of a line, and what else holds candidates back."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.segmentation.evidence.probability import log_odds, sigmoid
+from keyphase.segmentation.evidence.selection import (
+    GIVEN,
+    Scores,
+    Selection,
+    contact_reach_s,
+    select,
+    uncounted_turns,
+)
+from keyphase.segmentation.evidence.stage import Evidence
+from keyphase.segmentation.evidence.weights import Weights
+from keyphase.segmentation.parameters import Parameters
+from keyphase.segmentation.segmentation import HeldBack, LineCounts
+
+LOWEST, HIGHEST = 0.01, 0.99
+"""The ends of the way of a line."""
+
+MAX_STEPS = 400
+"""With more steps than this only some of them are told, so that a long recording costs little."""
+
+_FREE: dict[Literal["least_step_N", "turns"], float | str] = {"least_step_N": 0.0, "turns": "all"}
+"""Parameters that hold candidates back whatever the lines, and where they hold back none."""
+
+
+def line_counts(
+    evidence: Evidence, scores: Scores, selection: Selection, parameters: Parameters
+) -> tuple[LineCounts, ...]:
+    """The number of boundaries over each line, while the other stays where it is.
+
+    A candidate of motion is no boundary of its own where a contact change is taken beside it: it
+    comes as the force line rises above the likeliest of those.
+    """
+    inside = _inside(evidence, evidence.contact_s)
+    contact_s, contact = evidence.contact_s[inside], scores.contact[inside]
+    counted = _inside(evidence, evidence.motion_s) & ~uncounted_turns(evidence, parameters)
+    motion_s, motion = evidence.motion_s[counted], scores.motion[counted]
+    beside = _likeliest_beside(motion_s, contact_s, contact, contact_reach_s(parameters))
+    above = beside[motion >= log_odds(selection.motion_line)]
+    free = motion[beside < log_odds(selection.contact_line)]
+    counts = [_counts("motion_threshold", int((selection.contact[inside] == GIVEN).sum()), free)]
+    if len(contact):
+        alone = int(np.isneginf(above).sum())
+        counts.insert(0, _counts("force_threshold", alone, contact, above[np.isfinite(above)]))
+    return tuple(counts)
+
+
+def held_back(
+    evidence: Evidence,
+    scored: Callable[[Parameters], Scores],
+    weights: Weights,
+    parameters: Parameters,
+    selection: Selection,
+) -> tuple[HeldBack, ...]:
+    """How many boundaries more there would be, were a filter let go."""
+    now = len(selection.contacts) + len(selection.motions)
+    found = []
+    for name, value in _FREE.items():
+        if getattr(parameters, name) == value:
+            continue
+        freed = replace(parameters, **{name: value})
+        more = select(evidence, scored(freed), weights, freed)
+        count = len(more.contacts) + len(more.motions) - now
+        if count > 0:
+            found.append(HeldBack(name, count, value))
+    return tuple(found)
+
+
+def _inside(evidence: Evidence, time_s: Array) -> np.ndarray:
+    times = evidence.grid.time_s
+    return (time_s > times[0]) & (time_s < times[-1])
+
+
+def _likeliest_beside(motion_s: Array, contact_s: Array, contact: Array, reach_s: float) -> Array:
+    """Log-odds (M,) of the likeliest contact change nearer than `reach_s`; -inf without any."""
+    first = np.searchsorted(contact_s, motion_s - reach_s, side="right")
+    last = np.searchsorted(contact_s, motion_s + reach_s, side="left")
+    best = np.full(len(motion_s), -np.inf)
+    for index in np.flatnonzero(last > first).tolist():
+        best[index] = contact[first[index] : last[index]].max()
+    return best
+
+
+def _counts(
+    parameter: Literal["force_threshold", "motion_threshold"],
+    always: int,
+    going: Array,
+    coming: Array | None = None,
+) -> LineCounts:
+    """A line that rises above a score loses those `going` and gains those `coming`."""
+    coming = np.empty(0) if coming is None else coming
+    going = going[np.isfinite(going)]
+    at = np.concatenate([going, coming])
+    change = np.concatenate([np.full(len(going), -1), np.full(len(coming), 1)])
+    steps, which = np.unique(at, return_inverse=True)
+    changes = np.bincount(which, weights=change, minlength=len(steps)).astype(int)
+    counts = always + len(going) + np.concatenate([[0], np.cumsum(changes)])
+    inside = (steps >= log_odds(LOWEST)) & (steps <= log_odds(HIGHEST)) & (changes != 0)
+    kept = np.flatnonzero(inside)
+    if len(kept) > MAX_STEPS:
+        kept = kept[np.linspace(0, len(kept) - 1, MAX_STEPS).round().astype(int)]
+    # Before the first step that is told the count is that just below it.
+    before = counts[kept[0]] if len(kept) else counts[np.searchsorted(steps, log_odds(LOWEST))]
+    told = (int(before), *counts[kept + 1].tolist())
+    return LineCounts(parameter, tuple(sigmoid(steps[kept]).tolist()), told)

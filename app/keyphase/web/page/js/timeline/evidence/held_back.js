@@ -1,0 +1,33 @@
+/** What holds boundaries back whatever the lines, and lets them go at a press. */
+
+import { el } from "../../lib/dom.js";
+import { FILTERS } from "../../model/evidence.js";
+
+/**
+ * @param {HTMLElement} gutter
+ * @param {any} actions
+ * @returns {(state: import("../../lib/store.js").State) => void} draws what there is
+ */
+export function createHeldBack(gutter, actions) {
+  const node = el("div", { class: "held-back" });
+  gutter.append(node);
+  let told = null;
+  return ({ document: doc, readOnly }) => {
+    const now = doc?.held_back ?? [];
+    if (now === told) return;
+    told = now;
+    node.replaceChildren(
+      ...now.map(({ parameter, count, free }) =>
+        el("button", {
+          type: "button",
+          class: "link",
+          disabled: readOnly,
+          data: { release: parameter },
+          title: `${count} more would be found without ${FILTERS[parameter]}.`,
+          text: `${count} held by ${FILTERS[parameter]}: release?`,
+          on: { click: () => actions.setParameter(parameter, free, false) },
+        }),
+      ),
+    );
+  };
+}
