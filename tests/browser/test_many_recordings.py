@@ -160,8 +160,12 @@ def test_doubts_are_settled_by_two_keys_from_one_recording_to_the_next(
     assert first["unsure"] == 1
     assert second["unsure"] > 0
     page.press("n")
+    page.until("keyphase.state.playhead.between_s !== null && keyphase.state.playhead.playing")
+    time_s = page.document["boundaries"][page.state("current")]["time_s"]
+    assert page.state("playhead")["between_s"] == [time_s - 0.7, time_s + 0.7]
     page.change(lambda: page.press("Enter"))
     page.page.locator(".notice", has_text="N: the next doubt, in second").wait_for()
+    page.until("keyphase.state.playhead.between_s === null && !keyphase.state.playhead.playing")
 
     page.press("n")
     page.until("keyphase.state.document.name === 'second' && keyphase.state.current !== null")

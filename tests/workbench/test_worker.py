@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from keyphase.workbench.playback import Playhead
+from keyphase.workbench.playback import AROUND_S, Playhead
 from keyphase.workbench.worker import Worker
 
 
@@ -118,3 +118,17 @@ def test_looping_goes_on_from_the_start() -> None:
 
     assert head.time_s == 3.0
     assert head.playing
+
+
+@given(st.floats(2.0, 9.0), st.floats(0.0, 100.0), st.sampled_from([0.1, 1.0, 4.0]))
+def test_a_doubt_is_played_with_what_is_around_it_until_another_place_is_sought(
+    time_s: float, elapsed_s: float, speed: float
+) -> None:
+    head = Playhead(2.0, 2.0, 9.0, speed=speed).around(time_s)
+    assert head.between_s == (max(time_s - AROUND_S, 2.0), min(time_s + AROUND_S, 9.0))
+    later = head.advanced(elapsed_s)
+    assert later.playing
+    assert head.between_s[0] <= later.time_s <= head.between_s[1]
+    assert later.played(True, 0.5, loop=False).between_s == head.between_s
+    sought = later.at(3.0)
+    assert (sought.playing, sought.between_s) == (False, None)

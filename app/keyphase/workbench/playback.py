@@ -5,13 +5,19 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+AROUND_S = 0.7
+"""So much before and after a doubt is played with it."""
+
 STEPS_PER_S = 60.0
 """How often a running playhead is told to the pages."""
 
 
 @dataclass(frozen=True)
 class Playhead:
-    """Where playback is; times in the demonstration's own clock."""
+    """Where playback is; times in the demonstration's own clock.
+
+    between_s  the stretch that is played again and again, as around a doubt, until it is left
+    """
 
     time_s: float = 0.0
     start_s: float = 0.0
@@ -19,16 +25,25 @@ class Playhead:
     playing: bool = False
     speed: float = 1.0
     loop: bool = False
+    between_s: tuple[float, float] | None = None
 
     def at(self, time_s: float) -> "Playhead":
-        """The same, moved to `time_s` or as near as the recording goes."""
-        return replace(self, time_s=min(max(time_s, self.start_s), self.end_s))
+        """The same, moved to `time_s` or as near as the recording goes.
+
+        Whoever moves it while a stretch is played again and again wants to see that place.
+        """
+        playing = self.playing and self.between_s is None
+        time_s = min(max(time_s, self.start_s), self.end_s)
+        return replace(self, time_s=time_s, playing=playing, between_s=None)
 
     def advanced(self, elapsed_s: float) -> "Playhead":
         """After `elapsed_s` of real time; at the end it stops, or begins again if it loops."""
         if not self.playing:
             return self
         time_s = self.time_s + elapsed_s * self.speed
+        if self.between_s is not None:
+            from_s, to_s = self.between_s
+            return replace(self, time_s=from_s + (time_s - from_s) % (to_s - from_s))
         if time_s < self.end_s:
             return replace(self, time_s=time_s)
         if self.loop and self.end_s > self.start_s:
@@ -40,7 +55,18 @@ class Playhead:
         """The same, playing or paused; playing at the end begins at the start."""
         begins = playing and not self.playing and self.time_s >= self.end_s
         time_s = self.start_s if begins else self.time_s
-        return replace(self, time_s=time_s, playing=playing, speed=speed, loop=loop)
+        between_s = self.between_s if playing else None
+        return replace(
+            self, time_s=time_s, playing=playing, speed=speed, loop=loop, between_s=between_s
+        )
+
+    def around(self, time_s: float) -> "Playhead":
+        """Playing what is right before and after `time_s`, again and again."""
+        from_s = max(time_s - AROUND_S, self.start_s)
+        to_s = min(time_s + AROUND_S, self.end_s)
+        if not from_s < to_s:
+            return self
+        return replace(self, time_s=from_s, playing=True, between_s=(from_s, to_s))
 
 
 class Clock:

@@ -176,6 +176,8 @@ def _look(page: "Conversation", request: ask.LookRequest) -> None:
             view.move_playhead(
                 lambda head: head.played(request.playing, request.speed, request.loop)
             )
+        case ask.PlayAround():
+            view.move_playhead(lambda head: head.around(request.time_s))
         case ask.Show():
             view.scene.show(request.what, request.visible)
         case ask.Theme():

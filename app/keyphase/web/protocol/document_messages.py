@@ -240,12 +240,13 @@ class GhostMessage(Struct, frozen=True, tag_field="type", tag="ghost"):
 
 
 class PlayheadMessage(Struct, frozen=True, tag_field="type", tag="playhead"):
-    """Where this page's playhead is."""
+    """Where this page's playhead is; `between_s` is a stretch that is played again and again."""
 
     time_s: float
     playing: bool
     speed: float
     loop: bool
+    between_s: tuple[float, float] | None = None
 
 
 class SelectionMessage(Struct, frozen=True, tag_field="type", tag="selection"):

@@ -48,6 +48,7 @@ from keyphase.web.protocol.view_requests import (
     Open,
     OpenDemonstration,
     Play,
+    PlayAround,
     Robot,
     Seek,
     Show,
@@ -74,7 +75,9 @@ EditingRequest = (
 )
 """What changes, compares or writes one document."""
 
-LookRequest = Open | OpenDemonstration | Follow | Seek | Play | Show | Theme | Robot | Latency
+LookRequest = (
+    Open | OpenDemonstration | Follow | Seek | Play | PlayAround | Show | Theme | Robot | Latency
+)
 """What concerns only what a page looks at."""
 
 ReplayRequest = Replay | ReplaySettings | Push
@@ -98,6 +101,7 @@ LOOKING_REQUESTS = (
     Select,
     Seek,
     Play,
+    PlayAround,
     Show,
     Theme,
     Signals,

@@ -42,6 +42,12 @@ class Seek(PageRequest, tag="seek", frozen=True):
     time_s: Time
 
 
+class PlayAround(PageRequest, tag="play_around", frozen=True):
+    """Play what is right before and after a time again and again, until anything else is asked."""
+
+    time_s: Time
+
+
 class Play(PageRequest, tag="play", frozen=True):
     """Start, pause, or change how playback runs."""
 

@@ -73,7 +73,13 @@ class Voice(Watcher):
 
     def show_playhead(self, playhead: Playhead) -> None:
         """Where the playhead is; of one that runs not every step must arrive."""
-        told = (playhead.time_s, playhead.playing, playhead.speed, playhead.loop)
+        told = (
+            playhead.time_s,
+            playhead.playing,
+            playhead.speed,
+            playhead.loop,
+            playhead.between_s,
+        )
         self._send(documents.PlayheadMessage(*told), playhead.playing)
 
     def show_selection(self, segment: int | None) -> None:

@@ -23,6 +23,16 @@ export function createDoubtActions(store, actions) {
     taking = null;
     if (arrived) own.nextDoubt();
   });
+  /** What is played around a doubt ends with it. */
+  store.on(["current"], ({ current, playhead }) => {
+    if (current === null && playhead.between_s) actions.play({ playing: false });
+  });
+  const pace = createPace(store);
+  /** Shows a doubt, and plays what is around it. @param {number} index */
+  function show(index) {
+    actions.visit(index);
+    actions.playAround(state.document.boundaries[index].time_s);
+  }
   const tell = (text) => store.set({ notice: { level: "info", text } });
 
   /** Goes to the next recording with an unsure boundary, and there to the least certain one. */
@@ -39,7 +49,7 @@ export function createDoubtActions(store, actions) {
       if (!unsure.length) return goOn();
       const at = unsure.indexOf(state.current);
       const next = at < 0 ? (direction > 0 ? 0 : unsure.length - 1) : at + direction;
-      return actions.visit(unsure.at(next % unsure.length));
+      return show(unsure.at(next % unsure.length));
     },
     /** Once what is being taken over has come, its first doubt is shown. */
     doubtsOfProposal() {
@@ -48,7 +58,8 @@ export function createDoubtActions(store, actions) {
     /** The next unsure boundary; where none is left, what can be done now is told. */
     nextDoubt() {
       const unsure = unsureBoundaries(state.document);
-      if (unsure.length) return actions.visit(unsure[0]);
+      pace.decided();
+      if (unsure.length) return show(unsure[0]);
       store.set({ current: null, explained: null });
       const next = nextUndone(state);
       const on = next && next.id !== state.recording ? `, on to ${next.name}` : "";
@@ -58,4 +69,24 @@ export function createDoubtActions(store, actions) {
     },
   };
   return own;
+}
+
+/** Decisions further apart than this say nothing of the pace. */
+const PAUSE_MS = 60_000;
+const REMEMBERED = 9;
+
+/** How long a person takes for a doubt: the middle one of the last few. @param {import("../lib/store.js").Store} store */
+function createPace(store) {
+  let before = 0;
+  /** @type {number[]} */
+  let took = [];
+  return {
+    decided() {
+      const now = performance.now();
+      if (before && now - before < PAUSE_MS) took = [...took, now - before].slice(-REMEMBERED);
+      before = now;
+      const middle = took.toSorted((a, b) => a - b)[took.length >> 1];
+      if (took.length > 2) store.set({ secondsPerDoubt: middle / 1000 });
+    },
+  };
 }

@@ -53,6 +53,11 @@ export function createPlaybackActions(store, share) {
       reveal(store, time);
     },
 
+    /** Plays what is right before and after a time again and again, where motion is welcome. */
+    playAround(time) {
+      if (doc() && !matchMedia("(prefers-reduced-motion: reduce)").matches)
+        share({ type: "play_around", time_s: time });
+    },
     /** Goes to the next boundary in time, or the previous one. */
     step(direction) {
       if (!doc()) return;

@@ -254,13 +254,14 @@ export interface SelectionMessage {
   segment: number | null;
 }
 
-/** Where this page's playhead is. */
+/** Where this page's playhead is; `between_s` is a stretch that is played again and again. */
 export interface PlayheadMessage {
   type: "playhead";
   time_s: number;
   playing: boolean;
   speed: number;
   loop: boolean;
+  between_s: [number, number] | null;
 }
 
 /** Which parts this page's scene shows. */

@@ -38,6 +38,7 @@ import type {
   LatencyRequest,
   OpenDemonstrationRequest,
   OpenRequest,
+  PlayAroundRequest,
   PlayRequest,
   RobotRequest,
   SeekRequest,
@@ -69,6 +70,7 @@ export type Request =
   | FollowRequest
   | SeekRequest
   | PlayRequest
+  | PlayAroundRequest
   | ShowRequest
   | ThemeRequest
   | RobotRequest

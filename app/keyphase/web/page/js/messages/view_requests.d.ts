@@ -31,6 +31,12 @@ export interface PlayRequest {
   loop?: boolean;
 }
 
+/** Play what is right before and after a time again and again, until anything else is asked. */
+export interface PlayAroundRequest {
+  type: "play_around";
+  time_s: number;
+}
+
 /** Show or hide a part of the scene. */
 export interface ShowRequest {
   type: "show";

@@ -13,7 +13,7 @@ export function createPlayback(store) {
     const { playhead, document: doc } = store.state;
     if (!playhead.playing || !doc) return;
     const elapsed = (performance.now() - at.now) / 1000;
-    const clock = Math.min(at.time + elapsed * playhead.speed, doc.end_s);
+    const clock = runningClock(at.time + elapsed * playhead.speed, playhead, doc.end_s);
     follow(store, clock);
     store.set({ clock });
     frame = requestAnimationFrame(run);
@@ -27,6 +27,18 @@ export function createPlayback(store) {
       if (playhead.playing && !frame) frame = requestAnimationFrame(run);
     },
   };
+}
+
+/**
+ * Where a running playhead is: in a stretch that is played again and again, or on to the end.
+ * @param {number} time
+ * @param {import("./types.js").Playhead} playhead
+ * @param {number} end
+ */
+export function runningClock(time, { between_s: between }, end) {
+  if (!between) return Math.min(time, end);
+  const [from, to] = between;
+  return from + ((((time - from) % (to - from)) + (to - from)) % (to - from));
 }
 
 /**

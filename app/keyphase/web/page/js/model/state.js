@@ -42,7 +42,8 @@ import { firstChoice } from "./rows.js";
  * @typedef {import("./types.js").View} View
  * @typedef {{
  *   view: View|null, viewBefore: View|null, clock: number, selected: number|null,
- *   hovered: number|null, candidate: number|null, lineOver: string|null, current: number|null, explained: number|null,
+ *   hovered: number|null, candidate: number|null, lineOver: string|null,
+ *   secondsPerDoubt: number|null, current: number|null, explained: number|null,
  *   pointer: number|null, drag: import("./drag.js").Drag|null, range: [number, number]|null,
  *   planDrag: any, renaming: number|null, held: Object<string, *>,
  *   pending: import("./pending.js").Pending[], tab: string, drawer: "panel"|"queue"|null,
@@ -77,7 +78,7 @@ function nothingTold() {
     whole: null,
     fine: null,
     lens: null,
-    playhead: { time_s: 0, playing: false, speed: 1, loop: false },
+    playhead: { time_s: 0, playing: false, speed: 1, loop: false, between_s: null },
     progress: null,
     sending: null,
     tables: [],
@@ -114,6 +115,7 @@ function nothingSeen(small) {
     selected: null,
     hovered: null,
     candidate: null,
+    secondsPerDoubt: null,
     lineOver: null,
     current: null,
     explained: null,

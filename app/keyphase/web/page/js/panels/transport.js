@@ -1,7 +1,7 @@
 /** Playback and the edits one makes most, between scene and timeline. */
 
 import { doubtsElsewhere } from "../model/recording_list.js";
-import { unsureBoundaries } from "../model/unsure.js";
+import { timeLeft, unsureBoundaries } from "../model/unsure.js";
 import { byId, el, icon } from "../lib/dom.js";
 import { moment, time as timeText } from "../lib/format.js";
 import { SPEEDS } from "../model/playback.js";
@@ -50,7 +50,7 @@ export function createTransport(store, actions, menus) {
   store.later(["document"], ({ document: doc }) => {
     for (const button of bar.querySelectorAll("button")) button.disabled = !doc;
   });
-  store.later(["document", "current", "recordings"], unsure.draw);
+  store.later(["document", "current", "recordings", "secondsPerDoubt"], unsure.draw);
 }
 
 const tool = (name, title, run, extra = "") =>
@@ -210,6 +210,8 @@ function createUnsure(actions) {
       which.textContent = unsure.length
         ? `boundary ${index + 1}, ${doc.boundaries[index].confidence.toFixed(2)}`
         : "unsure";
+      const left = timeLeft(unsure.length + elsewhere, state.secondsPerDoubt);
+      if (left && unsure.length) which.textContent = left;
       node.title = elsewhere ? `${elsewhere} more in other recordings` : "";
     },
   };
