@@ -8,15 +8,19 @@ import viser
 from keyphase.demonstration import Array
 from keyphase.web.scene.recording.viewpoint import FIELD_OF_VIEW_RAD, Viewpoint
 
+_SAME = 0.01
+"""A camera this near to where it was put, as a share of its distance, is where it was put."""
+
 
 @dataclass
 class LastCamera:
     """Where a page's camera was last, and at what; kept while its frame connects again.
 
-    `of` is what was looked at: the same again is seen from where it was seen before.
+    `of` is what was looked at: where a person `turned` it, the same again is seen from there.
     """
 
     of: object = None
+    turned: bool = False
     position_m: Array | None = None
     look_at_m: Array | None = None
     up: Array | None = None
@@ -27,22 +31,23 @@ class Camera:
 
     def __init__(self, client: viser.ClientHandle, last: LastCamera) -> None:
         self._client, self._last = client, last
-        self._pointed = False
+        self._has_arrived = False
         client.camera.on_update(self._moved)
 
     def look(self, view: Viewpoint, of: object) -> None:
-        """Look from `view`, or from where the same was seen last."""
+        """Look from `view`, or from where a person turned to the same."""
         last = self._last
-        if of is not last.of or last.position_m is None or last.look_at_m is None:
-            last.of = of
-            self.point(view.position_m, view.look_at_m, None)
-        else:
+        if of is not last.of:
+            last.of, last.turned = of, False
+        if last.turned and last.position_m is not None and last.look_at_m is not None:
             self.point(last.position_m, last.look_at_m, last.up)
+        else:
+            self.point(view.position_m, view.look_at_m, None)
 
     def point(self, position_m: Array, look_at_m: Array, up: Array | None) -> None:
         """Put it there at once."""
         camera = self._client.camera
-        self._pointed = True
+        self._has_arrived = False
         with self._client.atomic():
             camera.fov = FIELD_OF_VIEW_RAD
             if up is not None:
@@ -51,9 +56,19 @@ class Camera:
         self._last.position_m, self._last.look_at_m, self._last.up = position_m, look_at_m, up
 
     async def _moved(self, camera: viser.CameraHandle) -> None:
-        """A person turned it; but what viser's client says before it was pointed is no choice."""
-        if not self._pointed:
-            return
+        """A person turned it; but what viser's client says before it is where it was put is none.
+
+        That comes when it was on its way as the camera was pointed.
+        """
         last = self._last
-        last.position_m, last.look_at_m = np.array(camera.position), np.array(camera.look_at)
-        last.up = np.array(camera.up_direction)
+        if last.position_m is None or last.look_at_m is None:
+            return
+        position, look_at = np.array(camera.position), np.array(camera.look_at)
+        near = _SAME * float(np.linalg.norm(last.position_m - last.look_at_m))
+        moved = np.linalg.norm(position - last.position_m) > near
+        if not moved and np.linalg.norm(look_at - last.look_at_m) <= near:
+            self._has_arrived = True
+        elif self._has_arrived:
+            last.turned = True
+            last.position_m, last.look_at_m = position, look_at
+            last.up = np.array(camera.up_direction)

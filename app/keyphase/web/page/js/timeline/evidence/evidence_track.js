@@ -36,7 +36,7 @@ export function createEvidenceTrack({ plot, marks, gutter, texts }, _store, acti
     gutter,
     LINES.map(({ kind }, k) => ({ key: kind, color: pens[k].color })),
   );
-  const heldBack = createHeldBack(gutter, actions);
+  const heldBack = createHeldBack(plot, actions);
   let shades = { lines: [], series: [], view: null, colors: colorsOf(pens) };
   const curves = createCurves(plot, pens, (chart, box) => paintShades(chart, box, shades));
   let paired = { source: null, series: [] };

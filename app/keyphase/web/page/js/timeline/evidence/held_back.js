@@ -4,15 +4,16 @@ import { el } from "../../lib/dom.js";
 import { FILTERS } from "../../model/evidence.js";
 
 /**
- * @param {HTMLElement} gutter
+ * @param {HTMLElement} plot beside which they stand
  * @param {any} actions
  * @returns {(state: import("../../lib/store.js").State) => void} draws what there is
  */
-export function createHeldBack(gutter, actions) {
+export function createHeldBack(plot, actions) {
   const node = el("div", { class: "held-back" });
-  gutter.append(node);
+  plot.after(node);
   let told = null;
-  return ({ document: doc, readOnly }) => {
+  return ({ document: doc, readOnly, folded }) => {
+    node.hidden = folded.has("evidence");
     const now = doc?.held_back ?? [];
     if (now === told) return;
     told = now;
