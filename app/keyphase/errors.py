@@ -24,7 +24,13 @@ from pathlib import Path
 
 
 class KeyphaseError(Exception):
-    """Root of all errors a user can act on; anything else that is raised is a defect."""
+    """Root of all errors a user can act on; anything else that is raised is a defect.
+
+    Its message can be printed and sent, whatever a file or a name that it quotes holds.
+    """
+
+    def __init__(self, message: object = "") -> None:
+        super().__init__(str(message).encode(errors="backslashreplace").decode())
 
 
 class DemonstrationError(KeyphaseError):

@@ -113,3 +113,12 @@ def test_whoever_names_something_else_is_told_the_way(tmp_path, name, data, way)
     (tmp_path / name).write_bytes(data)
     with pytest.raises(SegmentFileError, match=way):
         read_segment_file(tmp_path / name)
+
+
+def test_a_refusal_can_be_sent_whatever_the_file_holds(file):
+    content = json.loads(file.read_text())
+    content["demonstration"]["path"] = "\ud800"
+    file.write_text(json.dumps(content))
+    with pytest.raises(SegmentFileError) as refused:
+        read_segment_file(file)
+    assert "\\ud800" in str(refused.value).encode().decode()

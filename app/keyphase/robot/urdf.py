@@ -16,6 +16,9 @@ from keyphase.robot.urdf_numbers import refuse_bad_numbers
 
 _MAX_BYTES = 4 * 1024**2
 _MAX_LINKS = 500
+_MAX_SHAPES = 2000
+_MAX_ELEMENTS = 50_000
+_MAX_DEPTH = 100
 _MAX_ATTRIBUTES = 50
 _ENCODING = re.compile(rb"""\W{0,4}<\?xml[^>]*encoding\s*=\s*["']([^"']*)""")
 _ENCODINGS = frozenset({"utf-8", "utf8", "utf-16", "us-ascii", "ascii", "iso-8859-1", "latin-1"})
@@ -101,6 +104,12 @@ def _refuse_too_much(path: Path, robot: ElementTree.Element) -> None:
         raise RobotError(
             f"{path}: a robot may have {_MAX_LINKS} links, but this one has {links}; leave out "
             "those that the arm does not need."
+        )
+    shapes = sum(len(robot.findall(f"link/{kind}")) for kind in ("visual", "collision"))
+    if shapes > _MAX_SHAPES:
+        raise RobotError(
+            f"{path}: a robot may have {_MAX_SHAPES} shapes, but this one has {shapes}; put those "
+            "of a link into one mesh."
         )
     if any(len(element.attrib) > _MAX_ATTRIBUTES for element in robot.iter()):
         raise RobotError(

@@ -1,0 +1,82 @@
+"""What the page asks before anything of a person could be lost, or be mistaken for another's."""
+
+import json
+from pathlib import Path
+
+from driver import KeyphasePage, LookAt
+
+from keyphase.labeling.edits import Add
+from keyphase.labeling.label import label
+from keyphase.labeling.storage.journal import Journal
+from keyphase.readers import read
+from keyphase.segmentation import segment
+
+THEIRS = "written by somebody else"
+
+
+def test_a_strangers_file_is_kept_replaced_or_left_as_a_person_says(
+    folder: Path, editor: KeyphasePage
+) -> None:
+    file, both = folder / "setup1.segments.json", folder / "setup1_2.segments.json"
+    dialog = editor.page.locator("#in-the-way[open]")
+
+    def answer(how: str) -> None:
+        file.write_text(THEIRS)
+        editor.press("Control+s")
+        dialog.get_by_text("setup1.segments.json").wait_for()
+        assert "keyphase did not write it" in dialog.inner_text()
+        dialog.get_by_role("button", name=how).click()
+        dialog.wait_for(state="detached")
+
+    answer("Cancel")
+    assert file.read_text() == THEIRS
+    assert not both.exists()
+    answer("Keep both")
+    editor.page.locator(".notice", has_text="setup1_2.segments.json").wait_for()
+    assert file.read_text() == THEIRS
+    assert json.loads(both.read_text())["segments"]
+    answer("Replace")
+    editor.page.locator(".notice", has_text="setup1.segments.json").wait_for()
+    assert json.loads(file.read_text())["segments"]
+
+
+def test_a_recording_that_is_done_gets_the_others_parameters_only_where_the_box_says_so(
+    two: KeyphasePage,
+) -> None:
+    done = "() => keyphase.actions.send({ type: 'done', done: true })"
+    two.press("PageDown")
+    two.until("keyphase.state.document.name === 'synthetic_setup1'")
+    two.change(lambda: two.page.evaluate(done))
+    two.press("PageUp")
+    two.until("keyphase.state.document.name === 'setup1'")
+    two.set_parameter("min_distance_s", 2.0)
+    states = "keyphase.state.recordings.items.map(({ state }) => state).join()"
+
+    def apply(*, with_done: bool) -> None:
+        two.page.evaluate("() => keyphase.actions.spread('look')")
+        box = two.page.get_by_label("Also the 1 that is done")
+        box.set_checked(with_done)
+        button = two.page.locator("#spread button:enabled", has_text="Apply to all")
+        button.wait_for()
+        button.click()
+
+    apply(with_done=False)
+    two.page.locator(".notice", has_text="All recordings").wait_for()
+    assert two.page.evaluate(f"() => {states}") == "touched,done"
+    apply(with_done=True)
+    two.until(f"{states} === 'touched,touched'")
+
+
+def test_edits_of_a_recording_that_was_renamed_are_offered_and_taken_over(
+    tmp_path: Path, folder: Path, look_at: LookAt
+) -> None:
+    labeled = folder / "setup1.npz"
+    demonstration = read(labeled)
+    with Journal(demonstration) as journal:
+        labeling = label(segment(demonstration))
+        journal.save(journal.document.apply(Add(1.0), labeling))
+    page = look_at(labeled.rename(tmp_path / "renamed.npz"))
+    offer = page.page.locator(".banner", has_text="labeled as setup1.npz (1 edit)")
+    page.change(lambda: offer.get_by_role("button", name="Take the edits over").click())
+    offer.wait_for(state="detached")
+    assert page.document["edits"] == 1
