@@ -42,11 +42,12 @@ def looks(shape):
         (robot('<link name="b"/>' + joint("j", "a", "b") + joint("k", "a", "b")), "hangs on 2"),
         (robot("".join(f'<link name="l{i}"/>' for i in range(600))), "may have 500 links"),
         (ROBOT.replace("<link", "<link " + " ".join(f'x{i}="1"' for i in range(99))), "attributes"),
+        (looks("").replace("<visual>", "<visual/>" * 2000 + "<visual>"), "may have 2000 shapes"),
         (looks('<cylinder radius="inf" length="0.2"/>'), "must have a number for radius"),
         (looks('<box size="-1"/>'), "must have 3 numbers for size"),
         (looks('<sphere radius="1e300"/>'), "must have a number for radius"),
     ],
-    ids=range(13),
+    ids=range(14),
 )
 def test_it_is_refused_in_a_sentence(tmp_path, text, reason):
     path = tmp_path / "r.urdf"

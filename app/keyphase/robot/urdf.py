@@ -17,8 +17,6 @@ from keyphase.robot.urdf_numbers import refuse_bad_numbers
 _MAX_BYTES = 4 * 1024**2
 _MAX_LINKS = 500
 _MAX_SHAPES = 2000
-_MAX_ELEMENTS = 50_000
-_MAX_DEPTH = 100
 _MAX_ATTRIBUTES = 50
 _ENCODING = re.compile(rb"""\W{0,4}<\?xml[^>]*encoding\s*=\s*["']([^"']*)""")
 _ENCODINGS = frozenset({"utf-8", "utf8", "utf-16", "us-ascii", "ascii", "iso-8859-1", "latin-1"})
