@@ -9,7 +9,7 @@ import {
   nextUndone,
   recordingBeside,
   shownRecordings,
-} from "../../app/keyphase/web/page/js/model/recording_list.js";
+} from "../../app/keyphase/web/page/js/model/recordings/recording_list.js";
 
 const item = (name, confidence, given = {}) => ({
   id: name,

@@ -29,6 +29,7 @@ class RecordMessage(Struct, frozen=True, tag_field="type", tag="record"):
     workcell    name of the open one; null where none is
     recorded_s  length of the take so far; null where none is recorded
     force_N     what the wrist measures; null where no workcell is open
+    newest      of a take: where the tool is [m] and the force on it [N], base frame, x y z each
     """
 
     workcell: str | None
@@ -39,6 +40,7 @@ class RecordMessage(Struct, frozen=True, tag_field="type", tag="record"):
     full_force_N: float
     can_undo: bool
     can_redo: bool
+    newest: tuple[float, float, float, float, float, float] | None = None
 
 
 class ReplaySettingsMessage(Struct, frozen=True, tag_field="type", tag="replay_settings"):
@@ -113,7 +115,16 @@ def record_message(status: LeadThroughStatus) -> RecordMessage:
         full_force_N=FULL_FORCE_N,
         can_undo=status.can_undo,
         can_redo=status.can_redo,
+        newest=_newest(status),
     )
+
+
+def _newest(status: LeadThroughStatus) -> tuple[float, float, float, float, float, float] | None:
+    if status.running is None or not status.recording:
+        return None
+    x, y, z = status.running.sample.position_m.tolist()
+    force_x, force_y, force_z = status.running.sample.force_N.tolist()
+    return x, y, z, force_x, force_y, force_z
 
 
 def trials_message(trials: TrialsRun) -> TrialsMessage:

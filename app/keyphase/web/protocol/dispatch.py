@@ -18,6 +18,7 @@ from keyphase.workbench.desks.parameters import with_parameter
 from keyphase.workbench.exporting.beside import Beside
 from keyphase.workbench.exporting.formats import offered
 from keyphase.workbench.exporting.segment_files import ENDINGS
+from keyphase.workbench.leading.cutting import write_cut
 from keyphase.workbench.replaying.exports import PLAN_KINDS
 from keyphase.workbench.showing.comparing import PROPOSED
 from keyphase.workbench.uploads import copy_of_shipped
@@ -72,6 +73,8 @@ def _at_desk(page: "Conversation", desk: Desk, request: ask.EditingRequest) -> N
             page.wait_for(desk.forget_label(request.label, asked))
         case ask.TakeOver():
             _take_over(page, desk, request)
+        case ask.Cut():
+            page.view.errands.submit(lambda: page.view.add(_cut(desk, request)))
         case ask.Offers() | ask.Export():
             _exporting(page, desk, request)
         case ask.Compare():
@@ -99,6 +102,11 @@ def _set(page: "Conversation", desk: Desk, request: ask.Set) -> None:
         return with_parameter(parameters, request.parameter, request.value)
 
     desk.set_parameters(change, page.asked(request), held=request.held)
+
+
+def _cut(desk: Desk, request: ask.Cut) -> Path:
+    demonstration = desk.opened().demonstration
+    return write_cut(demonstration, desk.recording.path, request.from_s, request.to_s)
 
 
 def _exporting(page: "Conversation", desk: Desk, request: ask.Offers | ask.Export) -> None:

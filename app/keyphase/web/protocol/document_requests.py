@@ -108,6 +108,13 @@ class Signals(PageRequest, tag="signals", frozen=True):
     width: Width
 
 
+class Cut(OnDocument, tag="cut", frozen=True):
+    """Write what was recorded from one time to another as a recording of its own, and open it."""
+
+    from_s: Time
+    to_s: Time
+
+
 class Offers(OnDocument, tag="offers", frozen=True):
     """Tell in which formats this recording can be written, and what each would lose."""
 

@@ -10,6 +10,7 @@ from msgspec import Struct
 from keyphase.errors import RequestError
 from keyphase.web.protocol.document_requests import (
     Compare,
+    Cut,
     Done,
     Edit,
     Export,
@@ -70,6 +71,7 @@ EditingRequest = (
     | Spread
     | Compare
     | TakeOver
+    | Cut
     | Offers
     | Export
 )

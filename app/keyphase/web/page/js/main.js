@@ -49,6 +49,7 @@ import { createLens } from "./timeline/lens.js";
 import { attachPointer } from "./timeline/pointer.js";
 import { firstChoice, SMALL_BELOW_PX, tracksOf } from "./model/rows.js";
 import { createTimeline } from "./timeline/timeline.js";
+import { createTake } from "./panels/take.js";
 import { createTransport } from "./panels/transport.js";
 import { createUpload } from "./actions/upload.js";
 
@@ -130,6 +131,7 @@ createEmpty(store, actions, dialogs);
 createFirstSteps(store);
 createSpread(store, actions);
 createExporting(store, actions);
+createTake(store, actions);
 createInTheWay(store, actions);
 createDescribing(store, send);
 createExplain(store, timeline, actions);

@@ -125,6 +125,7 @@ const recordingsCommands = (actions, dialogs) => [
   ["Next difference", ["J"], () => actions.visitDifference(1)],
   ["Previous difference", ["Shift J"], () => actions.visitDifference(-1)],
   ["Take over what is compared", [], actions.takeOver],
+  ["Cut to what is in view, as a recording of its own", [], actions.cutToView],
   ["Export the segment file", ["Ctrl S"], () => actions.exportAs("json")],
   ["Export in another format…", ["Ctrl Shift S"], actions.chooseExport],
   ["Export all recordings", [], () => actions.exportAs("json", { scope: "all" })],

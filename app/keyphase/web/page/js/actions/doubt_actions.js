@@ -1,6 +1,6 @@
 /** From one unsure boundary to the next, in this recording and then in the others. */
 
-import { nextDoubtful, nextUndone } from "../model/recording_list.js";
+import { nextDoubtful, nextUndone } from "../model/recordings/recording_list.js";
 import { unsureBoundaries } from "../model/unsure.js";
 
 /**

@@ -8,6 +8,11 @@ export function createExportActions(store, send) {
   /** How the last one of each kind was asked for. @type {Map<string, Wish>} */
   const asked = new Map();
   return {
+    /** What is in view as a recording of its own, which is opened; zoom to what is to stay. */
+    cutToView() {
+      const { view, lookingOnly } = store.state;
+      if (view && !lookingOnly) send({ type: "cut", from_s: view.from, to_s: view.to });
+    },
     /** Asks in which formats this recording can be written; the answer opens the choice. */
     chooseExport() {
       if (store.state.document && !store.state.lookingOnly) send({ type: "offers" });

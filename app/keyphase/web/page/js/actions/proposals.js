@@ -1,6 +1,6 @@
 /** What is proposed for the recording that is shown, from those of its folder that are done. */
 
-import { PROPOSED, proposedHere } from "../model/recording_list.js";
+import { PROPOSED, proposedHere } from "../model/recordings/recording_list.js";
 
 /**
  * Shows what is proposed beside the recording as soon as there is something, once for each.

@@ -1,7 +1,12 @@
 /** What a person can do with whole recordings: finish, compare, share, go from one to the next. */
 
 import { plural } from "../lib/format.js";
-import { nextUndone, PROPOSED, proposedHere, recordingBeside } from "../model/recording_list.js";
+import {
+  nextUndone,
+  PROPOSED,
+  proposedHere,
+  recordingBeside,
+} from "../model/recordings/recording_list.js";
 import { unsureBoundaries } from "../model/unsure.js";
 
 /**

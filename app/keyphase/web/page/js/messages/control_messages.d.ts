@@ -13,6 +13,7 @@ export interface RobotMessage {
  * - workcell: name of the open one; null where none is
  * - recorded_s: length of the take so far; null where none is recorded
  * - force_N: what the wrist measures; null where no workcell is open
+ * - newest: of a take: where the tool is [m] and the force on it [N], base frame, x y z each
  */
 export interface RecordMessage {
   type: "record";
@@ -24,6 +25,7 @@ export interface RecordMessage {
   full_force_N: number;
   can_undo: boolean;
   can_redo: boolean;
+  newest: [number, number, number, number, number, number] | null;
 }
 
 /** A workcell that can be chosen. */

@@ -111,6 +111,16 @@ export interface TakeOverRequest {
   event?: number | null;
 }
 
+/** Write what was recorded from one time to another as a recording of its own, and open it. */
+export interface CutRequest {
+  type: "cut";
+  from_s: number;
+  to_s: number;
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
 /** Tell in which formats this recording can be written, and what each would lose. */
 export interface OffersRequest {
   type: "offers";

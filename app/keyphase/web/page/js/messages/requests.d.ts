@@ -2,6 +2,7 @@
 
 import type {
   CompareRequest,
+  CutRequest,
   DoneRequest,
   EditRequest,
   ExportRequest,
@@ -61,6 +62,7 @@ export type Request =
   | SpreadRequest
   | CompareRequest
   | TakeOverRequest
+  | CutRequest
   | OffersRequest
   | ExportRequest
   | SelectRequest

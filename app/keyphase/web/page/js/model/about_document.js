@@ -14,6 +14,7 @@ const ABOUT = new Set([
   "spread",
   "compare",
   "take_over",
+  "cut",
   "offers",
   "export",
   "select",

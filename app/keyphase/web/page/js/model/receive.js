@@ -1,5 +1,7 @@
 /** What the server says, put into the page's state. */
 
+import { takeWith } from "./recordings/take.js";
+
 /**
  * @param {import("../lib/store.js").Store} store
  * @param {{latency: any, playback: any, notices: any, signals: any, replay: any, upload: () => any,
@@ -33,7 +35,7 @@ export function createReceiver(
       store.set({ recordings: message });
       if (!message.items.length) own.closed();
     },
-    record: (message) => store.set({ record: message }),
+    record: (message) => store.set({ record: message, take: takeWith(state.take, message) }),
     replay_settings: (message) => store.set({ replaySettings: message }),
     robot: (message) => store.set({ robot: message }),
     following: (message) => store.set({ following: message.page }),

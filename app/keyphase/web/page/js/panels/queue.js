@@ -7,7 +7,7 @@ import {
   byFolder,
   commonBeginning,
   shownRecordings,
-} from "../model/recording_list.js";
+} from "../model/recordings/recording_list.js";
 import { drawRow, rowId, stateMark } from "./queue_row.js";
 
 /** @type {import("../model/types.js").Recording["state"][]} */

@@ -2,7 +2,7 @@
 
 import { segmentFill } from "../lib/colors.js";
 import { el, svg } from "../lib/dom.js";
-import { asksForALook, cutName, namesOf } from "../model/recording_list.js";
+import { asksForALook, cutName, namesOf } from "../model/recordings/recording_list.js";
 
 const MOST_PIECES = 90;
 const MOST_PAGES = 3;

@@ -1,6 +1,6 @@
 /** Playback and the edits one makes most, between scene and timeline. */
 
-import { doubtsElsewhere } from "../model/recording_list.js";
+import { doubtsElsewhere } from "../model/recordings/recording_list.js";
 import { timeLeft, unsureBoundaries } from "../model/unsure.js";
 import { byId, el, icon } from "../lib/dom.js";
 import { moment, time as timeText } from "../lib/format.js";

@@ -17,6 +17,8 @@ const FOLLOWS_MS = 250;
 const SETTLES_MS = 1000;
 /** An idle scene, and one that follows a hand, rest so many times as long as a frame took. */
 const REST = 12;
+/** No longer than this, since what was loaded during a long first frame is to be seen soon. */
+const REST_MS = 4000;
 /** How often we look whether there is something to draw. */
 const LOOK_MS = 100;
 const INPUTS = ["pointerdown", "pointermove", "pointerup", "wheel", "keydown", "resize"];
@@ -69,7 +71,10 @@ export function createCalmScene(sceneFrames) {
           callback(now);
           if (sceneFrames() === before) return;
           drawing.add(callback.draws ?? callback);
-          afterFrame(() => (restsUntil = performance.now() + REST * (performance.now() - begun)));
+          afterFrame(() => {
+            const now = performance.now();
+            restsUntil = now + Math.min(REST * (now - begun), REST_MS);
+          });
         });
       inside.requestAnimationFrame = (/** @type {Callback} */ callback) => {
         if (!isKept(callback)) return draw(callback);

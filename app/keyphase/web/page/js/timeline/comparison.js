@@ -5,7 +5,7 @@
 
 import { segmentFill } from "../lib/colors.js";
 import { el, icon, svg } from "../lib/dom.js";
-import { namesOf, PROPOSED, proposedHere } from "../model/recording_list.js";
+import { namesOf, PROPOSED, proposedHere } from "../model/recordings/recording_list.js";
 import { textWidth } from "../lib/text_width.js";
 
 /** Height between the bands, for the links. */

@@ -140,6 +140,7 @@ export function recordingItems(store, actions, item) {
             run: () => actions.setDone(!done),
           },
           { text: "Export the segment file", key: "Ctrl S", run: () => actions.exportAs("json") },
+          { text: "Cut to what is in view", off, run: actions.cutToView },
         ]
       : []),
     { text: "Copy its address", run: () => actions.copyAddress(item) },

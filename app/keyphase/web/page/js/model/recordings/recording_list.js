@@ -2,7 +2,7 @@
  * The list of recordings as a person sees it: filtered, in order, by folder, with names that can
  * be told apart.
  *
- * @typedef {import("./types.js").Recording} Recording
+ * @typedef {import("../types.js").Recording} Recording
  */
 
 /** Whether a recording asks for a look. @param {Recording} item */
@@ -27,7 +27,7 @@ export function shownRecordings({ recordings, leastCertainFirst, filter }) {
 /**
  * The recording so many rows below the one that is open (above, for negative), among those shown.
  * @returns {Recording|undefined}
- * @param {import("../lib/store.js").State} state
+ * @param {import("../../lib/store.js").State} state
  */
 export function recordingBeside(state, direction) {
   const shown = shownRecordings(state);
@@ -38,7 +38,7 @@ export function recordingBeside(state, direction) {
 
 /**
  * The next one, in the order shown and then from its start, that nobody has finished.
- * @param {import("../lib/store.js").State} state
+ * @param {import("../../lib/store.js").State} state
  */
 export function nextUndone(state) {
   const shown = shownRecordings(state);
@@ -106,8 +106,8 @@ export const PROPOSED = "proposed";
 
 /**
  * The line of the recording that is shown, where something is proposed and nobody has touched it.
- * @param {import("../lib/store.js").State} state
- * @returns {import("./types.js").Recording|undefined}
+ * @param {import("../../lib/store.js").State} state
+ * @returns {import("../types.js").Recording|undefined}
  */
 export function proposedHere({ recordings, recording }) {
   return recordings.items.find(
