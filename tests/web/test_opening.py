@@ -1,6 +1,7 @@
 """The browser is opened without anything on its command line that opens the page for others."""
 
 import contextlib
+import multiprocessing
 import os
 import re
 import signal
@@ -8,6 +9,7 @@ import subprocess
 import sys
 import time
 import webbrowser
+from multiprocessing.connection import Connection
 from pathlib import Path
 
 import pytest
@@ -91,10 +93,39 @@ def test_no_command_line_of_this_machine_shows_the_token(own_copy: Path, tmp_pat
             lines = _wait_for_command_line("keyphase-open.html")
             assert len(token) == 43
             assert not [line for line in lines if token in line or "?once=" in line]
+            assert _seen_by_another_user(process.pid, token) == []
         finally:
             for pid in _children(process.pid):
                 os.kill(pid, signal.SIGKILL)
             process.kill()
+
+
+def _seen_by_another_user(process: int, token: str) -> list[str]:
+    """What of it somebody without rights finds in /proc; only root can be somebody else."""
+    if os.geteuid() != 0:
+        return []
+    context = multiprocessing.get_context("fork")
+    here, there = context.Pipe()
+    other = context.Process(target=_look_as_nobody, args=(there, process, token))
+    other.start()
+    found = here.recv()
+    other.join()
+    return found
+
+
+def _look_as_nobody(told: Connection, process: int, token: str) -> None:
+    os.setgroups([])
+    os.setgid(65534)
+    os.setuid(65534)
+    names = ("cmdline", "environ", "comm", "stat", "status", "maps", "mem")
+    files = [file for file in Path("/proc").glob("[0-9]*/*") if file.name in names]
+    private = [Path("/proc", str(process), name) for name in ("mem", "environ", "fd", "cwd")]
+    found = [str(path) for path in private if os.access(path, os.R_OK)]
+    for file in files:
+        with contextlib.suppress(OSError):
+            if token.encode() in file.read_bytes():
+                found.append(str(file))
+    told.send(found)
 
 
 def _command_lines() -> list[str]:

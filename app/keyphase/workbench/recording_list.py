@@ -88,11 +88,16 @@ class RecordingList:
             if changed not in self.recordings:
                 self._change(tuple(changed if r.id == changed.id else r for r in self.recordings))
 
-    def show_pages(self, presences: Sequence[Presence]) -> None:
-        """Who is at which recording by now."""
+    def show_pages(self, presences: Callable[[], Sequence[Presence]]) -> None:
+        """Who is at which recording by now.
+
+        They are asked for while nobody else can change the list, so that the newest are told last,
+        and whoever asks must hold no lock that telling takes.
+        """
         with self._lock:
-            if tuple(presences) != self._listing.presences:
-                self._change(presences=tuple(presences))
+            now = tuple(presences())
+            if now != self._listing.presences:
+                self._change(presences=now)
 
     def show_proposals(self, proposals: Mapping[str, Proposal]) -> None:
         """What is proposed for which recording by now, by their ids."""

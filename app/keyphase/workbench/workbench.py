@@ -147,8 +147,7 @@ class Workbench:
 
     def view_changed(self, view: View) -> None:
         """A view looks at another recording, or has come or gone."""
-        with self._lock:
-            self.recordings.show_pages([one.presence for one in self._views.values()])
+        self.recordings.show_pages(lambda: [one.presence for one in self.views])
         view.each(lambda watcher: watcher.show_recordings(self.recordings.listing, view.recording))
 
     def wake_clock(self) -> None:
