@@ -26,6 +26,7 @@ LARGE = (1920, 1080)
 MIDDLE = (1440, 900)
 SMALL = (1280, 720)
 WAIT_S = 120.0
+LOADED_MS = 5_000
 REAL = ("lund_yumi", "hiro_snap_assembly", "lasa_peeling")
 
 _PARTS_SHOWN = """() => Object.keys(window.__viserMutable?.nodeRefFromName ?? {})
@@ -109,7 +110,7 @@ def _pressing(server: PageServer, page: KeyphasePage, take: Take) -> None:
 def _recorded(server: PageServer, page: KeyphasePage, take: Take) -> None:
     page.panel.get_by_role("tab", name="Record").click()
     page.panel.get_by_role("button", name="Open workcell").click()
-    page.until("keyphase.state.workcell")
+    page.until("keyphase.state.record?.workcell")
     _at_rest(server, page)
     take("page_record_setup1")
 
@@ -126,8 +127,10 @@ def _replayed(server: PageServer, page: KeyphasePage, take: Take) -> None:
 
 
 def _at_rest(server: PageServer, page: KeyphasePage) -> None:
-    """Robot, path and names are all where they belong."""
+    """Robot, path and names are all where they belong, also what is loaded after a first frame."""
     assert server.scenes.wait_until_drawn(WAIT_S)
+    page.wait_for_scene()
+    page.page.wait_for_timeout(LOADED_MS)
     page.wait_for_scene()
     page.settle()
 

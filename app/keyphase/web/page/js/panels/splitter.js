@@ -5,6 +5,8 @@ import { byId } from "../lib/dom.js";
 const LEAST_SCENE_PX = 160;
 const LEAST_TIMELINE_PX = 130;
 const STEP_PX = 24;
+/** While a workcell is open the scene is what one works in. */
+const WHILE_RECORDING_PX = 240;
 
 /**
  * @param {import("../lib/store.js").Store} store
@@ -28,8 +30,11 @@ export function createSplitter(store, naturalHeight) {
     );
   }
 
+  let isOpen = false;
+  const wanted = () => (isOpen ? Math.min(naturalHeight(), WHILE_RECORDING_PX) : naturalHeight());
+
   function apply() {
-    const height = limit(chosen ?? naturalHeight());
+    const height = limit(chosen ?? wanted());
     document.documentElement.style.setProperty("--timeline-height", `${height}px`);
     bar.setAttribute("aria-valuenow", String(height));
     store.set({ paneHeight: height });
@@ -58,8 +63,13 @@ export function createSplitter(store, naturalHeight) {
     const step = { ArrowUp: STEP_PX, ArrowDown: -STEP_PX }[event.key];
     if (!step) return;
     event.preventDefault();
-    choose((chosen ?? naturalHeight()) + step);
+    choose((chosen ?? wanted()) + step);
   });
   addEventListener("resize", apply);
+  store.on(["record"], ({ record }) => {
+    if (isOpen === Boolean(record?.workcell)) return;
+    isOpen = !isOpen;
+    apply();
+  });
   store.on(["recording", "folded", "hidden", "small", "comparison"], apply);
 }
