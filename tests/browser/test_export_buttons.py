@@ -71,3 +71,26 @@ def test_a_format_whose_package_is_missing_says_how_to_install_it(
     assert 'pip install "keyphase[elan]"' in refusal.inner_text()
     editor.press("Escape")
     editor.page.locator("#tab-segment").click()
+
+
+def test_recordings_picked_in_the_list_are_written_together(
+    folder: Path, two: KeyphasePage
+) -> None:
+    rows = two.page.locator(".queue-row")
+    rows.nth(1).click(modifiers=["Control"])
+    two.until("keyphase.state.picked.length === 2")
+    assert two.document["name"] == "setup1"
+    two.picture("picked")
+    two.press("Control+Shift+S")
+    dialog = two.page.locator("#exporting")
+    dialog.locator("h2").wait_for()
+    assert dialog.get_by_label("Which").input_value() == "picked"
+    _choose(two, "json")
+    dialog.get_by_role("button", name="Write", exact=True).click()
+    two.page.get_by_text("2 of 2 recordings were written").wait_for()
+    assert len(list(folder.glob("*.segments.*"))) == 2
+    two.press("Escape")
+    rows.nth(1).click()
+    two.until(
+        "keyphase.state.document.name === 'synthetic_setup1' && !keyphase.state.picked.length"
+    )

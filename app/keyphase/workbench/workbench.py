@@ -5,7 +5,6 @@ import threading
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
 
 from keyphase.errors import FileInTheWayError, RequestError
 from keyphase.readers.finding import begins_native, folder_recipe
@@ -207,11 +206,9 @@ class Workbench:
                 view.each(lambda watcher: watcher.show_in_the_way(at, kind, files))
 
     def export_all(
-        self, view: View, kind: str, scope: Literal["done", "all"], options: Options
+        self, view: View, chosen: Sequence[Recording], kind: str, options: Options
     ) -> None:
-        """Write all recordings, or those that are done, and tell a page what became of it."""
-        listed = self.recordings.recordings
-        chosen = [one for one in listed if scope == "all" or one.state == "done"]
+        """Write these recordings, and tell a page what became of it."""
         exported = export_all(chosen, self.library, self.tasks, kind, options)
         if len(exported.paths) == 1:
             view.each(lambda watcher: watcher.show_saved(exported.paths[0], kind))

@@ -19,6 +19,7 @@ from keyphase.workbench.exporting.beside import Beside
 from keyphase.workbench.exporting.formats import offered
 from keyphase.workbench.exporting.segment_files import ENDINGS
 from keyphase.workbench.leading.cutting import write_cut
+from keyphase.workbench.recordings import Recording
 from keyphase.workbench.replaying.exports import PLAN_KINDS
 from keyphase.workbench.showing.comparing import PROPOSED
 from keyphase.workbench.uploads import copy_of_shipped
@@ -104,6 +105,19 @@ def _set(page: "Conversation", desk: Desk, request: ask.Set) -> None:
     desk.set_parameters(change, page.asked(request), held=request.held)
 
 
+def _chosen(page: "Conversation", request: ask.Export) -> list[Recording]:
+    listed = page.workbench.recordings.recordings
+    match request.scope:
+        case "done":
+            return [one for one in listed if one.state == "done"]
+        case "picked":
+            return [one for one in listed if one.id in request.picked]
+        case "all" | "this":
+            return list(listed)
+        case _:
+            assert_never(request.scope)
+
+
 def _cut(desk: Desk, request: ask.Cut) -> Path:
     demonstration = desk.opened().demonstration
     return write_cut(demonstration, desk.recording.path, request.from_s, request.to_s)
@@ -130,7 +144,8 @@ def _write(page: "Conversation", desk: Desk, request: ask.Export) -> None:
     view, kind, scope = page.view, request.kind, request.scope
     options = Options(request.trim_idle, request.if_there)
     if scope != "this":
-        view.errands.submit(lambda: page.workbench.export_all(view, kind, scope, options))
+        chosen = _chosen(page, request)
+        view.errands.submit(lambda: page.workbench.export_all(view, chosen, kind, options))
         return
     page.workbench.require_own_names(desk.recording)
     if kind in ENDINGS:

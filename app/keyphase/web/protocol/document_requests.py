@@ -20,7 +20,8 @@ from keyphase.web.protocol.request_kinds import (
 Width = Annotated[int, Meta(ge=2, le=20_000)]
 """Fewer than two pixels is no curve, and the decimation panics."""
 
-Scope = Literal["this", "done", "all"]
+MAX_PICKED = 10_000
+Scope = Literal["this", "picked", "done", "all"]
 
 
 class Set(OnDocument, tag="set", frozen=True):
@@ -124,7 +125,7 @@ class Export(OnDocument, tag="export", frozen=True):
 
     kind       a format by the name it has in `offers`, or `page`: the replay that is over, as one
                that needs no server
-    scope      this recording, those that are done, or all of the list
+    scope      this recording, those that are `picked`, those that are done, or all of the list
     trim_idle  leave out idle ends, where the format can
     if_there   what becomes of files that keyphase did not write as they are; without, `in_the_way`
                tells which there are
@@ -132,5 +133,6 @@ class Export(OnDocument, tag="export", frozen=True):
 
     kind: Name
     scope: Scope = "this"
+    picked: Annotated[tuple[Id, ...], Meta(max_length=MAX_PICKED)] = ()
     trim_idle: bool = False
     if_there: IfThere = "ask"

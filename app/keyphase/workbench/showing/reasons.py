@@ -25,9 +25,9 @@ def sentences(boundary: LabeledBoundary, threshold: float | None, meeting: "Meet
         said.append(_OF_GRIPPER[found.gripper])
     if found.peak is not None:
         said.append(_about_peak(found.peak, threshold))
-    if found.peak is not None and found.position_s is not None:
+    if found.position_s is not None and (found.peak is not None or found.contact_change):
         said.append(_about_position(found.position_s - found.time_s))
-    if found.peak is None and not found.gripper and found.position_s is not None:
+    elif found.position_s is not None and not found.gripper:
         said += meeting.sentences(found.position_s)
     if not boundary.contact_change and found.peak is not None:
         said.append("It counts as no contact change.")

@@ -18,7 +18,7 @@ export function createExportActions(store, send) {
       if (store.state.document && !store.state.lookingOnly) send({ type: "offers" });
     },
     /**
-     * @typedef {{scope?: "this"|"done"|"all", trim_idle?: boolean}} Wish
+     * @typedef {{scope?: "this"|"picked"|"done"|"all", picked?: string[], trim_idle?: boolean}} Wish
      * @param {string} kind @param {Wish} [wish]
      */
     exportAs(kind, wish = {}) {

@@ -133,7 +133,7 @@ export interface OffersRequest {
  * Write a recording, or others of the list, too.
  * - kind: a format by the name it has in `offers`, or `page`: the replay that is over, as one that
  *   needs no server
- * - scope: this recording, those that are done, or all of the list
+ * - scope: this recording, those that are `picked`, those that are done, or all of the list
  * - trim_idle: leave out idle ends, where the format can
  * - if_there: what becomes of files that keyphase did not write as they are; without, `in_the_way`
  *   tells which there are
@@ -141,7 +141,8 @@ export interface OffersRequest {
 export interface ExportRequest {
   type: "export";
   kind: string;
-  scope?: "all" | "done" | "this";
+  scope?: "all" | "done" | "picked" | "this";
+  picked?: string[];
   trim_idle?: boolean;
   if_there?: "ask" | "keep both" | "replace";
   recording: string;

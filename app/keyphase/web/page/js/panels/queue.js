@@ -6,6 +6,7 @@ import {
   asksForALook,
   byFolder,
   commonBeginning,
+  pickedWith,
   shownRecordings,
 } from "../model/recordings/recording_list.js";
 import { drawRow, rowId, stateMark } from "./queue_row.js";
@@ -29,10 +30,10 @@ export function createQueue(store, actions, menu) {
   byId("previous-recording").addEventListener("click", () => actions.nextRecording(-1));
   byId("next-recording").addEventListener("click", () => actions.nextRecording(1));
   filter.addEventListener("input", () => store.set({ filter: filter.value }));
-  attachRowKeys(rows, store, actions);
+  attachRowKeys(rows, store, pick);
 
   store.later(
-    ["recordings", "recording", "leastCertainFirst", "small", "filter"],
+    ["recordings", "recording", "leastCertainFirst", "small", "filter", "picked"],
     ({ recordings, leastCertainFirst, small, recording }) => {
       const { items } = recordings;
       byId("queue-count").textContent = String(items.length);
@@ -51,11 +52,19 @@ export function createQueue(store, actions, menu) {
     },
   );
 
+  /** @param {string} id @param {MouseEvent|KeyboardEvent} event */
+  function pick(id, { ctrlKey, metaKey, shiftKey }) {
+    const how = { toggles: ctrlKey || metaKey, extends: shiftKey };
+    store.set({ picked: pickedWith(store.state, id, how) });
+    if (!how.toggles && !how.extends) actions.open(id);
+  }
+
   function rowOf(item, common) {
     return drawRow(item, {
       on: item.id === (store.state.recording ?? store.state.recordings.current),
       common,
-      open: () => actions.open(item.id),
+      picked: store.state.picked.includes(item.id),
+      open: (event) => pick(item.id, event),
       menu: (event) => menu.forRecording(item, event),
     });
   }
@@ -77,10 +86,11 @@ function drawFolders(shown, leastCertainFirst, rowOf) {
 }
 
 /**
- * The list is one stop of the Tab key; arrows go from row to row, Enter opens.
+ * The list is one stop of the Tab key; arrows go from row to row, Enter opens, and Ctrl Space picks.
  * @param {import("../lib/store.js").Store} store
+ * @param {(id: string, event: KeyboardEvent) => void} pick
  */
-function attachRowKeys(rows, store, actions) {
+function attachRowKeys(rows, store, pick) {
   const move = (to) => {
     const shown = shownRecordings(store.state);
     const at = shown.findIndex(
@@ -99,19 +109,20 @@ function attachRowKeys(rows, store, actions) {
     ArrowUp: () => move((at) => at - 1),
     Home: () => move(() => 0),
     End: () => move((_, count) => count - 1),
-    Enter: () => open(),
-    " ": () => open(),
+    Enter: (event) => choose(event),
+    " ": (event) => choose(event),
   };
-  const open = () => {
+  const choose = (event) => {
     const id = rows.getAttribute("aria-activedescendant");
     const item = store.state.recordings.items.find((one) => rowId(one) === id);
-    if (item) actions.open(item.id);
+    if (item) pick(item.id, event);
   };
   rows.addEventListener("keydown", (event) => {
-    if (!keys[event.key] || event.ctrlKey || event.metaKey) return;
+    const picks = event.key === " " && !event.metaKey;
+    if (!keys[event.key] || ((event.ctrlKey || event.metaKey) && !picks)) return;
     event.preventDefault();
     event.stopPropagation();
-    keys[event.key]();
+    keys[event.key](event);
   });
 }
 

@@ -12,10 +12,10 @@ export const rowId = ({ id }) => `recording-${id}`;
 
 /**
  * @param {import("../model/types.js").Recording} item
- * @param {{on: boolean, common: number, open: () => void, menu: (event: MouseEvent) => void}} given
+ * @param {{on: boolean, picked: boolean, common: number, open: (event: MouseEvent) => void, menu: (event: MouseEvent) => void}} given
  *   `common`: how much of its name all share
  */
-export function drawRow(item, { on, common, open, menu }) {
+export function drawRow(item, { on, picked, common, open, menu }) {
   const { confidence, state, error, name } = item;
   const low = asksForALook(item);
   const sure = confidence === null ? "" : confidence.toFixed(2);
@@ -24,9 +24,9 @@ export function drawRow(item, { on, common, open, menu }) {
     "div",
     {
       id: rowId(item),
-      class: `queue-row ${on ? "on" : ""}`,
+      class: `queue-row ${on ? "on" : ""} ${picked ? "picked" : ""}`,
       role: "option",
-      "aria-selected": String(on),
+      "aria-selected": String(on || picked),
       data: { recording: item.id },
       title: error ?? `${name}${sure && `: confidence of its least certain boundary ${sure}`}`,
       on: { click: open, contextmenu: menu },

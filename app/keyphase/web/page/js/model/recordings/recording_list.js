@@ -37,6 +37,27 @@ export function recordingBeside(state, direction) {
 }
 
 /**
+ * The picked recordings after a click on one: with Ctrl it comes or goes, with Shift all from the
+ * one that is open to it are picked, without either none is.
+ * @param {import("../../lib/store.js").State} state
+ * @param {string} id
+ * @param {{toggles: boolean, extends: boolean}} how
+ * @returns {string[]}
+ */
+export function pickedWith(state, id, how) {
+  const shown = shownRecordings(state).map((item) => item.id);
+  if (how.extends) {
+    const [from, to] = [shown.indexOf(state.recording ?? id), shown.indexOf(id)].sort(
+      (a, b) => a - b,
+    );
+    return shown.slice(Math.max(from, 0), to + 1);
+  }
+  if (!how.toggles) return [];
+  const before = state.picked.length || !state.recording ? state.picked : [state.recording];
+  return before.includes(id) ? before.filter((one) => one !== id) : [...before, id];
+}
+
+/**
  * The next one, in the order shown and then from its start, that nobody has finished.
  * @param {import("../../lib/store.js").State} state
  */

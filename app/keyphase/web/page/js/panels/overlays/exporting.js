@@ -57,7 +57,8 @@ export function createExporting(store, actions) {
   }
   write.addEventListener("click", () => {
     const trims = !trim.node.hidden && trim.input.checked;
-    actions.exportAs(chosen, { scope: scope.value(), trim_idle: trims });
+    const { picked } = store.state;
+    actions.exportAs(chosen, { scope: scope.value(), picked, trim_idle: trims });
   });
   formats.addEventListener("change", ({ target }) =>
     choose(/** @type {HTMLInputElement} */ (target).value),
@@ -65,9 +66,9 @@ export function createExporting(store, actions) {
   dialog.addEventListener("click", ({ target }) => target === dialog && dialog.close());
   dialog.addEventListener("close", () => store.set({ offers: null }));
 
-  store.on(["offers"], ({ offers, recordings: { items } }) => {
+  store.on(["offers"], ({ offers, recordings: { items }, picked }) => {
     if (!offers) return dialog.open && dialog.close();
-    scope.show(items);
+    scope.show(items, picked);
     formats.replaceChildren(...linesOf(offers.items, chosen));
     choose(chosen);
     if (dialog.open) return undefined;
@@ -173,13 +174,14 @@ function scopeChoice() {
   const select = /** @type {HTMLSelectElement} */ (el("select", { "aria-label": "Which" }));
   return {
     node: select,
-    value: () => /** @type {"this"|"done"|"all"} */ (select.value),
-    /** @param {import("../../model/types.js").Recording[]} items */
-    show(items) {
+    value: () => /** @type {"this"|"picked"|"done"|"all"} */ (select.value),
+    /** @param {import("../../model/types.js").Recording[]} items @param {string[]} picked */
+    show(items, picked) {
       const done = items.filter(({ state }) => state === "done").length;
-      const before = select.value || "this";
+      const before = picked.length > 1 ? "picked" : select.value || "this";
       const choices = [
         ["this", "This recording"],
+        ...(picked.length > 1 ? [["picked", `The ${picked.length} picked`]] : []),
         ...(done ? [["done", `The ${done} that ${done === 1 ? "is" : "are"} done`]] : []),
         ...(items.length > 1 ? [["all", `All ${items.length} of the list`]] : []),
       ];

@@ -124,7 +124,7 @@ function planItems(doc, index, actions, off) {
  * @param {import("../../lib/store.js").Store} store
  */
 export function recordingItems(store, actions, item) {
-  const { recording, document: doc, readOnly: off, following } = store.state;
+  const { recording, document: doc, readOnly: off, following, picked } = store.state;
   const isOpen = item.id === recording && doc;
   const done = item.state === "done";
   const others = item.pages ?? [];
@@ -142,6 +142,9 @@ export function recordingItems(store, actions, item) {
           { text: "Export the segment file", key: "Ctrl S", run: () => actions.exportAs("json") },
           { text: "Cut to what is in view", off, run: actions.cutToView },
         ]
+      : []),
+    ...(picked.length > 1 && picked.includes(item.id)
+      ? [{ text: `Export the ${picked.length} picked…`, off, run: actions.chooseExport }]
       : []),
     { text: "Copy its address", run: () => actions.copyAddress(item) },
     ...others.map(({ id, name }) => ({
