@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from keyphase.errors import MakingError
 from keyphase.making import FAMILIES, make
+from keyphase.making.contact import Change, Contact, settled
 from keyphase.readers import save_npz
 
 seeds = st.integers(0, 2**31)
@@ -82,3 +83,16 @@ def _mean(demonstration, start_s, end_s):
     if not inside.any():
         inside[demonstration.index_at(start_s)] = True
     return demonstration.force_N[inside].mean(axis=0)
+
+
+def test_what_settles_after_contact_begins_there_and_passes():
+    time_s = np.arange(0.0, 12.0, 0.01)
+    contact = Contact()
+    level = np.array([0.0, 0.0, 5.0, 0.0, 0.0, 0.0])
+    contact.changes.append(Change(2.0, 0.02, level, "smooth", "contact made"))
+    contact.changes.append(Change(9.0, 0.02, np.zeros(6), "smooth", "contact lost"))
+    size = np.linalg.norm(settled(np.random.default_rng(0), contact, time_s, 1.0), axis=1)
+    assert not size[time_s < 2.0].any()
+    assert size[(time_s > 2.0) & (time_s < 3.0)].max() > 0.5
+    assert size[time_s > 9.0].max() < 0.01
+    assert not settled(np.random.default_rng(0), contact, time_s, 0.0).any()

@@ -5,7 +5,7 @@ import pytest
 
 from keyphase.errors import MakingError
 from keyphase.readers import save_npz
-from keyphase.simulation.making import make_simulated
+from keyphase.simulation.making import make_simulated, recorded_set_up
 from keyphase.simulation.making.bench import RATE_HZ
 from keyphase.simulation.making.touching import contact_events, felt
 
@@ -77,3 +77,14 @@ def _for_a_second(*states):
 
 def _forces(pairs):
     return np.array([[float(len(each)), 0.0, 0.0] for each in pairs])
+
+
+def test_a_set_up_is_a_family_with_the_contacts_between_its_phases():
+    made = recorded_set_up("setup2", 0)
+    assert [event.label for event in made.events] == [
+        "motion began",
+        "contact made",
+        "contact changed",
+    ]
+    with pytest.raises(MakingError, match="setup1, setup2"):
+        recorded_set_up("setup3", 0)

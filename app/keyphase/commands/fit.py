@@ -11,6 +11,9 @@ if TYPE_CHECKING:
 
 _MADE_FROM = "keyphase fit"
 
+SET_UPS = ("setup1", "setup2")
+"""Families that the simulator records."""
+
 
 @dataclass(frozen=True)
 class FitWeights:
@@ -27,7 +30,7 @@ class FitWeights:
     seed: int = 0
     """Seed of the first of each family; the others follow."""
     families: tuple[str, ...] = ()
-    """Families to fit on; none given: all of them."""
+    """Families to fit on; none given: all by formula, and the two set-ups, recorded in MuJoCo."""
     replace: bool = False
     """Replace a file in the way that keyphase did not write, or that was changed since."""
 
@@ -39,15 +42,15 @@ class FitWeights:
 
         from keyphase.commands.putting import put, refuse_in_the_way
         from keyphase.errors import MakingError
-        from keyphase.making import FAMILIES, make
+        from keyphase.making import FAMILIES
         from keyphase.segmentation.evidence.fitting.fit import fit
         from keyphase.segmentation.evidence.weights import weights_as_json
 
         refuse_in_the_way(self.output, _MADE_FROM, replace=self.replace)
-        families = self.families or tuple(FAMILIES)
+        families = self.families or (*FAMILIES, *SET_UPS)
         jobs = [(family, self.seed + k) for family in families for k in range(self.count)]
         bar = tqdm(jobs, unit="demonstration", disable=None)
-        weights = fit([_taught(make(family, seed)) for family, seed in bar], bar.write)
+        weights = fit([_taught(_made(family, seed)) for family, seed in bar], bar.write)
         provenance = {
             "command": f"keyphase fit --count {self.count} --seed {self.seed}",
             "recordings": len(jobs),
@@ -58,6 +61,16 @@ class FitWeights:
         put(self.output, data, _MADE_FROM, replace=self.replace, refusal=MakingError)
         print(f"{len(jobs)} demonstrations and {self.output}")
         return 0
+
+
+def _made(family: str, seed: int) -> "Made":
+    if family not in SET_UPS:
+        from keyphase.making import make
+
+        return make(family, seed)
+    from keyphase.simulation.making import recorded_set_up
+
+    return recorded_set_up(family, seed)
 
 
 def _taught(made: "Made") -> "Taught":

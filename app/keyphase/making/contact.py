@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from keyphase.making.draws import Array, band_noise, direction, log_uniform, low_noise
+from keyphase.making.draws import Array, band_noise, chance, direction, log_uniform, low_noise
 
 ContactLabel = Literal["contact made", "contact lost", "contact changed"]
 Shape = Literal["smooth", "straight", "late"]
@@ -98,6 +98,28 @@ def rings(contact: Contact, time_s: Array) -> Array:
             fading = np.exp(-since / change.ring.fading_s)
             wave = fading * np.sin(2.0 * np.pi * change.ring.frequency_hz * since)
             out += wave[:, None] * change.ring.amplitude
+    return out
+
+
+def settled(rng: np.random.Generator, contact: Contact, time_s: Array, share: float) -> Array:
+    """What hand or controller add (N, 6) in the second after they have touched, in a `share` of
+    contacts: the force overshoots, gives way and comes back before it has its level. It is part of
+    the same change.
+    """
+    out = np.zeros((len(time_s), 6))
+    before = np.zeros(6)
+    rate_hz = 1.0 / (time_s[1] - time_s[0])
+    for change in contact.changes:
+        step, before = float(np.linalg.norm((change.level - before)[:3])), change.level
+        if change.label in (None, "contact lost") or not chance(rng, share):
+            continue
+        first = int(np.searchsorted(time_s, change.time_s))
+        since = time_s[first:] - change.time_s
+        envelope = -np.expm1(-since / 0.05) * np.exp(-since / log_uniform(rng, 0.2, 0.8))
+        high_hz, size = log_uniform(rng, 1.5, 5.0), step * log_uniform(rng, 0.2, 1.0)
+        force = size * envelope[:, None] * low_noise(rng, len(since), rate_hz, high_hz, 1.0)
+        lever = rng.uniform(0.02, 0.12) * direction(rng)
+        out[first:] += np.hstack([force, np.cross(lever, force)])
     return out
 
 

@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from keyphase.demonstration import Demonstration
 from keyphase.errors import MakingError
 from keyphase.making import path as paths
-from keyphase.making.contact import Change, Contact, levels, rings, rubbing
+from keyphase.making.contact import Change, Contact, levels, rings, rubbing, settled
 from keyphase.making.draws import Array, Rows, chance, log_uniform
 from keyphase.making.families import FAMILIES, SINGLE, Family
 from keyphase.making.hand import Hand
@@ -41,7 +41,8 @@ def make(family: str, seed: int) -> Made:
     motion = paths.motion_events(script.path.stretches, speed, sampling.fine_hz)
     has_wrench = chance(rng, kind.wrench)
     moving = Moving(*hand.unsteady(rng, ideal, rotation, sampling.fine_hz), sampling.fine_hz)
-    wrench = _wrench(rng, kind, script.contact, moving) if has_wrench else None
+    settling = np.random.default_rng([zlib.crc32(family.encode()), seed, 1])
+    wrench = _wrench(rng, settling, kind, script.contact, moving) if has_wrench else None
     stamps, pose_rows, wrench_rows = sampling.rows(rng, len(ideal))
     position = _measured_position(rng, moving)[pose_rows]
     turned = has_wrench or chance(rng, 0.4)
@@ -59,11 +60,18 @@ def make(family: str, seed: int) -> Made:
     return with_truth(family, demonstration, contacts, motion, script.reversals_s)
 
 
-def _wrench(rng: np.random.Generator, kind: Family, contact: Contact, moving: Moving) -> Array:
+def _wrench(
+    rng: np.random.Generator,
+    settling: np.random.Generator,
+    kind: Family,
+    contact: Contact,
+    moving: Moving,
+) -> Array:
     time = np.arange(len(moving.position_m)) / moving.rate_hz
     level = levels(contact, time)
     touching = level + rubbing(rng, level, moving.velocity_m_s, moving.rate_hz)
     touching += rings(contact, time)
+    touching += settled(settling, contact, time, kind.settles)
     sense = estimated if chance(rng, kind.estimated) else wrist_sensor
     return sense(rng, touching, moving, _least_newton(contact))
 

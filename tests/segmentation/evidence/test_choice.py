@@ -53,3 +53,10 @@ def test_what_is_seen_at_one_place_and_put_at_two_is_one_change():
     put, odds = np.array([1.0, 1.3]), np.array([3.0, 2.0])
     assert np.isfinite(spaced_scores(put, odds, 0.25)).all()
     assert spaced_scores(put, odds, 0.25, np.array([1.2, 1.3])).tolist() == [3.0, -np.inf]
+
+
+def test_a_ramp_seen_over_half_a_second_is_part_of_a_likelier_step_in_it():
+    times, odds = np.array([1.0, 1.35, 2.0]), np.array([2.0, 3.0, 1.0])
+    scores = spaced_scores(times, odds, 0.25, None, np.array([2.0, 1.0, 2.0]))
+    assert scores.tolist() == [-np.inf, 3.0, 1.0]
+    assert np.isfinite(spaced_scores(times, odds, 0.25)).all()

@@ -125,10 +125,10 @@ def two_handed(script: Script) -> None:
     script.touch(at, script.press(script.newton(0.3, 1.0)), log_uniform(rng, 0.02, 0.2))
     _wait_or_creep(script, script.contact.settled_s + log_uniform(rng, 0.1, 0.6))
     for _ in range(rng.integers(0, 3)):
-        script.stroke(script.way(0.3, beside(rng, script.facing)), None, log_uniform(rng, 0.3, 1.0))
+        script.stroke(script.way(0.3, beside(rng, script.facing)), None, log_uniform(rng, 0.2, 0.8))
         target = script.contact.level * rng.uniform(0.1, 0.4) + wrench(rng, script.newton(0.5, 1.5))
         script.touch(script.now_s, target, log_uniform(rng, 0.01, 0.15), "contact changed", 0.5)
-        _wait_or_creep(script, script.contact.settled_s + log_uniform(rng, 0.3, 0.9))
+        _wait_or_creep(script, script.contact.settled_s + log_uniform(rng, 0.05, 0.5))
     if chance(rng, 0.8):
         script.leave(log_uniform(rng, 0.02, 0.3))
     script.path.rest(log_uniform(rng, 0.25, 0.8))

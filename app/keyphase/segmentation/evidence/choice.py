@@ -22,22 +22,28 @@ MIN_ODDS = -9.0
 
 
 def spaced_scores(
-    time_s: Array, odds: Array, min_distance_s: float, seen_s: Array | None = None
+    time_s: Array,
+    odds: Array,
+    min_distance_s: float,
+    seen_s: Array | None = None,
+    breadth: Array | None = None,
 ) -> Array:
     """Log-odds (C,) of candidates beside likelier ones; -inf where too close.
 
     `seen_s` (C,) is where each was seen, if that is not where it is put: one rise, seen at its
     steepest and put where it begins, is not two changes. Two candidates are as far apart as they
-    are in the nearer of both.
+    are in the nearer of both. `breadth` (C,) is how many minimal distances each keeps from likelier
+    ones, 1 where none is given.
     """
     scores = np.full(len(odds), -np.inf)
     use = np.flatnonzero(odds >= MIN_ODDS)
     own = odds[use].tolist()
+    least = (min_distance_s * (np.ones(len(odds)) if breadth is None else breadth)[use]).tolist()
     places = [_Places(time_s[use])] + ([] if seen_s is None else [_Places(seen_s[use])])
     current, taken = list(own), [False] * len(own)
     queue = [(-z, index) for index, z in enumerate(own)]
     heapq.heapify(queue)
-    reach = max(CROWDED_S, min_distance_s)
+    reach = max([CROWDED_S, *least])
     while queue:
         z, index = heapq.heappop(queue)
         if taken[index] or -z != current[index]:
@@ -48,7 +54,7 @@ def spaced_scores(
             if taken[other]:
                 continue
             gap = min(each.between(index, other) for each in places)
-            if gap < min_distance_s:
+            if gap < least[other]:
                 taken[other] = True
                 continue
             worse = own[other] - CROWDING * max(0.0, 1.0 - gap / CROWDED_S)

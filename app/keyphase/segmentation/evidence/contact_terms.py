@@ -44,8 +44,11 @@ CONTACT_TERMS: Mapping[str, str] = {
 }
 """Each term of a contact change and what it says."""
 
-ENDS_S = 0.2
-"""No candidate lies this near to an end."""
+RAMP_BREADTH = 2.0
+"""What no fine scale sees is seen over half a second, two of the usual minimal distances."""
+
+ENDS_S = 0.26
+"""Nearer to an end nobody sees whether the force stays changed: no candidate lies there."""
 
 _NEW_CROSSING_S = 0.15
 _STEP_GAP_S, _STEP_LENGTH_S = 0.08, 0.2
@@ -87,6 +90,13 @@ def contact_candidates(grid: Grid, speed: Speed) -> ContactCandidates:
     gap, length = round(_STEP_GAP_S * grid.rate_hz), grid.cells(_STEP_LENGTH_S)
     step = Sides(look.windows, cell, gap, length).jump[:, :3]
     return ContactCandidates(cell, at, interval, table, step)
+
+
+def breadth(terms: Array) -> Array:
+    """How many minimal distances each candidate (C,) keeps from likelier ones: a ramp right before
+    or after a likelier step is the slow scales' view of that step."""
+    sharpness = terms[:, list(CONTACT_TERMS).index("sharpness")]
+    return np.where(sharpness < np.log(0.5), RAMP_BREADTH, 1.0)
 
 
 def _none() -> ContactCandidates:

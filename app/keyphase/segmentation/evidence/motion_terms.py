@@ -21,6 +21,7 @@ MOTION_TERMS: Mapping[str, str] = {
     "absolute_speed": "speed of that stroke in m/s",
     "small_stroke": "a stroke of less than a twentieth of the path",
     "bare_turn": "a turn where no force was recorded",
+    "kinds": "rotation turns into translation, or the other way",
     "stands": "the tool stands still for half a second",
 }
 """Each term of a boundary of motion and what it says."""
@@ -147,6 +148,8 @@ class _Valleys:
         pose, fast = self.speed.pose_m, self.speed.fast_m_s
         span = float(np.linalg.norm(np.ptp(pose, axis=0))) + 1e-9
         into, out = pose[early] - pose[self.before], pose[self.after] - pose[late]
+        # Where one kind of motion passes into the other, both have their tail in the valley.
+        kinds = np.abs(_rotation_share(into) - _rotation_share(out))
         norms = np.linalg.norm(into, axis=1) * np.linalg.norm(out, axis=1)
         stops = np.concatenate([[0], self.valley, [len(pose) - 1]])
         strokes = np.linalg.norm(np.diff(pose[stops], axis=0), axis=1)
@@ -154,7 +157,7 @@ class _Valleys:
         shorter = np.minimum(strokes[:-1], strokes[1:]) / span
         return np.column_stack(
             [
-                -np.log(np.maximum(depth, 0.02)),
+                -np.log(np.maximum(depth * 0.5**kinds, 0.02)),
                 np.log(np.maximum(dwell, 0.04)),
                 _crowding(self.valley, crowd, self.grid.rate_hz),
                 1.0 - (into * out).sum(axis=1) / (norms + 1e-9),
@@ -163,14 +166,21 @@ class _Valleys:
                 np.log(lower.clip(0.01, 1.0)),
                 np.minimum(0.0, np.log(np.maximum(shorter, 0.002) / 0.05)),
                 (dwell < REST_S) * float(self.grid.wrench is None),
+                kinds,
                 np.zeros(len(early)),
             ]
         ).astype(np.float64)
 
 
+def _rotation_share(stroke: Array) -> Array:
+    """How much of each stroke (V, 3 or 6) is rotation, 0 to 1."""
+    whole = np.square(stroke).sum(axis=1) + 1e-12
+    return np.square(stroke[:, 3:]).sum(axis=1) / whole
+
+
 def _stops(grid: Grid, speed: Speed, coarse: _Valleys) -> Indices:
     """First and last cell (S, 2) of rests, and of coarse valleys that stay in a small place."""
-    found = [tuple(pair) for pair in rests(grid).tolist()]
+    found = [tuple(pair) for pair in rests(grid, speed.fast_m_s).tolist()]
     if len(coarse.stroke):
         s, pose = speed.speed_m_s, speed.pose_m
         span = float(np.linalg.norm(np.ptp(pose[:, :3], axis=0)))
@@ -226,7 +236,7 @@ def _crowding(at: Indices | Array, crowd: Indices, rate_hz: float) -> Array:
 
 def _standing(grid: Grid, speed: Speed, crowd: Indices) -> Array:
     """Both edges of every stop of half a second within a millimetre and a degree."""
-    found = rests(grid)
+    found = rests(grid, speed.fast_m_s)
     if not len(found):
         return np.zeros((0, 4 + len(MOTION_TERMS)))
     early, late = found[:, 0].astype(float), found[:, 1].astype(float)
@@ -243,6 +253,7 @@ def _standing(grid: Grid, speed: Speed, crowd: Indices) -> Array:
             np.log(0.2) * ones,
             np.log(0.5) * ones,
             np.clip(fast, np.log(0.01), 0.0) * ones,
+            0.0 * ones,
             0.0 * ones,
             0.0 * ones,
             ones,

@@ -8,7 +8,7 @@ from keyphase.segmentation.evidence.force_curve import ForceCurves
 from keyphase.segmentation.evidence.grid import Grid
 from keyphase.segmentation.evidence.state_view import StateView
 
-_STEP_REACH_S = 0.1
+_STEP_REACH_S = 0.16
 _RAMP_REACH_S = 1.0
 _LEVEL_S = 0.3
 _STATE_REACH_S = 1.5

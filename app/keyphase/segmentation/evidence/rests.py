@@ -8,22 +8,28 @@ from keyphase.segmentation.motion import METRES_PER_RADIAN
 
 MIN_DURATION_S = 0.5
 PLACE_M = 1e-3
+SLOW_SHARE = 0.03
+"""And slower than this share of the fast moments: the turn of a slow stroke is no stop."""
+
+MIN_PLACE_M = 1e-4
 TURN_M = METRES_PER_RADIAN * float(np.radians(1.0))
 
 
-def rests(grid: Grid) -> Indices:
+def rests(grid: Grid, fast_m_s: float) -> Indices:
     """First and last cell (R, 2) of every stop of at least half a second, in time order.
 
     A stop is a run of half seconds each of which stays in its place; a slow drift over many of
-    them is one stop.
+    them is one stop. `fast_m_s` is how fast the tool moves elsewhere.
     """
     from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
     width = int(np.ceil(MIN_DURATION_S * grid.rate_hz)) + 1
     if len(grid) < width:
         return np.zeros((0, 2), dtype=np.intp)
+    slow = max(SLOW_SHARE * fast_m_s * MIN_DURATION_S, MIN_PLACE_M) if fast_m_s > 0.0 else PLACE_M
     still = np.ones(len(grid) - width + 1, dtype=bool)
-    for columns, most in ((grid.pose_m[:, :3], PLACE_M), (grid.pose_m[:, 3:], TURN_M)):
+    limits = min(PLACE_M, slow), TURN_M
+    for columns, most in zip((grid.pose_m[:, :3], grid.pose_m[:, 3:]), limits, strict=True):
         if not columns.shape[1]:
             continue
         extent = np.zeros(len(still))

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.choice import distance_to, spaced_scores
+from keyphase.segmentation.evidence.contact_terms import breadth
 from keyphase.segmentation.evidence.probability import MOTION_COLUMNS, calibrated, log_odds
 from keyphase.segmentation.evidence.stage import Evidence
 from keyphase.segmentation.evidence.weights import Weights
@@ -58,7 +59,8 @@ def scores_of(evidence: Evidence, weights: Weights, parameters: Parameters) -> S
     small = step < parameters.least_step_N
     touch = np.where(small, -np.inf, evidence.contact_odds)
     distance = parameters.min_distance_s
-    contact = spaced_scores(evidence.contact_s, touch, distance, evidence.seen_s)
+    broad = breadth(evidence.contact.terms)
+    contact = spaced_scores(evidence.contact_s, touch, distance, evidence.seen_s, broad)
     motion = spaced_scores(evidence.motion_s, evidence.motion_odds, distance)
     return Scores(
         _calibrated(contact, weights, evidence, "contact"),

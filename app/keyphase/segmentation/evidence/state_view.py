@@ -29,6 +29,7 @@ _STARTS = 6
 _START_S = 0.6
 _FLOOR = 0.004
 _APART = 0.15
+_LEVEL = 0.25
 _PRIOR = (0.05, 0.95)
 
 
@@ -65,6 +66,10 @@ def state_view(grid: Grid) -> StateView:
     odds, core, spread = _core_and_rest(means)
     odds = np.clip(odds, -CLIP, CLIP)
     states = most_likely_states(odds)
+    if _begins_on_a_level(means, states, core):
+        # Nothing is touched at first: the tight place is a hold, and what is around it is free.
+        odds, states = -odds, ~states
+        core, spread = np.median(means[~states], axis=0), means[~states].std(axis=0) + _FLOOR
     cells = np.arange(len(grid))
     middle = (np.arange(count) + 0.5) * block
     contact = states[np.minimum(cells // block, count - 1)]
@@ -80,6 +85,16 @@ def state_view(grid: Grid) -> StateView:
         (touching + 0.01) / (float(np.quantile(free, 0.95)) + 0.01),
         touching,
     )
+
+
+def _begins_on_a_level(means: Array, contact: np.ndarray, core: Array) -> bool:
+    """Whether a recording begins outside its core, on a level almost as tight beside the way
+    between both."""
+    if not contact[0] or contact.all():
+        return False
+    outside = means[contact]
+    way = float(np.linalg.norm(np.median(outside, axis=0) - core))
+    return float(np.linalg.norm(outside.std(axis=0))) < _LEVEL * way
 
 
 def _no_view(wrench: Array) -> StateView:

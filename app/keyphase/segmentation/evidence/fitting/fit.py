@@ -11,6 +11,7 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.evidence.choice import spaced_scores
+from keyphase.segmentation.evidence.contact_terms import breadth
 from keyphase.segmentation.evidence.fitting.logistic import fitted_calibration, fitted_line
 from keyphase.segmentation.evidence.fitting.taught import Side, Taught, labels, right
 from keyphase.segmentation.evidence.probability import (
@@ -59,6 +60,7 @@ MOTION_SIGNS: Mapping[str, int] = {
     "stroke_speed": 1,
     "small_stroke": 1,
     "bare_turn": 1,
+    "kinds": 1,
     "stands": 1,
 }
 KIND_TERMS = (
@@ -167,13 +169,15 @@ def chosen_scores(recording: Taught, weights: Weights) -> tuple[Array, Array]:
     """Scores of the candidates for contact and for motion, after the choice, not calibrated."""
     touches, moves = recording.contact, recording.motion
     return (
-        _spaced(touches, contact_odds(touches.terms, weights)),
-        _spaced(moves, motion_odds(moves.terms, weights)),
+        spaced_scores(
+            touches.time_s,
+            contact_odds(touches.terms, weights),
+            MIN_DISTANCE_S,
+            touches.seen_s,
+            breadth(touches.terms),
+        ),
+        spaced_scores(moves.time_s, motion_odds(moves.terms, weights), MIN_DISTANCE_S),
     )
-
-
-def _spaced(side: Side, odds: Array) -> Array:
-    return spaced_scores(side.time_s, odds, MIN_DISTANCE_S, side.seen_s)
 
 
 def scores_left_out(

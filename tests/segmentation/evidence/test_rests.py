@@ -1,0 +1,36 @@
+"""What counts as a stop: half a second within a millimetre, and slow beside the strokes."""
+
+import numpy as np
+
+import synthetic
+from keyphase.demonstration import Demonstration
+from keyphase.segmentation.evidence.grid import grid_of
+from keyphase.segmentation.evidence.rests import rests
+from keyphase.segmentation.evidence.speed import speed_of
+from keyphase.segmentation.motion import motion_of
+
+
+def stops(position: np.ndarray) -> list[list[float]]:
+    time = np.arange(len(position)) / 50.0
+    recording = Demonstration("strokes", time, np.outer(position, [1.0, 0.0, 0.0]))
+    grid = grid_of(recording, motion_of(recording))
+    found = rests(grid, speed_of(grid).fast_m_s)
+    return grid.time_s[found].round(2).tolist()
+
+
+def out_and_back(length_m: float, seconds: float, stop_s: float) -> np.ndarray:
+    phase = synthetic.minimum_jerk(np.linspace(0.0, 1.0, round(50 * seconds)))
+    return length_m * np.concatenate([phase, np.ones(round(50 * stop_s)), phase[::-1]])
+
+
+def test_the_turn_of_a_slow_stroke_is_no_stop():
+    braking = np.cumsum(np.concatenate([np.linspace(0.0, 0.018, 50), np.linspace(0.018, 0.0, 50)]))
+    stroke = braking / 50.0
+    inside = [s for s in stops(np.concatenate([stroke, stroke[::-1]])) if 0.5 < s[0] < 3.5]
+    assert inside == []
+
+
+def test_a_stop_of_half_a_second_between_strokes_is_one():
+    (stop,) = [s for s in stops(out_and_back(0.2, 1.5, 0.7)) if 1.0 < s[0] < 3.0]
+    assert stop[0] <= 1.55
+    assert stop[1] >= 2.15
