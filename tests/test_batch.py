@@ -51,6 +51,24 @@ def test_the_same_recording_named_twice_is_segmented_once(tmp_path):
     assert len(segment_all([path, tmp_path], tmp_path / "out", jobs=1).written) == 1
 
 
+def test_what_was_read_with_another_recipe_is_not_written_over(tmp_path):
+    """Two arms in one table: the second is refused, not put in the place of the first."""
+    rows = "".join(f"{i / 50},{i},5,1,{2 * i},5,1\n" for i in range(60))
+    (tmp_path / "run.csv").write_text(f"t,lx,ly,lz,rx,ry,rz\n{rows}")
+    written = []
+    for arm in ("l", "r"):
+        recipe = tmp_path / f"{arm}.toml"
+        recipe.write_text(
+            '[time]\ncolumn = "t"\nunit = "s"\n'
+            f'[position]\ncolumns = ["{arm}x", "{arm}y", "{arm}z"]\nunit = "mm"\n'
+        )
+        report = segment_all([tmp_path / "run.csv"], tmp_path / "out", recipe=recipe, jobs=1)
+        written.append((tmp_path / "out" / "run.segments.json").read_bytes())
+    assert written[0] == written[1]
+    (refused,) = report.refused
+    assert "keyphase wrote it for run.csv as l.toml reads it" in refused.reason
+
+
 def test_a_bad_recording_is_reported_and_the_others_go_on(tmp_path):
     for name in ("a.npz", "c.npz"):
         record(tmp_path / "in" / name)

@@ -16,6 +16,7 @@ from keyphase.batch.tasks import (
     shard_of,
     tasks_of,
 )
+from keyphase.demonstration import Demonstration
 from keyphase.errors import KeyphaseError, ParameterError, SegmentFileError
 from keyphase.readers import find_recordings
 from keyphase.segmentation.parameters import Parameters
@@ -119,6 +120,14 @@ def _segment_one(task: Written, how: _How) -> Written | Refusal:
         )
 
 
+def _made_from(recording: Path, demonstration: Demonstration, how: _How) -> str:
+    """With another recipe the same file is another recording: one arm of two, say."""
+    source = demonstration.source
+    if how.recipe is None or source is None or source.recipe is None:
+        return recording.name
+    return f"{recording.name} as {Path(source.recipe).name} reads it"
+
+
 def _segmented(task: Written, how: _How) -> Written:
     from keyphase.labeling.label import label
     from keyphase.labeling.segment_file import segment_file_data
@@ -135,7 +144,7 @@ def _segmented(task: Written, how: _How) -> Written:
         write_unasked(
             path,
             segment_file_data(labeling, path),
-            task.recording.name,
+            _made_from(task.recording, demonstration, how),
             SegmentFileError,
             if_there="replace" if how.replace else "ask",
         )
