@@ -125,7 +125,9 @@ def _assert_looks_right(page: KeyphasePage, dark: bool, size: tuple[int, int]) -
     view = page.box("#viser")
     picture = page.until_seen(
         f"page_{'dark' if dark else 'light'}_{size[0]}",
-        lambda now: now.count(sky, view, tolerance=2) > 500,
+        lambda now: (
+            now.count(sky, view, tolerance=2) > 500 and (now.brightness(view) < 110) == dark
+        ),
     )
     assert picture.count(sky, view, tolerance=2) > 500
     assert picture.count_hue(SEGMENT_COLORS[1], view) > 200
