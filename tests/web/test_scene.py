@@ -138,6 +138,8 @@ def test_a_frame_that_connects_again_is_drawn_again_and_seen_from_where_it_was(
 ) -> None:
     with frame(page.server, page.page) as first:
         camera = first.scene.client.camera
+        put = {"position": camera.position.tolist(), "look_at": camera.look_at.tolist()}
+        first.say({**CAMERA, **put})
         first.say({**CAMERA, "position": (3.0, 2.0, 1.0), "look_at": (0.5, 0.0, 0.0)})
         asyncio.run(wait_until(lambda: camera.position.tolist() == [3.0, 2.0, 1.0]))
     with frame(page.server, page.page) as again:

@@ -21,8 +21,8 @@ from keyphase.segmentation.evidence.weights import Weights
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import HeldBack, LineCounts
 
-LOWEST, HIGHEST = 0.01, 0.99
-"""The ends of the way of a line."""
+LOWEST, HIGHEST = 0.0003, 0.9997
+"""The ends of the way of a line: clear contacts lie above 0.99, and a faint one below 0.01."""
 
 MAX_STEPS = 400
 """With more steps than this only some of them are told, so that a long recording costs little."""

@@ -32,7 +32,7 @@ from keyphase.segmentation.segmentation import Boundary, Candidate, CandidateKin
 MAX_TOLD = 2000
 """No more candidates than this are told, the likeliest ones."""
 
-MIN_TOLD = 0.03
+MIN_TOLD = 0.0003
 """Candidates less likely than this are not told."""
 
 CROWDED = "a likelier boundary close by"
@@ -225,7 +225,7 @@ class _Added:
 def _why_not(code: int, probability: float) -> str:
     match code:
         case _ if code == BELOW:
-            return f"A line at {max(probability, 0.01):.2f} would let it in."
+            return f"A line at {probability:.{2 if probability >= 0.01 else 4}f} would let it in."
         case _ if code == CLOSE:
             return "A likelier boundary is too close; a smaller minimal distance would let it in."
         case _ if code == SMALL:

@@ -53,7 +53,7 @@ const TOLERANCE = number(
 );
 
 /** @type {[number, number, number]} */
-const PROBABILITIES = [0.01, 0.99, 0.001];
+const PROBABILITIES = [0.0003, 0.9997, 0.0001];
 
 /** How a threshold over a probability runs. */
 export const PROBABILITY = number("", "", PROBABILITIES, "", "odds");
@@ -184,6 +184,9 @@ export function valueAtShare({ low, high, step, course }, share) {
   const { to, from } = COURSES[course];
   const value = from(to(low) + share * (to(high) - to(low)));
   if (course === "linear") return Number((Math.round(value / step) * step).toPrecision(12));
+  // Three digits of how far it is from the nearer end, which a probability has two of.
+  if (course === "odds" && value > 0.5)
+    return Number((1 - Number((1 - value).toPrecision(3))).toFixed(9));
   return Number(value.toPrecision(3));
 }
 

@@ -17,7 +17,7 @@ import { drawProfile } from "./profile.js";
 
 /** Room above and below the way of the lines, as a share of it. */
 const AIR = 0.05;
-const TICKS = { large: [0.01, 0.1, 0.5, 0.9, 0.99], small: [0.1, 0.5, 0.9] };
+const TICKS = { large: [0.001, 0.05, 0.5, 0.95, 0.999], small: [0.01, 0.5, 0.99] };
 const LINE_PX = 4;
 const TAG_PX = 8;
 const NOTHING = { times: new Float64Array(), values: new Float64Array() };

@@ -71,5 +71,6 @@ function tag({ parameter, title, value }, color, width, level, tagY, small) {
   );
 }
 
-/** Two digits where they tell the ends of the way apart too: ".98", "0.35". */
-const valueText = (value) => (value > 0.995 ? "0.99" : value.toFixed(2));
+/** Two digits, and near the ends of the way four: "0.35", ".0007". */
+const valueText = (value) =>
+  value < 0.01 || value > 0.99 ? value.toFixed(4).slice(1) : value.toFixed(2);
