@@ -12,7 +12,7 @@ from keyphase.writers import WRITERS
 
 def test_control_s_writes_the_segment_file(editor: KeyphasePage) -> None:
     editor.press("Control+s")
-    editor.page.get_by_text("Written to").first.wait_for()
+    editor.page.locator(".notice", has_text="Written to").wait_for()
     path = Path(editor.text(".notice").removeprefix("Written to ").strip())
     written = json.loads(path.read_text())
     assert len(written["segments"]) == editor.segments.count()

@@ -53,5 +53,5 @@ def test_setup1_is_corrected_in_under_25_actions(timeline: KeyphasePage) -> None
     )
     timeline.change(lambda: person.key("Control+z"))
     person.key("Control+s")
-    timeline.page.get_by_text("Written to").wait_for()
+    timeline.page.locator(".notice", has_text="Written to").wait_for()
     assert person.actions < MAX_ACTIONS

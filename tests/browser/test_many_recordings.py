@@ -198,7 +198,7 @@ def test_a_second_server_opens_the_recording_for_looking_and_says_so(
     second.press("]")
     second.press("x")
     second.press("Control+s")
-    second.page.get_by_text("Written to").wait_for()
+    second.page.locator(".notice", has_text="Written to").wait_for()
     assert second.document["edits"] == 0
 
 

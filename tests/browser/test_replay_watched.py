@@ -135,9 +135,8 @@ def test_the_plan_and_the_replay_are_carried_elsewhere(
         ("page", "setup1.replay.html"),
     ):
         page.page.evaluate("kind => keyphase.actions.exportAs(kind)", kind)
-        expect(page.page.get_by_text(re.compile(f"Written to .*{file}"))).to_be_visible(
-            timeout=30_000
-        )
+        told = page.page.locator(".notice", has_text=re.compile(f"Written to .*{file}"))
+        expect(told).to_be_visible(timeout=30_000)
         assert (folder / file).stat().st_size > 100
     assert "BTCPP_format" in (folder / "setup1.tree.xml").read_text()
     assert json.loads((folder / "setup1.skills.json").read_text())["skills"]

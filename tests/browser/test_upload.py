@@ -78,7 +78,7 @@ def test_after_a_refused_file_the_next_one_still_comes(editor: KeyphasePage) -> 
 
 def test_a_dropped_segment_file_is_compared_at_once(editor: KeyphasePage, folder: Path) -> None:
     editor.press("Control+s")
-    editor.page.get_by_text("Written to").wait_for()
+    editor.page.locator(".notice", has_text="Written to").wait_for()
     written = (folder / "setup1.segments.json").read_bytes()
     _drop(editor, "anna.segments.json", written)
     editor.page.locator(".other-segment").first.wait_for()
