@@ -9,8 +9,9 @@ from keyphase.labeling.labeling import Labeling
 from keyphase.workbench.desks.asked import Asked
 from keyphase.workbench.desks.desk_state import DeskState
 
-REMEMBERED = 200
-"""So many revisions back an edit can still be compared with what its page saw."""
+REMEMBERED = 64
+"""So many revisions back an edit can still be compared with what its page saw. Each holds a whole
+labeling, so more of them would be most of what a long session keeps in memory."""
 
 
 @dataclass(frozen=True)
