@@ -1,6 +1,7 @@
 """What the page asks before anything of a person could be lost, or be mistaken for another's."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 from driver import KeyphasePage, LookAt
@@ -8,7 +9,7 @@ from driver import KeyphasePage, LookAt
 from keyphase.labeling.edits import Add
 from keyphase.labeling.label import label
 from keyphase.labeling.storage.journal import Journal
-from keyphase.readers import read
+from keyphase.readers import read, save_npz
 from keyphase.segmentation import segment
 
 THEIRS = "written by somebody else"
@@ -70,13 +71,15 @@ def test_a_recording_that_is_done_gets_the_others_parameters_only_where_the_box_
 def test_edits_of_a_recording_that_was_renamed_are_offered_and_taken_over(
     tmp_path: Path, folder: Path, look_at: LookAt
 ) -> None:
-    labeled = folder / "setup1.npz"
+    # Bytes of its own: to copies of others, in tests that follow, nothing is offered.
+    labeled = folder / "own.npz"
+    save_npz(replace(read(folder / "setup1.npz"), metadata={"of": "its own"}), labeled)
     demonstration = read(labeled)
     with Journal(demonstration) as journal:
         labeling = label(segment(demonstration))
         journal.save(journal.document.apply(Add(1.0), labeling))
     page = look_at(labeled.rename(tmp_path / "renamed.npz"))
-    offer = page.page.locator(".banner", has_text="labeled as setup1.npz (1 edit)")
+    offer = page.page.locator(".banner", has_text="labeled as own.npz (1 edit)")
     page.change(lambda: offer.get_by_role("button", name="Take the edits over").click())
     offer.wait_for(state="detached")
     assert page.document["edits"] == 1

@@ -87,7 +87,7 @@ def test_no_text_is_under_11_px_or_squeezed(
 
 def test_a_small_window_leaves_room_for_the_scene(editor: KeyphasePage, resize: Resize) -> None:
     resize((1280, 720))
-    assert editor.box("#viser").height >= LEAST_SCENE_PX
+    assert editor.box("#viser").height >= LEAST_SCENE_PX, editor.text("#banners")
 
 
 def test_beside_the_evidence_the_error_is_folded_and_draws_no_line_that_decides(
