@@ -126,6 +126,14 @@ def test_a_refusal_stands_in_the_manifest_and_is_tried_again(tmp_path):
     assert ["bad.npz" in json.loads(line)["refused"] for line in lines] == [True, True]
 
 
+def test_a_threshold_of_the_published_error_is_refused_where_it_is_a_probability(tmp_path):
+    path = record(tmp_path / "a.npz")
+    with pytest.raises(ParameterError, match=r"a probability .* but is 2; .* variant paper"):
+        segment_all([path], tmp_path / "out", parameters=Parameters(force_threshold=2))
+    report = segment_all([path], tmp_path / "out", parameters=Parameters(force_threshold=2, variant="paper"))
+    assert not report.refused
+
+
 def test_nothing_to_segment_and_no_jobs_are_refused(tmp_path):
     with pytest.raises(KeyphaseError, match="found none"):
         segment_all([tmp_path], tmp_path / "out")

@@ -83,3 +83,10 @@ def test_orientation_is_continuous_in_sign(flipped: list[bool]) -> None:
 def test_finds_the_sample_nearest_to_a_time(time_s: float) -> None:
     index = demonstration().index_at(time_s)
     assert abs(TIME[index] - time_s) == pytest.approx(np.abs(TIME - time_s).min())
+
+
+@pytest.mark.parametrize("shape", [(9,), (10, 2), (20,), ()])
+def test_a_gripper_of_another_shape_is_refused_as_it_came(shape):
+    with pytest.raises(DemonstrationError, match="gripper") as refused:
+        Demonstration("t", np.arange(10.0), np.zeros((10, 3)), gripper=np.zeros(shape))
+    assert f"(10,), one opening per time sample, but has shape {shape}" in str(refused.value)

@@ -93,10 +93,8 @@ class Demonstration:
                 checked = _checked_channel(values, channel, width, len(time), self.name)
                 object.__setattr__(self, channel, checked)
         if self.gripper is not None:
-            upright = _checked_channel(
-                np.reshape(self.gripper, (-1, 1)), "gripper", 1, len(time), self.name
-            )
-            object.__setattr__(self, "gripper", _frozen(upright[:, 0]))
+            gripper = _checked_gripper(self.gripper, len(time), self.name)
+            object.__setattr__(self, "gripper", gripper)
         if self.orientation_wxyz is not None:
             continuous = _unit_and_continuous(self.orientation_wxyz, self.name)
             object.__setattr__(self, "orientation_wxyz", continuous)
@@ -204,6 +202,17 @@ def _checked_channel(
     _refuse_not_finite(array, channel, name)
     _refuse_absurd(array, channel, name)
     return array
+
+
+def _checked_gripper(values: ArrayLike, rows: int, name: str) -> Array:
+    array = _frozen(values)
+    if array.shape not in ((rows,), (rows, 1)):
+        raise DemonstrationError(
+            f"{name}: gripper must have shape ({rows},), one opening per time sample, but has "
+            f"shape {array.shape}; give one gripper, and as many values as times."
+        )
+    upright = _checked_channel(array.reshape(rows, 1), "gripper", 1, rows, name)
+    return _frozen(upright[:, 0])
 
 
 def _refuse_not_finite(array: Array, channel: str, name: str) -> None:

@@ -245,7 +245,7 @@ def test_edits_that_lost_their_place_are_brought_back_or_forgotten(two: Keyphase
     two.change(lambda: two.page.evaluate("t => keyphase.actions.moveBoundary(t, t + 0.05)", moved))
     last = two.document["boundaries"][-1]["time_s"]
     two.change(lambda: two.page.evaluate("t => keyphase.actions.moveBoundary(t, t + 0.05)", last))
-    two.set_parameter("force_threshold", 1e6)
+    two.set_parameter("force_threshold", 1.0)
     one = "() => keyphase.actions.send({type: 'set', parameter: 'gaussians', value: 1})"
     two.change(lambda: two.page.evaluate(one))
     lost = two.document["inapplicable"]

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from keyphase import Demonstration, segment
+from keyphase import Demonstration, Parameters, segment
 from keyphase.segmentation.gripper import GripperEvent, gripper_events, with_gripper
 from keyphase.segmentation.segmentation import Boundary
 from keyphase.simulation.making.simulated import make_simulated
@@ -81,3 +81,16 @@ def test_of_a_simulated_pick_and_place_grasp_and_release_are_found_named_and_kep
     ended = [one for one in segmentation.segments if one.label in ("Grasp", "Release")]
     assert len(ended) == 2
     assert not any(one.idle for one in ended)
+
+
+def test_the_paper_and_methods_of_ones_own_find_what_they_find() -> None:
+    demonstration = with_opening(np.repeat([1.0, 0.0, 1.0], [300, 400, 300]))
+    assert [one.gripper for one in segment(demonstration).boundaries] == ["grasp", "release"]
+    published = segment(demonstration, Parameters(variant="paper"))
+    assert not any(one.gripper for one in published.boundaries)
+
+
+def test_no_number_over_a_line_is_told_where_it_would_be_wrong() -> None:
+    moving = with_opening(np.repeat([1.0, 0.0, 1.0], [300, 400, 300]))
+    assert segment(moving).line_counts == ()
+    assert segment(replace(moving, gripper=None)).line_counts != ()

@@ -78,7 +78,7 @@ def test_before_parameters_are_spread_each_recording_says_what_would_change(
 ) -> None:
     with PageClient(start_server(*two)) as page:
         page.wait_for("document")
-        page.send("set", parameter="force_threshold", value=1e8)
+        page.send("set", parameter="force_threshold", value=1.0)
         page.wait_for("document", lambda m: m["undo"])
         page.send("spread", step="look")
         items = page.wait_for("spread", lambda m: len(m["items"]) == m["total"])["items"]

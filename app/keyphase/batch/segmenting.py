@@ -19,7 +19,7 @@ from keyphase.batch.tasks import (
 from keyphase.demonstration import Demonstration
 from keyphase.errors import KeyphaseError, ParameterError, SegmentFileError
 from keyphase.readers import find_recordings
-from keyphase.segmentation.parameters import Parameters
+from keyphase.segmentation.parameters import Parameters, checked_for_variant
 
 
 def segment_all(
@@ -48,11 +48,12 @@ def segment_all(
     reported and the others go on.
 
     Raises SegmentFileError before any work where two recordings would be written to one file,
-    ParameterError for no jobs or no such shard, and KeyphaseError where no recording is found.
+    ParameterError for no jobs, no such shard or a threshold in the wrong unit, and KeyphaseError
+    where no recording is found.
     """
     _refuse_no_jobs(jobs)
     tasks = shard_of(_found(paths, output, recipe), shard)
-    chosen = parameters or Parameters()
+    chosen = checked_for_variant(parameters or Parameters())
     manifest = Manifest(output, settings_hash(chosen, recipe, csv))
     became: dict[Written, Written | Refusal] = {}
     if not again:

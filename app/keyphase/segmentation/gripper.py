@@ -5,6 +5,7 @@ is where closing ends, a release where opening begins. Strokes are found in the 
 recorded, so metres, a fraction and a command of 0 and 1 serve alike.
 """
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
@@ -76,20 +77,28 @@ def with_gripper(
     A contact change beside an event is the same boundary; one of motion gives way, since arriving,
     closing and leaving are one grasp.
     """
-    kept = list(boundaries)
+    kept = sorted(boundaries, key=_time)
     for event in events:
-        near = [one for one in kept if abs(one.time_s - event.time_s) <= JOIN_MOTION_S]
-        near.sort(key=lambda one: abs(one.time_s - event.time_s))
+        first = bisect_left(kept, event.time_s - JOIN_MOTION_S, key=_time)
+        last = bisect_right(kept, event.time_s + JOIN_MOTION_S, key=_time)
+        near = kept[first:last]
         same = [one for one in near if _is_same(one, event)]
-        moved = [one for one in near if not (one.contact_change or one.gripper)]
         if same:
-            kept[kept.index(same[0])] = replace(
-                same[0], gripper=event.change, reasons=(_reason(event), *same[0].reasons)
-            )
+            nearest = min(same, key=lambda one: abs(one.time_s - event.time_s))
+            reasons = (_reason(event), *nearest.reasons)
+            joined = replace(nearest, gripper=event.change, reasons=reasons)
+            kept[first + near.index(nearest)] = joined
             continue
-        kept = [one for one in kept if one not in moved]
-        kept.append(_boundary(event, moved[0].time_s if moved else None))
-    return tuple(sorted(kept, key=lambda one: one.time_s))
+        moved = [one for one in near if not (one.contact_change or one.gripper)]
+        stays = [one for one in near if one.contact_change or one.gripper]
+        away = [abs(one.time_s - event.time_s) for one in moved]
+        moved_s = moved[int(np.argmin(away))].time_s if moved else None
+        kept[first:last] = sorted([*stays, _boundary(event, moved_s)], key=_time)
+    return tuple(kept)
+
+
+def _time(boundary: Boundary) -> float:
+    return boundary.time_s
 
 
 def _is_same(boundary: Boundary, event: GripperEvent) -> bool:

@@ -86,6 +86,21 @@ _AUTOMATIC = frozenset({"force_threshold", "motion_threshold", "measurement_nois
 _WHOLE = frozenset({"gaussians", "seed"})
 
 
+def checked_for_variant(parameters: Parameters) -> Parameters:
+    """The parameters, where a person sets them: thresholds in the unit of their variant.
+
+    What was stored is read as it is, since a variant may have been changed behind it. Raises
+    ParameterError for a threshold over 1 where it is a probability.
+    """
+    line = parameters.force_threshold
+    if parameters.variant == "evidence" and line is not None and line > 1.0:
+        raise ParameterError(
+            "force_threshold must be a probability from 0.0001 to 1 or automatic, but is "
+            f"{line!r}; a threshold of the normalized error goes with variant paper."
+        )
+    return parameters
+
+
 def parameters_before_variant(values: Mapping[str, Any]) -> dict[str, Any]:
     """Today's names of parameter values that were written before there was a choice of method.
 

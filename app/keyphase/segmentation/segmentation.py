@@ -199,8 +199,8 @@ class Segmentation:
     threshold in force (given or automatic), None without force.
     `motion_threshold` is the probability that boundaries of motion must reach, `candidates` and
     `track` what there is to choose from, `unlike` how far the recording is from all that the
-    weights were fitted on, `line_counts` and `held_back` what other parameters would bring; in
-    variant paper they are None, empty and zero.
+    weights were fitted on, `line_counts` and `held_back` what other parameters would bring (no
+    `line_counts` where a gripper moved); in variant paper they are None, empty and zero.
     Segments tile the demonstration: the first starts at its start, the last ends at its end.
     """
 

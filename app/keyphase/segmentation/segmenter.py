@@ -1,6 +1,7 @@
 """From a demonstration to its segmentation, with every stage kept for as long as it holds."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cached_property
 
 from keyphase.demonstration import Array, Demonstration
@@ -39,12 +40,11 @@ class Segmenter:
         """The segmentation under these parameters, or the default ones."""
         parameters = parameters or Parameters()
         found = self._found(parameters)
-        boundaries = with_gripper(found.boundaries, self._segments.gripper)
         return Segmentation(
             demonstration=self.demonstration,
             parameters=parameters,
-            boundaries=boundaries,
-            segments=self._segments_between(boundaries),
+            boundaries=found.boundaries,
+            segments=self._segments_between(found.boundaries),
             gaussians=found.gaussians,
             curve=found.curve,
             peaks=found.peaks,
@@ -60,11 +60,18 @@ class Segmenter:
     def _found(self, parameters: Parameters) -> Found:
         match parameters.variant:
             case "evidence":
-                return self._evidence.find(parameters)
+                return self._with_gripper(self._evidence.find(parameters))
             case "paper":
                 return self._paper.find(parameters)
             case _:
                 return find_by_own_method(self.demonstration, parameters)
+
+    def _with_gripper(self, found: Found) -> Found:
+        events = self._segments.gripper
+        if not events:
+            return found
+        # Which boundaries give way depends on both lines, so that numbers over one would be wrong.
+        return replace(found, boundaries=with_gripper(found.boundaries, events), line_counts=())
 
     def segment_between(self, start_s: float, end_s: float, contact_change: bool) -> Segment:
         """The segment as the program proposes it for any span, its label and end condition."""

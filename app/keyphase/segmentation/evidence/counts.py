@@ -22,7 +22,8 @@ from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import HeldBack, LineCounts
 
 LOWEST, HIGHEST = 0.0003, 0.9997
-"""The ends of the way of a line: clear contacts lie above 0.99, and a faint one below 0.01."""
+"""The ends of the way of a line: clear contacts lie above 0.99, and a faint one below 0.01.
+Candidates that no line reaches are not told."""
 
 MAX_STEPS = 400
 """With more steps than this only some of them are told, so that a long recording costs little."""

@@ -8,6 +8,7 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.evidence.contact_terms import CONTACT_TERMS
+from keyphase.segmentation.evidence.counts import LOWEST
 from keyphase.segmentation.evidence.motion_terms import MOTION_TERMS
 from keyphase.segmentation.evidence.probability import (
     CONTACT_COLUMNS,
@@ -31,9 +32,6 @@ from keyphase.segmentation.segmentation import Boundary, Candidate, CandidateKin
 
 MAX_TOLD = 2000
 """No more candidates than this are told, the likeliest ones."""
-
-MIN_TOLD = 0.0003
-"""Candidates less likely than this are not told."""
 
 CROWDED = "a likelier boundary close by"
 UNLIKE = "unlike the recordings the weights were fitted on"
@@ -148,7 +146,7 @@ class Told:
             (float(score), float(times[index]), kind, index)
             for kind, values, times in sides
             for index, score in enumerate(values.tolist())
-            if score >= log_odds(MIN_TOLD)
+            if score >= log_odds(LOWEST)
         ]
         worth.sort(key=lambda each: (-each[0], each[1]))
         return sorted((time, kind, index) for _, time, kind, index in worth[:MAX_TOLD])

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from keyphase.errors import RequestError
-from keyphase.segmentation.parameters import Parameters
+from keyphase.segmentation.parameters import Parameters, checked_for_variant
 
 
 def with_parameter(parameters: Parameters, name: str, value: float | str | None) -> Parameters:
@@ -20,7 +20,7 @@ def with_parameter(parameters: Parameters, name: str, value: float | str | None)
         # The thresholds' unit is another one.
         automatic = dict.fromkeys(_THRESHOLDS & Parameters.__dataclass_fields__.keys())
         parameters = replace(parameters, **automatic)
-    return replace(parameters, **{name: value})
+    return checked_for_variant(replace(parameters, **{name: value}))
 
 
 _THRESHOLDS = {"force_threshold", "motion_threshold"}

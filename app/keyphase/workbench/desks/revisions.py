@@ -10,8 +10,8 @@ from keyphase.workbench.desks.asked import Asked
 from keyphase.workbench.desks.desk_state import DeskState
 
 REMEMBERED = 64
-"""So many revisions back an edit can still be compared with what its page saw. Each holds a whole
-labeling, so more of them would be most of what a long session keeps in memory."""
+"""So many revisions back an edit can still be compared with what its page saw; each holds a
+whole labeling."""
 
 
 @dataclass(frozen=True)

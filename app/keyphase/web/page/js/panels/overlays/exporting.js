@@ -88,12 +88,17 @@ function linesOf(items, chosen) {
 }
 
 /** @param {Offer} offer @param {string} chosen */
-function formatLine({ name, title, file, refusal }, chosen) {
+function formatLine({ name, title, file, refusal, install }, chosen) {
   return el(
     "label",
     { class: `export-format ${refusal ? "cannot" : ""}`, data: { format: name } },
     el("input", { type: "radio", name: "format", value: name, checked: name === chosen }),
-    el("span", {}, el("b", { text: title }), el("small", { text: file })),
+    el(
+      "span",
+      {},
+      el("b", { text: title }),
+      el("small", { text: refusal && !install ? "" : file }),
+    ),
   );
 }
 
@@ -103,6 +108,8 @@ function describe(offer, actions) {
     items.length
       ? [el("h3", { text: title }), el("ul", {}, ...items.map((text) => el("li", { text })))]
       : [];
+  // Of what this recording can never become, no file is named.
+  if (offer.refusal && !offer.install) return [refusal(offer, actions)];
   return [
     el("h3", { class: "export-file" }, icon("file"), el("code", { text: offer.file })),
     ...(offer.refusal ? [refusal(offer, actions)] : []),

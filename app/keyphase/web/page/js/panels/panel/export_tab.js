@@ -15,7 +15,7 @@ export function createExportTab(store, actions) {
   const other = exportButton(
     "formats",
     "Other formats…",
-    "tables, skills, robot programs, annotations, copies of datasets",
+    "tables, programs, datasets…",
     actions.chooseExport,
   );
   const page = exportButton("page", "Shareable replay", "*.replay.html", () =>
