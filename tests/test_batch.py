@@ -130,7 +130,9 @@ def test_a_threshold_of_the_published_error_is_refused_where_it_is_a_probability
     path = record(tmp_path / "a.npz")
     with pytest.raises(ParameterError, match=r"a probability .* but is 2; .* variant paper"):
         segment_all([path], tmp_path / "out", parameters=Parameters(force_threshold=2))
-    report = segment_all([path], tmp_path / "out", parameters=Parameters(force_threshold=2, variant="paper"))
+    report = segment_all(
+        [path], tmp_path / "out", parameters=Parameters(force_threshold=2, variant="paper")
+    )
     assert not report.refused
 
 

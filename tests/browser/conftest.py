@@ -46,6 +46,13 @@ _AS_OPENED = """() => {
 """What of a page stays as it is from one recording to the next."""
 
 
+_FORGET = """() => {
+  localStorage.clear();
+  history.replaceState(null, "", location.pathname);
+}"""
+"""What a page would begin with: its choices, and the recording that its address names."""
+
+
 class _Editor:
     """A server without a folder of its own, and a page of it that stays open."""
 
@@ -92,7 +99,7 @@ class _Editor:
         if self._page:
             page.until("keyphase.state.recordings.items.length === 0")
         if self._page and changed:
-            page.page.evaluate("() => localStorage.clear()")
+            page.page.evaluate(_FORGET)
             page.page.set_viewport_size(self._size)
             page.page.reload()
 
