@@ -5,6 +5,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import synthetic
+from keyphase import segment
 from keyphase.demonstration import Demonstration
 from keyphase.segmentation.labels import Evidence, Proposal, proposed_label
 
@@ -150,3 +151,15 @@ def test_a_movement_inside_a_gap_of_the_data_is_not_idle():
     whole = Demonstration("gap", np.concatenate([before, after]), place)
     words, measure, idle = proposed_label(Evidence.of(whole), 0.5, 2.5, False)
     assert (words, measure, idle) == ("Move forward", "198 mm", False)
+
+
+@pytest.mark.parametrize("rows", [1, 3])
+def test_rows_in_which_the_recorder_read_nothing_make_no_segment(rows: int) -> None:
+    time = np.arange(0.0, 8.0, 0.02)
+    position = np.zeros((len(time), 3))
+    position[:, 0] = np.interp(time, [1.0, 3.0], [0.3, 0.5])
+    whole = segment(Demonstration("whole", time, position))
+    position[250 : 250 + rows] = 0.0
+    dropped = segment(Demonstration("dropped", time, position))
+    assert [one.label for one in dropped.segments] == [one.label for one in whole.segments]
+    assert [one.label for one in whole.segments] == ["idle", "Move forward", "idle"]

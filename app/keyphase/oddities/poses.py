@@ -1,5 +1,7 @@
 """Poses no arm has: jumps, rows of zeros, a pose that stands while joints move, a wrong unit."""
 
+from itertools import pairwise
+
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
@@ -7,6 +9,9 @@ from keyphase.oddities.oddity import Oddity, at_row, first_few
 
 MAX_SPEED_M_S = 7.0
 """No arm's tool goes faster; neither does a hand that leads one."""
+
+MAX_DROPOUT_S = 0.2
+"""Longer away the tool may have been there."""
 
 _MIN_JUMP_M = 0.02
 _MAX_SPEED_RAD_S = 60.0
@@ -24,25 +29,48 @@ def jumps(demonstration: Demonstration) -> list[Oddity]:
 def every_jump(demonstration: Demonstration) -> list[Oddity]:
     """Places faster left than any arm can, and back where it comes back."""
     time, steps = demonstration.time_s, np.diff(demonstration.time_s)
-    travel = np.linalg.norm(np.diff(demonstration.position_m, axis=0), axis=1)
+    travel, rows = _leaps(demonstration)
+    back = dict(dropouts(demonstration))
     gone = {float(start) for start, _ in demonstration.gaps_s}
-    rows = np.flatnonzero((travel > _MIN_JUMP_M) & (travel > MAX_SPEED_M_S * steps))
     found: list[Oddity] = []
     last = -2
     for row in rows.tolist():
-        if time[row] in gone or row == last + 1:
-            last = row
+        if time[row] in gone or row <= last + 1:
+            last = max(last, row)
             continue
-        last = row
-        back = row + 2 < len(time) and _is_back(demonstration.position_m, row, travel[row])
+        last = back.get(row, row)
         text = (
             f"The tool jumps {travel[row]:.3g} m within {steps[row]:.2g} s"
-            f"{' and back' if back else ''} {at_row(demonstration, row + 1)}, "
+            f"{' and back' if row in back else ''} {at_row(demonstration, row + 1)}, "
             f"{travel[row] / steps[row]:.2g} m/s; no arm does that."
         )
-        span = float(time[row]), float(time[min(row + 1 + back, len(time) - 1)])
+        span = float(time[row]), float(time[back.get(row, row) + 1])
         found.append(Oddity("jump", "warning", text, span))
     return found
+
+
+def dropouts(demonstration: Demonstration) -> list[tuple[int, int]]:
+    """Jumps from a row to the next, and from which row it is back within `MAX_DROPOUT_S`.
+
+    The rows between are where the tool never was: the recorder read nothing, or something else.
+    """
+    time, position = demonstration.time_s, demonstration.position_m
+    travel, rows = _leaps(demonstration)
+    found: list[tuple[int, int]] = []
+    for out, back in pairwise(rows.tolist()):
+        if found and out <= found[-1][1]:
+            continue
+        near = float(np.linalg.norm(position[back + 1] - position[out])) < 0.2 * travel[out]
+        if near and time[back + 1] - time[out] <= MAX_DROPOUT_S:
+            found.append((out, back))
+    return found
+
+
+def _leaps(demonstration: Demonstration) -> tuple[Array, np.ndarray]:
+    """Way from row to row (N - 1,) [m], and the rows that the tool leaves faster than any arm."""
+    steps = np.diff(demonstration.time_s)
+    travel = np.linalg.norm(np.diff(demonstration.position_m, axis=0), axis=1)
+    return travel, np.flatnonzero((travel > _MIN_JUMP_M) & (travel > MAX_SPEED_M_S * steps))
 
 
 def turns_too_fast(demonstration: Demonstration) -> list[Oddity]:
@@ -113,7 +141,3 @@ def _far_from_origin(position_m: Array, zero: np.ndarray) -> bool:
     beside = ~zero & (np.roll(zero, 1) | np.roll(zero, -1))
     distances = np.linalg.norm(position_m[beside], axis=1)
     return bool(distances.size) and float(np.median(distances)) > _MIN_JUMP_M
-
-
-def _is_back(position_m: Array, row: int, travel: float) -> bool:
-    return bool(np.linalg.norm(position_m[row + 2] - position_m[row]) < 0.2 * travel)

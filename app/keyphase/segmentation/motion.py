@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.oddities.poses import dropouts
 from keyphase.rotations.courses import from_first
 from keyphase.segmentation.bins import bin_means, bin_starts, typical_step_s
 from keyphase.segmentation.filters import smoothed
@@ -41,14 +42,34 @@ class Motion:
 
 
 def motion_of(demonstration: Demonstration) -> Motion:
-    """Bin the pose of a demonstration; see `Motion`."""
+    """Bin the pose of a demonstration; see `Motion`.
+
+    Rows in which the tool jumps away and is back at once count for nothing.
+    """
     starts = bin_starts(demonstration.time_s)
     time = bin_means(demonstration.time_s, starts)
-    position = bin_means(demonstration.position_m, starts)
-    wxyz = demonstration.orientation_wxyz
+    places, wxyz = _without_dropouts(demonstration)
+    position = bin_means(places, starts)
     rotation = None if wxyz is None else from_first(bin_means(wxyz, starts))
     pose = _pose(position, rotation)
     return Motion(time, position, rotation, pose, _speed(time, pose))
+
+
+def _without_dropouts(demonstration: Demonstration) -> tuple[Array, Array | None]:
+    """Positions and orientations, on a straight way where the tool jumped away and back."""
+    position, wxyz = demonstration.position_m, demonstration.orientation_wxyz
+    found = dropouts(demonstration)
+    if not found:
+        return position, wxyz
+    time = demonstration.time_s
+    good = np.ones(len(time), dtype=bool)
+    for out, back in found:
+        good[out + 1 : back + 1] = False
+
+    def bridged(values: Array) -> Array:
+        return np.stack([np.interp(time, time[good], column[good]) for column in values.T], axis=1)
+
+    return bridged(position), None if wxyz is None else bridged(wxyz)
 
 
 def _pose(position: Array, rotation: Array | None) -> Array:
