@@ -48,8 +48,7 @@ def segment_all(
     reported and the others go on.
 
     Raises SegmentFileError before any work where two recordings would be written to one file,
-    ParameterError for no jobs, no such shard or a threshold in the wrong unit, and KeyphaseError
-    where no recording is found.
+    ParameterError for what no parameter can be, and KeyphaseError where no recording is found.
     """
     _refuse_no_jobs(jobs)
     tasks = shard_of(_found(paths, output, recipe), shard)
