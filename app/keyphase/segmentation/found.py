@@ -27,5 +27,6 @@ class Found:
     candidates: tuple[Candidate, ...] = ()
     track: EvidenceTrack | None = None
     unlike: float = 0.0
+    automatic_least_step_N: float | None = None
     line_counts: tuple[LineCounts, ...] = ()
     held_back: tuple[HeldBack, ...] = ()

@@ -53,8 +53,9 @@ class Parameters:
     """Probability a boundary of motion must reach; None: automatic. Variant evidence only."""
     turns: Turns = "clear"
     """Which turns without a rest count beside a recorded force. Variant evidence only."""
-    least_step_N: float = 0.0
-    """Least step of the force at a contact change [N]. Variant evidence only."""
+    least_step_N: float | None = None
+    """Least step of the force at a contact change [N]; None: from how the force wanders while the
+    tool rests and touches nothing. Variant evidence only."""
 
     def __post_init__(self) -> None:
         for name, (low, high) in RANGES.items():
@@ -82,7 +83,9 @@ RANGES: dict[str, tuple[float, float]] = {
 }
 """Least and greatest value of every number among the parameters."""
 
-_AUTOMATIC = frozenset({"force_threshold", "motion_threshold", "measurement_noise", "gaussians"})
+_AUTOMATIC = frozenset(
+    {"force_threshold", "motion_threshold", "measurement_noise", "gaussians", "least_step_N"}
+)
 _WHOLE = frozenset({"gaussians", "seed"})
 
 

@@ -199,7 +199,8 @@ class Segmentation:
     threshold in force (given or automatic), None without force.
     `motion_threshold` is the probability that boundaries of motion must reach, `candidates` and
     `track` what there is to choose from, `unlike` how far the recording is from all that the
-    weights were fitted on, `line_counts` and `held_back` what other parameters would bring (no
+    weights were fitted on, `automatic_least_step_N` how far its force wanders of itself (None
+    without force), `line_counts` and `held_back` what other parameters would bring (no
     `line_counts` where a gripper moved); in variant paper they are None, empty and zero.
     Segments tile the demonstration: the first starts at its start, the last ends at its end.
     """
@@ -216,5 +217,6 @@ class Segmentation:
     candidates: tuple[Candidate, ...] = ()
     track: EvidenceTrack | None = None
     unlike: float = 0.0
+    automatic_least_step_N: float | None = None
     line_counts: tuple[LineCounts, ...] = ()
     held_back: tuple[HeldBack, ...] = ()

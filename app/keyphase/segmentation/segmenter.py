@@ -53,6 +53,7 @@ class Segmenter:
             candidates=found.candidates,
             track=found.track,
             unlike=found.unlike,
+            automatic_least_step_N=found.automatic_least_step_N,
             line_counts=found.line_counts,
             held_back=found.held_back,
         )

@@ -16,6 +16,7 @@ from keyphase.segmentation.evidence.grid import MIN_CELLS, Grid
 from keyphase.segmentation.evidence.placing import placed
 from keyphase.segmentation.evidence.speed import Speed
 from keyphase.segmentation.evidence.state_view import StateView, state_view
+from keyphase.segmentation.evidence.wander import least_step
 from keyphase.segmentation.evidence.windows import Sides, Windows
 
 CONTACT_TERMS: Mapping[str, str] = {
@@ -66,6 +67,7 @@ class ContactCandidates:
     interval (C, 2) first and last cell of the rise or fall
     terms (C, T)    one column per CONTACT_TERMS
     step (C, 3)     mean force after minus before, in sizes of the wrench
+    least_step      a step smaller than this is what the force does of itself, in the same unit
     """
 
     cell: Indices
@@ -73,6 +75,7 @@ class ContactCandidates:
     interval: Indices
     terms: Array
     step: Array
+    least_step: float = 0.0
 
 
 def contact_candidates(grid: Grid, speed: Speed) -> ContactCandidates:
@@ -89,7 +92,9 @@ def contact_candidates(grid: Grid, speed: Speed) -> ContactCandidates:
     table = np.column_stack([terms[name] for name in CONTACT_TERMS])
     gap, length = round(_STEP_GAP_S * grid.rate_hz), grid.cells(_STEP_LENGTH_S)
     step = Sides(look.windows, cell, gap, length).jump[:, :3]
-    return ContactCandidates(cell, at, interval, table, step)
+    return ContactCandidates(
+        cell, at, interval, table, step, least_step(grid, view, speed.fast_m_s)
+    )
 
 
 def breadth(terms: Array) -> Array:

@@ -66,6 +66,7 @@ class EvidenceMethod:
             candidates=told.candidates(selection),
             track=track,
             unlike=self.evidence.unlike,
+            automatic_least_step_N=None if curve is None else self.evidence.least_step_N,
             line_counts=line_counts(self.evidence, scores, selection, parameters),
             held_back=held_back(
                 self.evidence,

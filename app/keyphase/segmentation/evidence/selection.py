@@ -56,7 +56,8 @@ class Selection:
 def scores_of(evidence: Evidence, weights: Weights, parameters: Parameters) -> Scores:
     """Scores under the minimal distance and the least force step."""
     step = np.linalg.norm(evidence.force_step_N, axis=1)
-    small = step < parameters.least_step_N
+    least = parameters.least_step_N
+    small = step < (evidence.least_step_N if least is None else least)
     touch = np.where(small, -np.inf, evidence.contact_odds)
     distance = parameters.min_distance_s
     broad = breadth(evidence.contact.terms)

@@ -22,6 +22,7 @@ class Evidence:
     seen_s (C,)                         where contact changes were seen, see `ContactCandidates`
     contact_odds (C,), motion_odds (M,)
     force_step_N (C, 3)                 mean force after minus before each contact candidate
+    least_step_N                        smaller steps are what the force does of itself
     unlike                              distance from all that was fitted on, see `probability`
     """
 
@@ -34,6 +35,7 @@ class Evidence:
     contact_odds: Array
     motion_odds: Array
     force_step_N: Array
+    least_step_N: float
     unlike: float
 
 
@@ -55,6 +57,7 @@ def evidence_of(demonstration: Demonstration, motion: Motion, weights: Weights) 
         touch_odds,
         motion_odds(moves.terms, weights),
         contact.step * grid.size_N,
+        contact.least_step * grid.size_N,
         unlike(contact.terms, touch_odds, weights.kinds),
     )
 
@@ -67,4 +70,5 @@ def _in_order(found: ContactCandidates) -> ContactCandidates:
         interval=found.interval[order],
         terms=found.terms[order],
         step=found.step[order],
+        least_step=found.least_step,
     )

@@ -60,6 +60,7 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         automatic_threshold=automatic_threshold(segmentation),
         motion_threshold=segmentation.motion_threshold,
         automatic_motion_threshold=automatic_motion_threshold(segmentation),
+        automatic_least_step_N=segmentation.automatic_least_step_N,
         boundaries=boundaries_of(labeling),
         segments=_segments(labeling),
         peaks=tuple(map(_peak, segmentation.peaks)),

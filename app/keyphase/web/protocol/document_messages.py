@@ -202,6 +202,7 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     automatic_threshold: float | None
     motion_threshold: float | None
     automatic_motion_threshold: float | None
+    automatic_least_step_N: float | None
     boundaries: tuple[BoundaryMessage, ...]
     segments: tuple[SegmentMessage, ...]
     peaks: tuple[PeakMessage, ...]

@@ -37,6 +37,7 @@ export interface DocumentMessage {
   automatic_threshold: number | null;
   motion_threshold: number | null;
   automatic_motion_threshold: number | null;
+  automatic_least_step_N: number | null;
   boundaries: BoundaryMessage[];
   segments: SegmentMessage[];
   peaks: PeakMessage[];

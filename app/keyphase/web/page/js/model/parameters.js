@@ -76,7 +76,8 @@ const GROUPS = {
           "least_step_N",
           "Least step, N",
           [0, 20, 0.1],
-          "A contact change alters the force by at least this much.",
+          "A contact change alters the force by at least this much; by itself as much as the force " +
+            "wanders while the tool rests and touches nothing.",
         ),
         DISTANCE,
       ],
@@ -212,6 +213,7 @@ const COURSES = {
 export function automaticValue(doc, defaults, name) {
   if (name === "force_threshold") return doc.automatic_threshold;
   if (name === "motion_threshold") return doc.automatic_motion_threshold;
+  if (name === "least_step_N") return doc.automatic_least_step_N;
   return defaults[name] ?? null;
 }
 
@@ -225,5 +227,6 @@ export function valueInForce(doc, held, name) {
   if (name in held) return held[name] ?? automaticValue(doc, {}, name);
   if (name === "force_threshold") return doc.threshold;
   if (name === "motion_threshold") return doc.motion_threshold;
+  if (name === "least_step_N") return doc.parameters[name] ?? doc.automatic_least_step_N;
   return doc.parameters[name] ?? null;
 }
