@@ -27,8 +27,8 @@ test: $(VENV)/ready-to-test browser page-scripts
 	$(BIN)/ruff format --check --quiet $(SOURCES)
 	$(BIN)/ruff check --quiet $(SOURCES)
 	PYTHONPATH=app $(BIN)/lint-imports --no-cache --no-logo
-	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist worksteal --reruns 1 -m "not browser"
-	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist worksteal --reruns 2 -m browser
+	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist worksteal --reruns 1 -rR -m "not browser" --ignore tests/browser
+	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist worksteal --reruns 2 -rR -m browser tests/browser
 
 browser:
 	sh tests/ensure_chromium.sh

@@ -22,6 +22,8 @@ def _state_of_its_own(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None
 
 _KNOWN = pytest.StashKey[str]()
 
+_LONGEST = ("test_long_recording.py", "test_mutated_files.py", "test_wheel.py")
+
 KNOWN_FAILURES = Path(__file__).with_name("known_failures.txt")
 
 
@@ -31,7 +33,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     What is known to fail is listed in known_failures.txt, each with its reason, and told in the
     summary; a test that passes again leaves the list.
     """
-    items.sort(key=lambda item: item.path.name != "test_wheel.py")
+    items.sort(key=lambda item: item.path.name not in _LONGEST)
     known = dict(_known_failures())
     for item in items:
         name, file = item.nodeid.partition("[")[0], item.nodeid.partition("::")[0]

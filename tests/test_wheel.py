@@ -4,11 +4,14 @@ import os
 import re
 import subprocess
 import sys
-import venv
 from collections.abc import Iterator
+from email import message_from_bytes
 from pathlib import Path
+from zipfile import ZipFile
 
 import pytest
+
+from linked_environment import environment_with
 
 ROOT = Path(__file__).parents[1]
 
@@ -27,23 +30,25 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The bin folder of an environment that holds nothing but the wheel and what it needs."""
-    environment = tmp_path_factory.mktemp("environment")
-    venv.create(environment, with_pip=True)
-    command = [environment / "bin" / "python", "-m", "pip", "install", "--quiet", "--no-compile"]
-    subprocess.run([*command, "--constraint", ROOT / "constraints.txt", wheel], check=True)
-    return environment / "bin"
+    with ZipFile(wheel) as archive:
+        (name,) = [one for one in archive.namelist() if one.endswith(".dist-info/METADATA")]
+        needed = message_from_bytes(archive.read(name)).get_all("Requires-Dist", [])
+    return _with_the_wheel(wheel, tmp_path_factory.mktemp("environment"), needed)
 
 
 @pytest.fixture(scope="module")
 def core(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The bin folder of an environment with the inner ring only: no page, robot or simulation."""
-    environment = tmp_path_factory.mktemp("core")
-    venv.create(environment, with_pip=True)
-    command = [environment / "bin" / "python", "-m", "pip", "install", "--quiet", "--no-compile"]
-    constraint = ["--constraint", ROOT / "constraints.txt"]
-    subprocess.run([*command, *constraint, "-r", ROOT / "requirements-core.txt"], check=True)
-    subprocess.run([*command, "--no-deps", wheel], check=True)
-    return environment / "bin"
+    lines = (ROOT / "requirements-core.txt").read_text().splitlines()
+    needed = [line for line in lines if not line.startswith("#")]
+    return _with_the_wheel(wheel, tmp_path_factory.mktemp("core"), needed)
+
+
+def _with_the_wheel(wheel: Path, folder: Path, needed: list[str]) -> Path:
+    programs = environment_with(folder, (one for one in needed if "extra ==" not in one))
+    pip = [sys.executable, "-m", "pip", "--python", programs / "python", "install", "--quiet"]
+    subprocess.run([*pip, "--no-compile", "--no-deps", wheel], check=True)
+    return programs
 
 
 def run(installed: Path, *arguments: object, cwd: Path) -> str:
