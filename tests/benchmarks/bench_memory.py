@@ -28,8 +28,9 @@ from websockets.exceptions import ConnectionClosed
 from keyphase.files.shipped import shipped
 
 NAMES = "abcde"
-WARM_UP_S = 120.0
-"""So long all that is used is used often, so that caches are full before anyone looks."""
+WARM_UP_S = 300.0
+"""So long all that is used is used often, so that caches are full before anyone looks: every desk
+then remembers as many revisions as it ever will."""
 
 WARM_UP_PER_SECOND = 10.0
 LOOK_EVERY_S = 5.0
