@@ -1,9 +1,12 @@
 """Block means over short bins in time, which make irregular and different rates alike."""
 
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
-from keyphase.demonstration import Array
+from keyphase.demonstration import Array, Demonstration
 
 BIN_S = 0.02
 """Width of a bin: 50 Hz is enough for a hand's motion and for finding a contact."""
@@ -27,6 +30,40 @@ def bin_means(values: Array, starts: Indices) -> Array:
     counts = np.diff(starts, append=len(values))
     sums = np.add.reduceat(values, starts, axis=0)
     return sums / (counts[:, None] if values.ndim == 2 else counts)
+
+
+@dataclass(frozen=True, eq=False)
+class Bins:
+    """A demonstration in bins of `BIN_S`, each channel when it is first asked for.
+
+    starts (M,)  index of the first sample of each
+    """
+
+    demonstration: Demonstration
+    starts: Indices
+
+    @cached_property
+    def time_s(self) -> Array:
+        """Mean time (M,)."""
+        return bin_means(self.demonstration.time_s, self.starts)
+
+    @cached_property
+    def force(self) -> Array | None:
+        """Mean force (M, 3) [N]."""
+        force = self.demonstration.force_N
+        return None if force is None else bin_means(force, self.starts)
+
+    @cached_property
+    def torque(self) -> Array | None:
+        """Mean torque (M, 3) [N m]."""
+        torque = self.demonstration.torque_Nm
+        return None if torque is None else bin_means(torque, self.starts)
+
+
+@lru_cache(maxsize=1)
+def bins_of(demonstration: Demonstration) -> Bins:
+    """The bins of a demonstration; kept for the last one, because many ask in turn."""
+    return Bins(demonstration, bin_starts(demonstration.time_s))
 
 
 def typical_step_s(time_s: Array) -> float:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.segmentation.bins import bin_means, bin_starts
+from keyphase.segmentation.bins import bins_of
 from keyphase.segmentation.free_force import free_force, least_contact
 from keyphase.segmentation.paper.force import noise_variance
 from keyphase.segmentation.segmentation import Change
@@ -54,16 +54,13 @@ def contact_force_of(demonstration: Demonstration) -> ContactForce | None:
     force = contact_force(demonstration)
     if force is None:
         return None
-    time = bin_means(demonstration.time_s, bin_starts(demonstration.time_s))
-    return ContactForce(time, force, in_contact(force))
+    return ContactForce(bins_of(demonstration).time_s, force, in_contact(force))
 
 
 def contact_force(demonstration: Demonstration) -> Array | None:
     """Binned force (n, 3) [N] above the level in free space; None where no force was recorded."""
-    if demonstration.force_N is None:
-        return None
-    force = bin_means(demonstration.force_N, bin_starts(demonstration.time_s))
-    return force - free_force(demonstration)
+    force = bins_of(demonstration).force
+    return None if force is None else force - free_force(demonstration)
 
 
 def in_contact(force_N: Array) -> np.ndarray:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.segmentation.bins import bin_means, bin_starts
+from keyphase.segmentation.bins import bins_of
 
 MIN_FORCE_N = 0.5
 """No force below this above the free level counts as contact."""
@@ -18,14 +18,13 @@ def free_force(demonstration: Demonstration) -> Array:
     A recording with moments of next to no force has no offset. In others the tool's weight was
     not taken out, and the level at their beginning is what free space shows.
     """
-    if demonstration.force_N is None:
+    bins = bins_of(demonstration)
+    force, time = bins.force, bins.time_s
+    if force is None:
         return np.zeros(3)
-    starts = bin_starts(demonstration.time_s)
-    force = bin_means(demonstration.force_N, starts)
     size = np.linalg.norm(force, axis=1)
     if np.quantile(size, 0.05) <= least_contact(size):
         return np.zeros(3)
-    time = bin_means(demonstration.time_s, starts)
     return np.median(force[time <= time[0] + _REST_S], axis=0)
 
 

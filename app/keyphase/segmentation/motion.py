@@ -8,7 +8,7 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.oddities.poses import dropouts
 from keyphase.rotations.courses import from_first
-from keyphase.segmentation.bins import bin_means, bin_starts, typical_step_s
+from keyphase.segmentation.bins import bin_means, bins_of, typical_step_s
 from keyphase.segmentation.filters import smoothed
 
 METRES_PER_RADIAN = 0.2
@@ -46,8 +46,8 @@ def motion_of(demonstration: Demonstration) -> Motion:
 
     Rows in which the tool jumps away and is back at once count for nothing.
     """
-    starts = bin_starts(demonstration.time_s)
-    time = bin_means(demonstration.time_s, starts)
+    bins = bins_of(demonstration)
+    starts, time = bins.starts, bins.time_s
     places, wxyz = _without_dropouts(demonstration)
     position = bin_means(places, starts)
     rotation = None if wxyz is None else from_first(bin_means(wxyz, starts))

@@ -92,9 +92,7 @@ def contact_candidates(grid: Grid, speed: Speed) -> ContactCandidates:
     table = np.column_stack([terms[name] for name in CONTACT_TERMS])
     gap, length = round(_STEP_GAP_S * grid.rate_hz), grid.cells(_STEP_LENGTH_S)
     step = Sides(look.windows, cell, gap, length).jump[:, :3]
-    return ContactCandidates(
-        cell, at, interval, table, step, least_step(grid, view, speed.fast_m_s)
-    )
+    return ContactCandidates(cell, at, interval, table, step, least_step(grid, view, speed))
 
 
 def breadth(terms: Array) -> Array:

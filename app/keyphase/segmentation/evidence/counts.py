@@ -56,19 +56,24 @@ def line_counts(
 
 def held_back(
     evidence: Evidence,
+    scores: Scores,
     scored: Callable[[Parameters], Scores],
     weights: Weights,
     parameters: Parameters,
     selection: Selection,
 ) -> tuple[HeldBack, ...]:
-    """How many boundaries more there would be, were a filter let go."""
+    """How many boundaries more there would be, were a filter let go.
+
+    `scored` gives scores under another least step.
+    """
     now = len(selection.contacts) + len(selection.motions)
     found = []
     for name, value in _FREE.items():
-        if getattr(parameters, name) == value:
+        by_step = name == "least_step_N"
+        if getattr(parameters, name) == value or (by_step and not scores.small.any()):
             continue
         freed = replace(parameters, **{name: value})
-        more = select(evidence, scored(freed), weights, freed)
+        more = select(evidence, scored(freed) if by_step else scores, weights, freed)
         count = len(more.contacts) + len(more.motions) - now
         if count > 0:
             found.append(HeldBack(name, count, value))

@@ -48,6 +48,7 @@ class EvidenceMethod:
         self._change_at = change_at
         self._weights = weights or shipped_weights()
         self._scores: Recent[tuple[Scores, Told, EvidenceTrack]] = Recent(_RESULTS_KEPT)
+        self._freed: Recent[Scores] = Recent(_RESULTS_KEPT)
         self._curves: Recent[DrawnCurve | None] = Recent(_RESULTS_KEPT)
 
     def find(self, parameters: Parameters) -> Found:
@@ -70,7 +71,8 @@ class EvidenceMethod:
             line_counts=line_counts(self.evidence, scores, selection, parameters),
             held_back=held_back(
                 self.evidence,
-                lambda freed: self._scored(freed)[0],
+                scores,
+                self._scores_alone,
                 self._weights,
                 parameters,
                 selection,
@@ -95,6 +97,11 @@ class EvidenceMethod:
             return scores, told, track_of(self.evidence, scores)
 
         return self._scores.get(key, compute)
+
+    def _scores_alone(self, parameters: Parameters) -> Scores:
+        """Scores, without what is told of them."""
+        key = parameters.min_distance_s, parameters.least_step_N
+        return self._freed.get(key, lambda: scores_of(self.evidence, self._weights, parameters))
 
     def _curve(self, parameters: Parameters) -> DrawnCurve | None:
         key = parameters.process_noise_ratio, parameters.measurement_noise, parameters.engine

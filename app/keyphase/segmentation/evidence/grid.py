@@ -5,7 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.segmentation.bins import BIN_S, bin_means, bin_starts, typical_step_s
+from keyphase.segmentation.bins import (
+    BIN_S,
+    bin_means,
+    bin_starts,
+    bins_of,
+    typical_step_s,
+)
 from keyphase.segmentation.filters import fast_part
 from keyphase.segmentation.motion import METRES_PER_RADIAN, Motion
 
@@ -75,13 +81,13 @@ def _at(cells: Array, times: Array, values: Array) -> Array:
 
 def _wrench(demonstration: Demonstration, cells: Array, even: Array) -> tuple[Array | None, float]:
     """The wrench over its size, and the size; None where none was recorded or none changes."""
-    force, torque = demonstration.force_N, demonstration.torque_Nm
+    bins = bins_of(demonstration)
+    force, torque = bins.force, bins.torque
     if force is None:
         return None, 0.0
-    starts = bin_starts(demonstration.time_s)
-    wrench = _at(cells, even, bin_means(force, starts))
+    wrench = _at(cells, even, force)
     if torque is not None and np.ptp(torque) > 0.0:
-        wrench = np.hstack([wrench, _at(cells, even, bin_means(torque, starts)) / LEVER_M])
+        wrench = np.hstack([wrench, _at(cells, even, torque) / LEVER_M])
     wrench -= np.median(wrench, axis=0)
     size = float(np.quantile(np.linalg.norm(wrench, axis=1), _SIZE_QUANTILE))
     return (wrench / size, size) if size > 1e-9 else (None, 0.0)

@@ -8,7 +8,6 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.grid import Grid
-from keyphase.segmentation.evidence.rests import rests
 from keyphase.segmentation.evidence.speed import Speed
 
 MOTION_TERMS: Mapping[str, str] = {
@@ -180,7 +179,7 @@ def _rotation_share(stroke: Array) -> Array:
 
 def _stops(grid: Grid, speed: Speed, coarse: _Valleys) -> Indices:
     """First and last cell (S, 2) of rests, and of coarse valleys that stay in a small place."""
-    found = [tuple(pair) for pair in rests(grid, speed.fast_m_s).tolist()]
+    found = [tuple(pair) for pair in speed.rests.tolist()]
     if len(coarse.stroke):
         s, pose = speed.speed_m_s, speed.pose_m
         span = float(np.linalg.norm(np.ptp(pose[:, :3], axis=0)))
@@ -236,7 +235,7 @@ def _crowding(at: Indices | Array, crowd: Indices, rate_hz: float) -> Array:
 
 def _standing(grid: Grid, speed: Speed, crowd: Indices) -> Array:
     """Both edges of every stop of half a second within a millimetre and a degree."""
-    found = rests(grid, speed.fast_m_s)
+    found = speed.rests
     if not len(found):
         return np.zeros((0, 4 + len(MOTION_TERMS)))
     early, late = found[:, 0].astype(float), found[:, 1].astype(float)

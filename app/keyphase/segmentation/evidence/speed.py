@@ -1,12 +1,14 @@
 """How fast the tool moves, smoothed so that tremor does not count."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.grid import MIN_CELLS, Grid
+from keyphase.segmentation.evidence.rests import rests
 from keyphase.segmentation.evidence.windows import Windows
 from keyphase.segmentation.filters import smoothed
 
@@ -31,6 +33,11 @@ class Speed:
     pose_m: Array
     speed_m_s: Array
     fast_m_s: float
+
+    @cached_property
+    def rests(self) -> Indices:
+        """First and last cell (R, 2) of every stop, see `rests`."""
+        return rests(self.grid, self.fast_m_s)
 
     def beside(self, at: Indices) -> tuple[Array, Array]:
         """Mean speed (C,) 0.4 to 0.05 s before and after cells."""

@@ -31,6 +31,7 @@ _FLOOR = 0.004
 _APART = 0.15
 _LEVEL = 0.25
 _PRIOR = (0.05, 0.95)
+_MAX_LOG = 50.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,26 +113,43 @@ def _core_and_rest(means: Array) -> tuple[Array, Array, Array]:
     All starts at once; the likeliest wins, a core far from the median wrench counting less.
     """
     core, start_var = _tight_places(means)
-    rest = np.repeat(means.mean(axis=0)[None], len(core), axis=0)
+    channels, middle = means.shape[1], means.mean(axis=0)
+    # What Gaussians without covariance and their moments need of every block.
+    table = np.column_stack([means * means, means, np.ones(len(means))])
+    sums = table.sum(axis=0)
+    rest = np.repeat(middle[None], len(core), axis=0)
     rest_var = np.repeat((1.5 * means.var(axis=0) + _FLOOR**2)[None], len(core), axis=0)
-    prior = np.full((len(core), 1), 0.5)
-    squares = means * means
-    core_var = np.repeat(start_var[:, None], means.shape[1], axis=1)
+    prior = np.full(len(core), 0.5)
+    core_var = np.repeat(start_var[:, None], channels, axis=1)
     for _ in range(_ROUNDS):
-        share = _share(means, squares, core, core_var, rest, rest_var, prior)
-        inside = share.sum(axis=1, keepdims=True) + 1e-9
-        outside = len(means) - inside + 2e-9
-        core, square = share @ means / inside, share @ squares / inside
-        core_var = np.maximum(square - core * core, 0.0) + _FLOOR**2
-        sums, square_sums = means.sum(axis=0), squares.sum(axis=0)
-        rest = (sums - inside * core) / outside
-        rest_square = (square_sums - inside * square) / outside
-        rest_var = np.maximum(rest_square - rest * rest, 2.0 * core_var)
-        prior = np.clip(inside / len(means), *_PRIOR)
-    a, b = _log_densities(means, squares, core, core_var, rest, rest_var, prior)
+        odds = _density(rest, rest_var, 1.0 - prior) - _density(core, core_var, prior)
+        share = 1.0 / (1.0 + np.exp(np.minimum(odds @ table.T, _MAX_LOG)))
+        inside = share @ table
+        outside = sums - inside
+        core, core_var = _moments(inside, channels)
+        core_var += _FLOOR**2
+        rest, rest_var = _moments(outside, channels)
+        rest_var = np.maximum(rest_var, 2.0 * core_var)
+        prior = np.minimum(np.maximum(inside[:, -1] / len(means), _PRIOR[0]), _PRIOR[1])
+    a = _density(core, core_var, prior) @ table.T
+    b = _density(rest, rest_var, 1.0 - prior) @ table.T
     worth = np.logaddexp(a, b).mean(axis=1) - _APART * np.linalg.norm(core, axis=1)
     best = int(np.argmax(worth))
     return b[best] - a[best], core[best], np.sqrt(core_var[best])
+
+
+def _density(mean: Array, variance: Array, prior: Array) -> Array:
+    """Log of prior times density, but for a constant, as factors (S, 2 D + 1) of the table."""
+    precision = 1.0 / variance
+    constant = (mean * mean * precision + np.log(variance)).sum(axis=1)
+    return np.column_stack([-0.5 * precision, mean * precision, np.log(prior) - 0.5 * constant])
+
+
+def _moments(sums: Array, channels: int) -> tuple[Array, Array]:
+    """Mean and variance (S, D) from sums (S, 2 D + 1) over blocks."""
+    count = sums[:, -1:] + 1e-9
+    mean = sums[:, channels:-1] / count
+    return mean, np.maximum(sums[:, :channels] / count - mean * mean, 0.0)
 
 
 def _tight_places(means: Array) -> tuple[Array, Array]:
@@ -152,40 +170,6 @@ def _tight_places(means: Array) -> tuple[Array, Array]:
         apart = np.minimum(apart, np.linalg.norm(mean - mean[tightest], axis=1))
     start_var = 4.0 * variance[starts] / means.shape[1] + (3.0 * _FLOOR) ** 2
     return mean[starts], start_var
-
-
-def _log_densities(
-    means: Array,
-    squares: Array,
-    core: Array,
-    core_var: Array,
-    rest: Array,
-    rest_var: Array,
-    prior: Array,
-) -> tuple[Array, Array]:
-    """Log of prior times density (S, M) of the core and of the rest, but for a constant."""
-    core_log = _gaussian(means, squares, core, core_var) + np.log(prior)
-    return core_log, _gaussian(means, squares, rest, rest_var) + np.log(1.0 - prior)
-
-
-def _gaussian(means: Array, squares: Array, mean: Array, variance: Array) -> Array:
-    precision = 1.0 / variance
-    constant = (mean * mean * precision + np.log(variance)).sum(axis=1, keepdims=True)
-    return -0.5 * (precision @ squares.T - 2.0 * (mean * precision) @ means.T + constant)
-
-
-def _share(
-    means: Array,
-    squares: Array,
-    core: Array,
-    core_var: Array,
-    rest: Array,
-    rest_var: Array,
-    prior: Array,
-) -> Array:
-    """Probability (S, M) of the core."""
-    a, b = _log_densities(means, squares, core, core_var, rest, rest_var, prior)
-    return 1.0 / (1.0 + np.exp(np.clip(b - a, -50.0, 50.0)))
 
 
 def most_likely_states(odds: Array) -> np.ndarray:

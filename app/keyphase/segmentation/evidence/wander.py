@@ -8,7 +8,7 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.evidence.grid import Grid
-from keyphase.segmentation.evidence.rests import rests
+from keyphase.segmentation.evidence.speed import Speed
 from keyphase.segmentation.evidence.state_view import RATE_HZ, StateView
 
 LEAST_REST_S = 4.0
@@ -22,14 +22,14 @@ _ABOVE = 1.5
 _SHARE_OF_STRONGEST = 0.25
 
 
-def least_step(grid: Grid, view: StateView, fast_m_s: float) -> float:
+def least_step(grid: Grid, view: StateView, speed: Speed) -> float:
     """A step of the force smaller than this is none of contact, in sizes of the wrench.
 
     Half as much again as the level of the force, a running median that touches in passing leave
     alone, changes within two seconds in four fifths of the time at rest; but no more than a quarter
     of the strongest force. Zero where the tool rests for less than `LEAST_REST_S` in all.
     """
-    changes = [_level_changes(levels) for levels in _resting_free(grid, view, fast_m_s)]
+    changes = [_level_changes(levels) for levels in _resting_free(grid, view, speed)]
     count = sum(len(each) for each in changes)
     if count < (LEAST_REST_S - _WITHIN_S) * RATE_HZ:
         return 0.0
@@ -42,13 +42,13 @@ def _most(view: StateView) -> float:
     return _SHARE_OF_STRONGEST * max(1.0, view.contact_distance)
 
 
-def _resting_free(grid: Grid, view: StateView, fast_m_s: float) -> list[Array]:
+def _resting_free(grid: Grid, view: StateView, speed: Speed) -> list[Array]:
     """The force (M, 3) at 10 Hz, over each stretch in which the tool rests and is free."""
     assert grid.wrench is not None
     block = max(1, round(grid.rate_hz / RATE_HZ))
     margin, least = round(_EDGE_S * grid.rate_hz), block * round(_WITHIN_S * RATE_HZ)
     free = np.zeros(len(grid), dtype=bool)
-    for first, last in rests(grid, fast_m_s).tolist():
+    for first, last in speed.rests.tolist():
         free[first + margin : max(last - margin, 0)] = True
     free &= view.distance < _most(view)
     edges = np.flatnonzero(np.diff(np.concatenate([[False], free, [False]]).astype(np.int8)))

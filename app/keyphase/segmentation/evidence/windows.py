@@ -33,7 +33,8 @@ class Windows:
         return np.sqrt(np.maximum(square - mean * mean, 0.0).sum(axis=1))
 
     def _inside(self, first: Indices, last: Indices) -> tuple[Indices, Indices, Indices]:
-        first, last = np.clip(first, 0, self._n), np.clip(last, 0, self._n)
+        first = np.minimum(np.maximum(first, 0), self._n)
+        last = np.minimum(np.maximum(last, 0), self._n)
         return first, last, np.maximum(last - first, 1)[:, None]
 
 

@@ -12,7 +12,7 @@ chi-square distributed, with as many degrees of freedom as channels, while nothi
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.segmentation.bins import bin_means, bin_starts
+from keyphase.segmentation.bins import bins_of
 from keyphase.segmentation.parameters import Engine, Parameters
 from keyphase.segmentation.segmentation import ErrorCurve
 
@@ -170,13 +170,12 @@ def paper_scales(ratio: float) -> tuple[float, float]:
 
 def error_curve(demonstration: Demonstration, parameters: Parameters) -> ErrorCurve | None:
     """The normalized error of a demonstration in bins of 20 ms; None without force."""
-    force, torque = demonstration.force_N, demonstration.torque_Nm
-    if force is None:
+    bins = bins_of(demonstration)
+    time, binned = bins.time_s, bins.force
+    if binned is None:
         return None
-    starts = bin_starts(demonstration.time_s)
-    time, binned = bin_means(demonstration.time_s, starts), bin_means(force, starts)
-    if torque is not None:
-        binned = np.hstack([binned, bin_means(torque, starts)])
+    if bins.torque is not None:
+        binned = np.hstack([binned, bins.torque])
     noise = binned_noise(binned, parameters)
     error = normalized_error(binned, noise, parameters.process_noise_ratio, parameters.engine)
     median = running_median(time, error)
