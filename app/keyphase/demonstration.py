@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 
 from keyphase.arrays import Array as Array
 from keyphase.errors import DemonstrationError
+from keyphase.logged import Event, checked_channels, checked_events, switch_events
 from keyphase.rotations.courses import continued
 
 UNIT_TOLERANCE = 1e-3
@@ -66,6 +67,9 @@ class Demonstration:
     torque_Nm        (N, 3) the same about the tool point, or None
     joints_rad       (N, J) joint angles, or None
     gripper          (N,)   opening, in m or as the fraction that was recorded, or None
+    channels         (N,) each, whatever else was logged, by name and in its own unit
+    events           what was logged in words, in time order
+    wrench_estimated whether force and torque were worked out of joint torques, not measured
     metadata         what the recorder wrote beside the numbers (JSON values)
     notices          what the reader did that a person should know (held, resampled, flipped)
 
@@ -80,6 +84,9 @@ class Demonstration:
     torque_Nm: Array | None = None
     joints_rad: Array | None = None
     gripper: Array | None = None
+    channels: Mapping[str, Array] = field(default_factory=dict)
+    events: tuple[Event, ...] = ()
+    wrench_estimated: bool = False
     metadata: Mapping[str, Any] = field(default_factory=dict)
     source: Source | None = None
     notices: tuple[str, ...] = ()
@@ -95,6 +102,9 @@ class Demonstration:
         if self.gripper is not None:
             gripper = _checked_gripper(self.gripper, len(time), self.name)
             object.__setattr__(self, "gripper", gripper)
+        channels = checked_channels(self.channels, len(time), self.name)
+        object.__setattr__(self, "channels", channels)
+        object.__setattr__(self, "events", checked_events(self.events, self.name))
         if self.orientation_wxyz is not None:
             continuous = _unit_and_continuous(self.orientation_wxyz, self.name)
             object.__setattr__(self, "orientation_wxyz", continuous)
@@ -135,6 +145,11 @@ class Demonstration:
         rows = np.flatnonzero(steps > max(_GAP_STEPS * usual, _MIN_GAP_S))
         times = self.time_s
         return tuple((float(times[row]), float(times[row + 1])) for row in rows)
+
+    @cached_property
+    def happenings(self) -> tuple[Event, ...]:
+        """Events in words, and what buttons and digital outputs did, in time order."""
+        return tuple(sorted((*self.events, *switch_events(self.time_s, self.channels))))
 
     def told(self, more: Iterable[str]) -> "Demonstration":
         """The same recording with more notices."""

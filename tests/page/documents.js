@@ -42,6 +42,7 @@ export function documentOf(end, boundaries, given = {}) {
     proposed_drops: [],
     peaks: [],
     breaks: [],
+    events: [],
     ...given,
   };
 }

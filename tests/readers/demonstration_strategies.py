@@ -5,6 +5,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from keyphase.demonstration import Demonstration
+from keyphase.logged import Event
 
 _finite = st.floats(-1e6, 1e6, allow_nan=False, allow_infinity=False)
 _json = st.recursive(
@@ -12,6 +13,9 @@ _json = st.recursive(
     lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=8), inner),
     max_leaves=5,
 )
+_letters = st.characters(codec="utf-8", categories=("L", "N", "P", "S"), exclude_characters="/")
+_words = st.text(_letters, min_size=1, max_size=8)
+_names = st.sets(_words, max_size=2)
 
 
 @st.composite
@@ -33,6 +37,10 @@ def demonstrations(draw: st.DrawFn) -> Demonstration:
         force_N=channel(3),
         torque_Nm=channel(3),
         joints_rad=channel(draw(st.integers(1, 12))),
+        gripper=draw(st.none() | arrays(np.float64, rows, elements=_finite)),
+        channels={name: draw(arrays(np.float64, rows, elements=_finite)) for name in draw(_names)},
+        events=draw(st.lists(st.builds(Event, _finite, _words), max_size=3).map(tuple)),
+        wrench_estimated=draw(st.booleans()),
         metadata=draw(st.dictionaries(st.text(max_size=8), _json, max_size=3)),
     )
 

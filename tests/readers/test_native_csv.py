@@ -36,6 +36,9 @@ def test_what_is_saved_is_read_back(tmp_path: Path, demonstration: Demonstration
             back.orientation_wxyz, demonstration.orientation_wxyz, rtol=0, atol=1e-15
         )
     assert (back.orientation_wxyz is None) == (demonstration.orientation_wxyz is None)
+    assert back.channels.keys() == demonstration.channels.keys()
+    for name, values in demonstration.channels.items():
+        np.testing.assert_array_equal(back.channels[name], values)
 
 
 def test_the_same_demonstration_gives_the_same_bytes(tmp_path: Path) -> None:

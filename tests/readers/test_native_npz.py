@@ -49,6 +49,13 @@ def test_what_is_saved_is_read_back(tmp_path: Path, demonstration: Demonstration
         )
     assert (back.orientation_wxyz is None) == (demonstration.orientation_wxyz is None)
     assert back.metadata == demonstration.metadata
+    assert (back.events, back.wrench_estimated) == (
+        demonstration.events,
+        demonstration.wrench_estimated,
+    )
+    assert back.channels.keys() == demonstration.channels.keys()
+    for name, values in demonstration.channels.items():
+        np.testing.assert_array_equal(back.channels[name], values)
 
 
 @settings(

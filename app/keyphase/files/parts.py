@@ -1,5 +1,6 @@
 """A recording inside a file of many is a path with its part: `data.hdf5#demo_3`."""
 
+import hashlib
 import os
 from pathlib import Path
 
@@ -21,6 +22,14 @@ def split_part(path: Path) -> tuple[Path, str | None]:
 def with_part(file: Path, part: str) -> Path:
     """The path of one recording in a file of many."""
     return file.with_name(f"{file.name}{PART}{part}")
+
+
+def sha256_of_part(sha256: str, part: str | None) -> str:
+    """By what one recording in a file is known, where the file's hash (hex) is that of them all.
+
+    So the segments of one arm are never taken for those of the other.
+    """
+    return sha256 if part is None else hashlib.sha256(f"{sha256}{PART}{part}".encode()).hexdigest()
 
 
 def stem_of(path: Path) -> str:

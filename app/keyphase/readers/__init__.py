@@ -9,14 +9,15 @@ from pathlib import Path
 
 import numpy as np
 
-from keyphase.demonstration import Demonstration
+from keyphase.demonstration import Demonstration, Source
 from keyphase.errors import DemonstrationError
-from keyphase.files.parts import split_part, with_part
+from keyphase.files.parts import sha256_of_part, split_part, with_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, WholeFile, read_whole
 from keyphase.readers.finding import (
     FOLDER_RECIPE,
     RECIPE_SUFFIX,
     Found,
+    arms_beside,
     find_recordings,
     folder_recipe,
     own_recipe,
@@ -35,6 +36,7 @@ __all__ = [
     "RECIPE_SUFFIX",
     "Found",
     "Recipe",
+    "arms_beside",
     "find_recordings",
     "fingerprint",
     "load_recipe",
@@ -82,7 +84,7 @@ def fingerprint(path: Path | str, *, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> 
     form = format_of(path)
     if form is not None:
         return fingerprint_of(path, part, form, limit_bytes)
-    return read_whole(path, limit_bytes).source.sha256
+    return sha256_of_part(read_whole(path, limit_bytes).source.sha256, part)
 
 
 def own_or_folder_recipe(path: Path) -> Path | None:
@@ -96,7 +98,8 @@ def _read_table(
 ) -> Demonstration:
     file = read_whole(path, limit_bytes)
     if part is not None:
-        file = replace(file, source=replace(file.source, path=with_part(path, part)))
+        sha256 = sha256_of_part(file.source.sha256, part)
+        file = replace(file, source=Source(with_part(path, part), sha256))
     if path.suffix.lower() == ".npz" or file.data.startswith(MAGIC):
         return read_npz(file, limit_bytes)
     if (foreign := foreign_kind(file.data)) is not None:

@@ -9,6 +9,7 @@ from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import DemonstrationError
 from keyphase.files.parts import stem_of
 from keyphase.files.reading import WholeFile
+from keyphase.logged import Event
 from keyphase.notices import Caution
 from keyphase.oddities import Oddity, oddities_of
 from keyphase.readers.held import held_notices
@@ -19,10 +20,15 @@ def build(
     file: WholeFile,
     channels: Mapping[str, Array],
     *,
+    named: Mapping[str, Array] | None = None,
+    events: Iterable[Event] = (),
+    wrench_estimated: bool = False,
     metadata: Mapping[str, Any] | None = None,
     notices: Iterable[str] = (),
 ) -> Demonstration:
     """The demonstration of `channels` (by their names in Demonstration), named after its file.
+
+    `named` are its further channels.
 
     What holds, irregular rows and whatever is odd about it is added to the notices. Raises
     DemonstrationError, naming the file, where the channels break an invariant.
@@ -34,6 +40,9 @@ def build(
             read = Demonstration(
                 name=name,
                 **channels,
+                channels=named or {},
+                events=tuple(events),
+                wrench_estimated=wrench_estimated,
                 metadata=metadata or {},
                 source=file.source,
                 notices=(*notices, *found),

@@ -8,9 +8,10 @@ from typing import NamedTuple
 from keyphase.errors import DemonstrationError
 from keyphase.files.parts import split_part, with_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, first_bytes, read_whole
-from keyphase.readers.formats.known import format_of
+from keyphase.readers.formats.known import Format, format_of
 from keyphase.readers.native_csv import MAX_HEADER_BYTES, has_native_header
 from keyphase.readers.recipes.file import load_recipe
+from keyphase.readers.recipes.presets import preset_sides
 from keyphase.readers.recipes.recipe import Recipe
 from keyphase.readers.recipes.several import parts_of_table
 from keyphase.readers.table import open_table
@@ -81,7 +82,7 @@ def parts_of(path: Path, recipe: Recipe | Path | str | None = None) -> tuple[str
     chosen = recipe or own_recipe(path) or folder_recipe(path)
     if form is not None:
         inner = form.parts(path)
-        sides = tuple(_loaded(chosen).parts) if chosen else ()
+        sides = _sides(path, form, inner[0] if inner else None, chosen)
         if not sides:
             return inner
         return tuple(f"{one}+{side}" for one in inner for side in sides) or sides
@@ -94,6 +95,37 @@ def parts_of(path: Path, recipe: Recipe | Path | str | None = None) -> tuple[str
     return parts_of_table(
         open_table(file.name, file.data, loaded.table, DEFAULT_LIMIT_BYTES), loaded
     )
+
+
+def arms_beside(path: Path, recipe: Recipe | Path | str | None = None) -> tuple[Path, ...]:
+    """The other tools that were recorded at the same time, in the same rows: of `run.csv#left` it
+    is `run.csv#right`, of `a.hdf5#demo_3+left` it is `a.hdf5#demo_3+right`.
+
+    Raises DemonstrationError and RecipeError for what cannot be read.
+    """
+    file, part = split_part(path)
+    if part is None:
+        return ()
+    inner, plus, side = part.rpartition("+")
+    form, chosen = format_of(file), recipe or own_recipe(file) or folder_recipe(file)
+    if form is None:
+        sides = tuple(_loaded(chosen).parts) if chosen else ()
+        side, before = part, ""
+    else:
+        sides = _sides(file, form, inner or None, chosen)
+        before = f"{inner}{plus}"
+    if side not in sides:
+        return ()
+    return tuple(with_part(file, f"{before}{other}") for other in sides if other != side)
+
+
+def _sides(
+    path: Path, form: Format, inner: str | None, recipe: Recipe | Path | str | None
+) -> tuple[str, ...]:
+    """The tools side by side in one recording of a format, by its recipe or its preset."""
+    if recipe is not None:
+        return tuple(_loaded(recipe).parts)
+    return preset_sides(form.names(path, inner))
 
 
 def _loaded(recipe: Recipe | Path | str) -> Recipe:

@@ -1,7 +1,7 @@
 """The native table: a CSV whose header names each column with its unit.
 
-`time_s, position_x_m, …, orientation_w, …, force_x_N, …, torque_x_Nm, …, joint_1_rad, …` in any
-order; what a demonstration may lack, the table may.
+`time_s, position_x_m, …, orientation_w, …, force_x_N, …, torque_x_Nm, …, joint_1_rad, …, gripper,
+channel_NAME` in any order; what a demonstration may lack, the table may.
 """
 
 import re
@@ -27,7 +27,9 @@ _GROUPS: Mapping[str, tuple[str, ...]] = {
     "orientation_wxyz": ("orientation_w", "orientation_x", "orientation_y", "orientation_z"),
     "force_N": ("force_x_N", "force_y_N", "force_z_N"),
     "torque_Nm": ("torque_x_Nm", "torque_y_Nm", "torque_z_Nm"),
+    "gripper": ("gripper",),
 }
+_NAMED = "channel_"
 _REQUIRED = ("time_s", "position_m")
 _JOINT = re.compile(r"joint_([1-9][0-9]{0,3})_rad")
 _SHOWN_NAMES = 5
@@ -55,9 +57,14 @@ def read_csv(file: WholeFile, limit_bytes: int) -> Demonstration:
     values = table.numbers(columns)
     ends = np.cumsum([len(names) for names in groups.values()])
     channels = dict(zip(groups, np.split(values, ends[:-1], axis=1), strict=True))
-    channels["time_s"] = channels["time_s"][:, 0]
+    for channel in {"time_s", "gripper"} & channels.keys():
+        channels[channel] = channels[channel][:, 0]
+    named = {name: channels.pop(name)[:, 0] for name in groups if name.startswith(_NAMED)}
     _refuse_impossible(table, channels)
-    return build(file, channels, notices=(*table.notices, *_unknown_notices(table, columns)))
+    further = {name.removeprefix(_NAMED): values for name, values in named.items()}
+    return build(
+        file, channels, named=further, notices=(*table.notices, *_unknown_notices(table, columns))
+    )
 
 
 def _groups(table: Table) -> dict[str, tuple[str, ...]]:
@@ -69,7 +76,7 @@ def _groups(table: Table) -> dict[str, tuple[str, ...]]:
             f"{table.file}: the header names {doubled[:80]!r} more than once; rename one of them."
         )
     joints = [name for name in named if _JOINT.fullmatch(name)]
-    every = dict(_GROUPS)
+    every = dict(_GROUPS) | {name: (name,) for name in named if name.startswith(_NAMED)}
     if joints:
         every["joints_rad"] = tuple(f"joint_{i}_rad" for i in range(1, len(joints) + 1))
     groups = {}
@@ -115,7 +122,7 @@ def _unknown_notices(table: Table, columns: list[int]) -> tuple[str, ...]:
 def save_csv(demonstration: Demonstration, path: Path | str) -> None:
     """Write the native table; numbers are written so that they read back exactly.
 
-    A table has no place for metadata: save an archive where it must be kept. The same
+    A table has no place for events and metadata: save an archive where it must be kept. The same
     demonstration gives the same bytes. Raises DemonstrationError where the folder takes no files.
     """
     names, columns = ["time_s"], [demonstration.time_s[:, None]]
@@ -127,6 +134,14 @@ def save_csv(demonstration: Demonstration, path: Path | str) -> None:
         values = getattr(demonstration, channel)
         if values is not None:
             names.extend(group)
-            columns.append(values)
+            columns.append(values.reshape(len(demonstration), -1))
+    for name, values in sorted(demonstration.channels.items()):
+        names.append(_cell(_NAMED + name))
+        columns.append(values[:, None])
     rows = (",".join(map(repr, row)) for row in np.hstack(columns).tolist())
     write_whole(Path(path), "\n".join([",".join(names), *rows, ""]).encode(), DemonstrationError)
+
+
+def _cell(text: str) -> str:
+    """A name as a cell of the header: in quotes where it holds a separator or a quote."""
+    return '"' + text.replace('"', '""') + '"' if set(text) & set(',"') else text

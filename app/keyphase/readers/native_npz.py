@@ -1,10 +1,11 @@
 """The native archive: an NPZ with one array for each channel, named with its unit.
 
 `time_s` (N,), `position_m` (N, 3), and where recorded `orientation_wxyz` (N, 4), `force_N` (N, 3),
-`torque_Nm` (N, 3), `joints_rad` (N, J), `gripper` (N,), and `metadata_json`, a zero-dimensional
-string that holds a JSON object. Archives come from anywhere, so nothing in one is unpickled,
-trusted in size or unpacked to disk: each member is read within a limit, and its header before its
-data.
+`torque_Nm` (N, 3), `joints_rad` (N, J), `gripper` (N,), further channels as `channel_NAME` (N,),
+`wrench_estimated`, one number that is not zero where force and torque are, and zero-dimensional
+strings of JSON: `events_json`, a list of [seconds, words], and `metadata_json`, an object. Archives
+come from anywhere, so nothing in one is unpickled, trusted in size or unpacked to disk: each member
+is read within a limit, and its header before its data.
 """
 
 import difflib
@@ -17,7 +18,7 @@ import zlib
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.lib import format as npy
@@ -27,9 +28,14 @@ from keyphase.demonstration import Demonstration
 from keyphase.errors import DemonstrationError
 from keyphase.files.reading import WholeFile
 from keyphase.files.writing import write_whole
+from keyphase.logged import Event
 from keyphase.notices import Caution
 from keyphase.readers.build import build
 from keyphase.readers.npz_members import (
+    EVENTS,
+    METADATA,
+    NAMED,
+    TEXTS,
     Member,
     member_of,
     numbers_of,
@@ -41,8 +47,8 @@ MAGIC = b"PK\x03\x04"
 
 _REQUIRED = ("time_s", "position_m")
 _OPTIONAL = ("orientation_wxyz", "force_N", "torque_Nm", "joints_rad", "gripper")
-_METADATA = "metadata_json"
-_KNOWN = (*_REQUIRED, *_OPTIONAL, _METADATA)
+_ESTIMATED = "wrench_estimated"
+_KNOWN = (*_REQUIRED, *_OPTIONAL, _ESTIMATED, *TEXTS)
 _SUFFIX = ".npy"
 _SHOWN_NAMES = 5
 
@@ -80,8 +86,19 @@ def read_npz(file: WholeFile, limit_bytes: int) -> Demonstration:
         arrays = {n: numbers_of(archive, member, file.name) for n, member in members.items()}
         unknown = _unknown_notices(archive)
     arrays["time_s"] = arrays["time_s"].reshape(-1)
-    metadata = _metadata(arrays.pop(_METADATA, None), file)
-    return build(file, arrays, metadata=metadata, notices=unknown)
+    metadata = _json_member(arrays.pop(METADATA, None), METADATA, {}, file)
+    events = _events(_json_member(arrays.pop(EVENTS, None), EVENTS, [], file), file)
+    estimated = arrays.pop(_ESTIMATED, None)
+    named = {name: arrays.pop(name) for name in list(arrays) if name.startswith(NAMED)}
+    return build(
+        file,
+        arrays,
+        named={name.removeprefix(NAMED): values for name, values in named.items()},
+        events=events,
+        wrench_estimated=estimated is not None and bool(np.any(estimated)),
+        metadata=metadata,
+        notices=unknown,
+    )
 
 
 @contextmanager
@@ -99,7 +116,7 @@ def _members(archive: zipfile.ZipFile, file: WholeFile) -> dict[str, zipfile.Zip
     found: dict[str, zipfile.ZipInfo] = {}
     for info in archive.infolist():
         name = info.filename.removesuffix(_SUFFIX)
-        if name not in _KNOWN or name == info.filename:
+        if not _is_known(name) or name == info.filename:
             continue
         if name in found:
             raise DemonstrationError(
@@ -116,6 +133,10 @@ def _members(archive: zipfile.ZipFile, file: WholeFile) -> dict[str, zipfile.Zip
     return found
 
 
+def _is_known(name: str) -> bool:
+    return name in _KNOWN or name.startswith(NAMED)
+
+
 def _refuse_too_large(members: Mapping[str, Member], file: WholeFile, limit_bytes: int) -> None:
     """Counted in bytes as they will lie in memory, whatever type they are stored in."""
     unpacked = sum(max(m.bytes_in_memory, m.info.file_size) for m in members.values())
@@ -126,22 +147,37 @@ def _refuse_too_large(members: Mapping[str, Member], file: WholeFile, limit_byte
         )
 
 
-def _metadata(array: NDArray[Any] | None, file: WholeFile) -> dict[str, Any]:
+_Json = TypeVar("_Json", dict[str, Any], list[Any])
+
+
+def _json_member(array: NDArray[Any] | None, name: str, empty: _Json, file: WholeFile) -> _Json:
+    """What a member of text holds, which must be of the same kind as `empty`."""
     if array is None:
-        return {}
+        return empty
     try:
-        metadata = json.loads(str(array.item()), parse_constant=_refuse_constant)
+        content = json.loads(str(array.item()), parse_constant=_refuse_constant)
     except (ValueError, RecursionError) as error:
         raise DemonstrationError(
-            f"{file.name}: {_METADATA} must be one string of JSON, but cannot be read as such "
+            f"{file.name}: {name} must be one string of JSON, but cannot be read as such "
             f"({error}); write it with json.dumps."
         ) from error
-    if not isinstance(metadata, dict):
+    if not isinstance(content, type(empty)):
+        kind = "object" if isinstance(empty, dict) else "list"
         raise DemonstrationError(
-            f"{file.name}: {_METADATA} must hold a JSON object, but holds a "
-            f"{type(metadata).__name__}; put it under a key."
+            f"{file.name}: {name} must hold a JSON {kind}, but holds a "
+            f"{type(content).__name__}; put it {'under a key' if kind == 'object' else 'in one'}."
         )
-    return metadata
+    return content
+
+
+def _events(content: list[Any], file: WholeFile) -> list[Event]:
+    try:
+        return [Event(float(time), str(text)) for time, text in content]
+    except (TypeError, ValueError, OverflowError) as error:
+        raise DemonstrationError(
+            f"{file.name}: {EVENTS} must hold pairs of seconds and words, but does not ({error}); "
+            'write each as [1.5, "part found"].'
+        ) from error
 
 
 def _refuse_constant(word: str) -> None:
@@ -149,7 +185,7 @@ def _refuse_constant(word: str) -> None:
 
 
 def _unknown_notices(archive: zipfile.ZipFile) -> tuple[str, ...]:
-    unknown = [name for name in archive.namelist() if name.removesuffix(_SUFFIX) not in _KNOWN]
+    unknown = [name for name in archive.namelist() if not _is_known(name.removesuffix(_SUFFIX))]
     if not unknown:
         return ()
     near = difflib.get_close_matches(unknown[0].removesuffix(_SUFFIX)[:60], _KNOWN, n=1)
@@ -182,8 +218,15 @@ def npz_data(demonstration: Demonstration) -> bytes:
             values = getattr(demonstration, name)
             if values is not None:
                 _write_member(archive, name, values)
+        for name, values in sorted(demonstration.channels.items()):
+            _write_member(archive, NAMED + name, values)
+        if demonstration.wrench_estimated:
+            _write_member(archive, _ESTIMATED, np.array(1))
+        if demonstration.events:
+            events = [[event.time_s, event.text] for event in demonstration.events]
+            _write_member(archive, EVENTS, np.array(json.dumps(events)))
         if demonstration.metadata:
-            _write_member(archive, _METADATA, np.array(_json(demonstration)))
+            _write_member(archive, METADATA, np.array(_json(demonstration)))
     return buffer.getvalue()
 
 

@@ -18,8 +18,13 @@ from numpy.typing import NDArray
 
 from keyphase.errors import DemonstrationError
 
-TEXT = "metadata_json"
-"""The one member that holds text; all others hold numbers."""
+METADATA = "metadata_json"
+EVENTS = "events_json"
+TEXTS = (METADATA, EVENTS)
+"""Members that hold text; all others hold numbers."""
+
+NAMED = "channel_"
+"""How the members of further channels begin."""
 
 WIDTHS: Mapping[str, int | None] = {
     "position_m": 3,
@@ -51,7 +56,7 @@ class Member:
     @property
     def bytes_in_memory(self) -> int:
         """What it takes as it will be kept: every number as eight bytes."""
-        each = self.dtype.itemsize if self.name == TEXT else 8
+        each = self.dtype.itemsize if self.name in TEXTS else 8
         return math.prod(self.shape) * each
 
 
@@ -99,12 +104,22 @@ def refuse_wrong_shapes(members: Mapping[str, Member], file: str) -> None:
                 f"{file}: {name} must have shape ({time[0]}, {width or 'J'}), one row per time "
                 f"sample, but has shape {shape}."
             )
-    text = members.get(TEXT)
-    if text is not None and text.bytes_in_memory > _MAX_TEXT_BYTES:
-        raise DemonstrationError(
-            f"{file}: {TEXT} may have {_MAX_TEXT_BYTES} bytes, but has "
-            f"{text.bytes_in_memory}; leave some of it out."
-        )
+    _refuse_wrong_named(members, time[0], file)
+    for text in (members[name] for name in TEXTS if name in members):
+        if text.bytes_in_memory > _MAX_TEXT_BYTES:
+            raise DemonstrationError(
+                f"{file}: {text.name} may have {_MAX_TEXT_BYTES} bytes, but has "
+                f"{text.bytes_in_memory}; leave some of it out."
+            )
+
+
+def _refuse_wrong_named(members: Mapping[str, Member], rows: int, file: str) -> None:
+    for name, member in members.items():
+        if name.startswith(NAMED) and member.shape not in ((rows,), (rows, 1)):
+            raise DemonstrationError(
+                f"{file}: {name} must have shape ({rows},), one value per time sample, but has "
+                f"shape {member.shape}; give each component a name of its own."
+            )
 
 
 def numbers_of(archive: zipfile.ZipFile, member: Member, file: str) -> NDArray[Any]:
@@ -151,7 +166,7 @@ def _refuse_wrong_type(dtype: np.dtype[Any], name: str, file: str) -> None:
             f"{file}: {name} holds pickled Python objects, which are never loaded; "
             "save plain arrays of numbers."
         )
-    kinds, expected = ("U", "text") if name == TEXT else ("fiu", "real numbers")
+    kinds, expected = ("U", "text") if name in TEXTS else ("fiu", "real numbers")
     if dtype.kind not in kinds:
         raise DemonstrationError(
             f"{file}: {name} must hold {expected}, but its type is {dtype}; "

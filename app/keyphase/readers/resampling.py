@@ -8,10 +8,22 @@ from scipy.spatial.transform import Rotation, Slerp
 from keyphase.demonstration import Array
 from keyphase.readers.held import Hold
 
+SMOOTH = (
+    "position_m",
+    "orientation_wxyz",
+    "force_N",
+    "torque_Nm",
+    "joints_rad",
+    "gripper",
+)
+"""Anything else may be a button, between whose values there is nothing: its last one holds."""
+
 
 def interpolate(channel: str, time_s: Array, values: Array, at_s: Array) -> Array:
     """A channel (N, D) at the times `at_s` (M,); before its first and after its last, held."""
     within = np.clip(at_s, time_s[0], time_s[-1])
+    if channel not in SMOOTH:
+        return values[np.searchsorted(time_s, within, side="right") - 1]
     if channel == "orientation_wxyz":
         rotations = Rotation.from_quat(values, scalar_first=True)
         return Slerp(time_s, rotations)(within).as_quat(scalar_first=True)

@@ -42,6 +42,16 @@ def parts_of_hdf5(path: Path) -> tuple[str, ...]:
         return tuple(in_natural_order(names))
 
 
+def names_in_hdf5(path: Path, part: str | None) -> tuple[str, ...]:
+    """What the columns of a demonstration are called, without reading any; none where it is not."""
+    with _opened(path) as file:
+        episodes = _group(file, _EPISODES)
+        group = file if episodes is None else _group(episodes, part) if part else None
+        if group is None:
+            return ()
+        return ArrayTable(str(path), dict(_signals(group)), {}, (), {}).names
+
+
 def table_of_hdf5(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     """The signals of one demonstration, read without the rest of the file.
 

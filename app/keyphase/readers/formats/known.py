@@ -13,8 +13,13 @@ from keyphase.readers.formats.bags import (
     table_of_bag,
 )
 from keyphase.readers.formats.hdf5 import MAGIC as HDF5_MAGIC
-from keyphase.readers.formats.hdf5 import parts_of_hdf5, table_of_hdf5
-from keyphase.readers.formats.lerobot import is_lerobot, parts_of_lerobot, table_of_lerobot
+from keyphase.readers.formats.hdf5 import names_in_hdf5, parts_of_hdf5, table_of_hdf5
+from keyphase.readers.formats.lerobot import (
+    is_lerobot,
+    names_in_lerobot,
+    parts_of_lerobot,
+    table_of_lerobot,
+)
 from keyphase.readers.formats.matlab import (
     MAT_MAGIC,
     NPY_MAGIC,
@@ -22,6 +27,10 @@ from keyphase.readers.formats.matlab import (
     table_of_npy,
 )
 from keyphase.readers.formats.zarr_store import is_zarr, parts_of_zarr, table_of_zarr
+
+
+def _no_names(_path: Path, _part: str | None) -> tuple[str, ...]:
+    return ()
 
 
 def _one(_path: Path) -> tuple[str, ...]:
@@ -36,6 +45,7 @@ class Format:
     extra   what installs it: pip install "keyphase[EXTRA]"; "" where nothing is needed
     parts   the recordings in a file of many, or none where the file is one
     table   the columns of one recording: path, part and limit of memory in bytes
+    names   what its columns are called, where that is known without reading their numbers
     """
 
     name: str
@@ -44,6 +54,7 @@ class Format:
     example: str
     parts: Callable[[Path], tuple[str, ...]]
     table: Callable[[Path, str | None, int], ArrayTable]
+    names: Callable[[Path, str | None], tuple[str, ...]] = _no_names
 
 
 LEROBOT = Format(
@@ -53,8 +64,17 @@ LEROBOT = Format(
     "pick_and_place#episode_3",
     parts_of_lerobot,
     table_of_lerobot,
+    names_in_lerobot,
 )
-HDF5 = Format("HDF5", "hdf5", ".hdf5 .h5", "low_dim.hdf5#demo_3", parts_of_hdf5, table_of_hdf5)
+HDF5 = Format(
+    "HDF5",
+    "hdf5",
+    ".hdf5 .h5",
+    "low_dim.hdf5#demo_3",
+    parts_of_hdf5,
+    table_of_hdf5,
+    names_in_hdf5,
+)
 ZARR = Format(
     "Zarr", "zarr", ".zarr .zarr.zip", "buffer.zarr#episode_0", parts_of_zarr, table_of_zarr
 )

@@ -57,6 +57,24 @@ def table_of_lerobot(path: Path, part: str | None, limit_bytes: int) -> ArrayTab
     return ArrayTable(shown, columns, texts, (), _feature_names(info))
 
 
+def names_in_lerobot(path: Path, _part: str | None) -> tuple[str, ...]:
+    """What the columns of every episode are called, by `meta/info.json` alone."""
+    info = _info(path)
+    features = info.get("features")
+    empty: dict[str, NDArray[Any]] = {}
+    for name, feature in features.items() if isinstance(features, dict) else ():
+        shape = feature.get("shape") if isinstance(feature, dict) else None
+        if shape == [1]:
+            empty[name] = np.empty(0)
+        elif isinstance(shape, list) and len(shape) == 1 and _is_width(shape[0]):
+            empty[name] = np.empty((0, shape[0]))
+    return ArrayTable(str(path), empty, {}, (), _feature_names(info)).names
+
+
+def _is_width(value: Any) -> bool:
+    return isinstance(value, int) and 0 < value <= MAX_NUMBERS_A_ROW
+
+
 def file_of_episode(path: Path, info: Mapping[str, Any], number: int) -> Path:
     """The Parquet file that holds an episode, by the pattern the dataset states."""
     pattern = info.get("data_path")

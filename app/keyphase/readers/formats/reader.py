@@ -5,7 +5,7 @@ from pathlib import Path
 
 from keyphase.demonstration import Demonstration, Source
 from keyphase.errors import RecipeError
-from keyphase.files.parts import with_part
+from keyphase.files.parts import sha256_of_part, with_part
 from keyphase.files.reading import WholeFile
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.known import Format
@@ -28,10 +28,12 @@ def read_format(
     Raises DemonstrationError for what cannot be read, RecipeError where no preset fits or the
     recipe does not fit, MissingPackageError where the format's package is not installed.
     """
-    side, inner = _side(recipe, part, path)
+    inner, side = _split(form, path, part)
     table = form.table(path, inner, limit_bytes)
-    chosen = side or _preset(table)
-    source = Source(with_part(path, part) if part else path, table.fingerprint())
+    chosen = recipe_of_part(recipe or _preset(table), side, str(path))
+    source = Source(
+        with_part(path, part) if part else path, sha256_of_part(table.fingerprint(), side)
+    )
     file = WholeFile(b"", source)
     demonstration = demonstration_of(table, file, chosen, limit_bytes)
     return _with_notices(demonstration, table.notices)
@@ -39,17 +41,17 @@ def read_format(
 
 def fingerprint_of(path: Path, part: str | None, form: Format, limit_bytes: int) -> str:
     """SHA-256 (hex) of one recording's numbers; errors as in `read_format`."""
+    inner, side = _split(form, path, part)
+    return sha256_of_part(form.table(path, inner, limit_bytes).fingerprint(), side)
+
+
+def _split(form: Format, path: Path, part: str | None) -> tuple[str | None, str | None]:
+    """Which recording of a file is meant, and which tool of it: `demo_3+left`."""
     parts = form.parts(path)
-    inner = part if part is None or part in parts else part.rpartition("+")[0] or None
-    return form.table(path, inner, limit_bytes).fingerprint()
-
-
-def _side(recipe: Recipe | None, part: str | None, path: Path) -> tuple[Recipe | None, str | None]:
-    """The recipe of one tool, where a part `demo_3+left` names one beside the others."""
-    if recipe is None or not recipe.parts:
-        return recipe, part
-    inner, _, side = (part or "").rpartition("+")
-    return recipe_of_part(recipe, side or None, str(path)), inner or None
+    if part is None or part in parts or (parts and "+" not in part):
+        return part, None
+    inner, _, side = part.rpartition("+")
+    return inner or None, side
 
 
 def _preset(table: ArrayTable) -> Recipe:

@@ -54,6 +54,21 @@ SECTIONS = {
 }
 """Sections of a recipe and the channels they make."""
 
+_NAMED = "channel "
+
+
+def named_key(name: str) -> str:
+    """Where a further channel stands among Channels and clocks."""
+    return _NAMED + name
+
+
+def without_named(channels: Channels) -> tuple[Channels, Channels]:
+    """The channels a demonstration has fields for, and the further ones (N,) by name."""
+    own = {key: values for key, values in channels.items() if not key.startswith(_NAMED)}
+    named = {key[len(_NAMED) :]: channels[key][:, 0] for key in channels if key not in own}
+    return own, named
+
+
 Noted = tuple[Channels, tuple[str, ...]]
 """Channels, and what was done to them that a person should know."""
 
@@ -79,6 +94,8 @@ def channels_of(table: Columned, recipe: Recipe) -> Noted:
         channels[name] = _scaled(table, form)
     if recipe.gripper:
         channels["gripper"] = _opening(table, recipe.gripper)
+    for name, column in recipe.named.items():
+        channels[named_key(name)] = table.numbers(column.find(table))
     return _on_one_clock(table, recipe, channels, notices)
 
 
@@ -87,9 +104,10 @@ def _on_one_clock(
 ) -> Noted:
     """Nothing to do where no channel has a clock of its own."""
     time = channels.pop("time_s")
+    sections = SECTIONS | {named_key(name): (named_key(name),) for name in recipe.named}
     clocks = {
         channel: _clock(table, recipe, recipe.clocks[section]) if section in recipe.clocks else time
-        for section, made in SECTIONS.items()
+        for section, made in sections.items()
         for channel in made
         if channel in channels
     }
@@ -159,6 +177,11 @@ def _time(table: Columned, recipe: Recipe) -> tuple[Array, tuple[str, ...]]:
         notice = f"Time is counted from the first row, which is at {seconds[0]:.9g} s in the table."
         return seconds - seconds[0], (notice,)
     return seconds, ()
+
+
+def row_times(table: Columned, recipe: Recipe) -> Array:
+    """When each row of the table was recorded (N,) [s], in the demonstration's clock."""
+    return _time(table, recipe)[0]
 
 
 def _two_part_time(table: Columned, form: TwoPartTime) -> tuple[Array, tuple[str, ...]]:

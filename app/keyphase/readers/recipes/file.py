@@ -10,11 +10,14 @@ from typing import Any, TypeGuard
 
 from keyphase.errors import RecipeError
 from keyphase.files.reading import read_regular
+from keyphase.readers.recipes.channels import named_key
 from keyphase.readers.recipes.keys import Keys
 from keyphase.readers.recipes.presets import merged, preset_values
 from keyphase.readers.recipes.recipe import Recipe
 from keyphase.readers.recipes.sections import (
+    events_of,
     load_of,
+    named_of,
     orientation_of,
     pose_of,
     rows_of,
@@ -118,6 +121,8 @@ def _one(values: Mapping[str, Any], name: str) -> Recipe:
         for channel, section in sections.items()
         if section is not None and (clock := section.column("time"))
     }
+    named = named_of(keys.section("channels"))
+    clocks |= {named_key(n): clock for n, (_, clock) in named.items() if clock is not None}
     recipe = Recipe(
         name=name,
         table=table_of(table),
@@ -131,6 +136,8 @@ def _one(values: Mapping[str, Any], name: str) -> Recipe:
         wrench=wrench_of(keys.section("wrench")),
         joints=scaled_of(sections["joints"], range(1, _MAX_JOINTS + 1), "angle"),
         gripper=scaled_of(sections["gripper"], (1, 2), "opening"),
+        named={name: column for name, (column, _) in named.items()},
+        events=events_of(keys.section("events")),
         clocks=clocks,
         split=split,
     )

@@ -133,6 +133,24 @@ class Keys:
             raise self._wrong(key, "a name or an index", value)
         return Columns(self.where, (value,), (1,))
 
+    def names(self) -> tuple[str, ...]:
+        """All keys of a section in which any name can stand; they are known from now on."""
+        self._known += self._values
+        return tuple(self._values)
+
+    def column_and_clock(self, key: str) -> tuple[Columns, Columns | None]:
+        """A column by name or index, or `{column = …, time = …}` with a clock of its own."""
+        if not isinstance(self._values[key], dict):
+            column = self.column(key)
+            assert column is not None
+            return column, None
+        inner = Keys(self._values[key], f"{self.where}: {key}")
+        column, clock = inner.column(), inner.column("time")
+        if column is None:
+            raise RecipeError(f"{inner.where}: the key 'column' is missing; add it.")
+        inner.finish()
+        return column, clock
+
     def has(self, key: str) -> bool:
         """Whether the key is there; it is known from now on."""
         self._known.append(key)

@@ -11,14 +11,22 @@ import numpy as np
 from keyphase.demonstration import Demonstration
 from keyphase.errors import DemonstrationError, RecipeError
 from keyphase.files.reading import WholeFile
+from keyphase.logged import Event, events_in_words
 from keyphase.notices import Caution
 from keyphase.readers.build import build
 from keyphase.readers.held import find_hold
 from keyphase.readers.recipes.bad_rows import without_bad_rows
-from keyphase.readers.recipes.channels import Channels, Noted, channels_of, where
+from keyphase.readers.recipes.channels import (
+    Channels,
+    Noted,
+    channels_of,
+    row_times,
+    where,
+    without_named,
+)
 from keyphase.readers.recipes.recipe import RateTime, Recipe
 from keyphase.readers.recipes.several import recipe_of_part, rows_of_part
-from keyphase.readers.resampling import interpolate_hold, resample
+from keyphase.readers.resampling import SMOOTH, interpolate_hold, resample
 from keyphase.readers.table import Columned, open_table
 from keyphase.readers.timing import irregularity, refuse_not_increasing
 from keyphase.readers.wrench import in_base_frame, offset_of
@@ -60,6 +68,7 @@ def demonstration_of(
     """
     channels, notices = channels_of(table, recipe)
     notices = told + notices
+    events = _events(table, recipe)
     channels, more = without_bad_rows(channels, recipe.rows, table.line)
     notices += more
     channels, more = _distinct(channels, recipe, table)
@@ -74,7 +83,22 @@ def demonstration_of(
         channels["gripper"] = channels["gripper"][:, 0]
     source = replace(file.source, recipe=recipe.name, recipe_sha256=recipe.sha256)
     read = replace(file, source=source)
-    return build(read, channels, notices=(f"Read with the recipe {recipe.name}.", *notices))
+    own, named = without_named(channels)
+    told = (f"Read with the recipe {recipe.name}.", *notices)
+    return build(read, own, named=named, events=events, notices=told)
+
+
+def _events(table: Columned, recipe: Recipe) -> tuple[Event, ...]:
+    """What a column of words says, row by row."""
+    if recipe.events is None:
+        return ()
+    words, time_s = table.text(recipe.events.find(table)[0]), row_times(table, recipe)
+    if len(words) != len(time_s):
+        raise RecipeError(
+            f"{recipe.name}: [events]: expected a word for each of {len(time_s)} rows, but there "
+            f"are {len(words)}; choose a column that has the clock of [time]."
+        )
+    return events_in_words(time_s, words)
 
 
 def _distinct(channels: Channels, recipe: Recipe, table: Columned) -> Noted:
@@ -144,7 +168,7 @@ def _interpolated(channels: Channels, recipe: Recipe) -> Noted:
         return channels, ()
     time, changed, notices = channels["time_s"], dict(channels), ()
     for channel, values in channels.items():
-        hold = find_hold(time, values) if channel != "time_s" else None
+        hold = find_hold(time, values) if channel in SMOOTH else None
         if hold:
             changed[channel] = interpolate_hold(channel, time, values, hold)
             told = (

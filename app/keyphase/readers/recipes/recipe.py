@@ -166,6 +166,10 @@ class Recipe:
     gripper: Scaled | None = None
     clocks: Mapping[str, Columns] = field(default_factory=dict)
     """Clocks of their own, by the section they stand in, in the unit of [time]."""
+    named: Mapping[str, Columns] = field(default_factory=dict)
+    """Further channels, taken as they are, by name."""
+    events: Columns | None = None
+    """A column of words: each change to another is an event."""
     split: Split | None = None
     """Where several demonstrations stand in one table, one below the other."""
     parts: Mapping[str, "Recipe"] = field(default_factory=dict)

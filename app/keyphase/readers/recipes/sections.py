@@ -5,7 +5,9 @@ from datetime import datetime
 from typing import Literal
 
 from keyphase.errors import RecipeError
+from keyphase.logged import MAX_CHANNELS, MAX_NAME_LENGTH, is_channel_name
 from keyphase.readers.orientation import MatrixLayout, QuaternionOrder
+from keyphase.readers.recipes.columns import Columns
 from keyphase.readers.recipes.keys import Keys
 from keyphase.readers.recipes.recipe import (
     ISO,
@@ -212,6 +214,31 @@ def load_of(keys: Keys | None, quantity: Quantity) -> Load | None:
         )
     keys.finish()
     return load
+
+
+def named_of(keys: Keys | None) -> dict[str, tuple[Columns, Columns | None]]:
+    """Further channels by name, each with the clock it follows where it has its own."""
+    if keys is None:
+        return {}
+    found = {name: keys.column_and_clock(name) for name in keys.names()}
+    wrong = next((name for name in found if not is_channel_name(name)), None)
+    if wrong is not None or len(found) > MAX_CHANNELS:
+        raise RecipeError(
+            f"{keys.where}: expected at most {MAX_CHANNELS} names of at most {MAX_NAME_LENGTH} "
+            f"printable characters without a slash, but {str(wrong)[:80]!r} stands there."
+        )
+    return found
+
+
+def events_of(keys: Keys | None) -> Columns | None:
+    """The column of words."""
+    if keys is None:
+        return None
+    column = keys.column()
+    if column is None:
+        raise RecipeError(f"{keys.where}: the key 'column' is missing; add it.")
+    keys.finish()
+    return column
 
 
 def wrench_of(keys: Keys | None) -> WrenchForm | None:

@@ -8,6 +8,7 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.labeling.labeling import LabeledBoundary, LabeledSegment, Labeling, PlanEntry
+from keyphase.logged import Event
 from keyphase.notices import Caution, severity_of
 from keyphase.oddities import breaks_of
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
@@ -17,7 +18,7 @@ from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.recordings import printable
 from keyphase.workbench.showing.doubts import is_unsure
 from keyphase.workbench.showing.force_steps import greatest_step
-from keyphase.workbench.showing.reasons import Meeting, sentences
+from keyphase.workbench.showing.reasons import Meeting, logged_near, sentences
 from keyphase.workbench.showing.short_labels import short_labels
 from keyphase.workbench.showing.thresholds import (
     automatic_motion_threshold,
@@ -32,6 +33,9 @@ MOST_REASONS = 4
 
 MAX_BREAKS = 200
 """So many gaps and jumps are drawn."""
+
+MAX_EVENTS = 500
+"""So many events of a log are drawn."""
 
 _AXES = ("x", "y", "z")
 
@@ -81,6 +85,8 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         elsewhere=_elsewhere(state),
         labels=state.vocabulary.labels,
         breaks=_breaks(demonstration),
+        events=_events(demonstration),
+        wrench_estimated=demonstration.wrench_estimated,
     )
 
 
@@ -95,6 +101,12 @@ def _breaks(demonstration: Demonstration) -> tuple[say.BreakMessage, ...]:
     return tuple(say.BreakMessage(*one.span_s, one.text) for one in found if one.span_s)
 
 
+@lru_cache(maxsize=8)
+def _events(demonstration: Demonstration) -> tuple[say.EventMessage, ...]:
+    found = demonstration.happenings[:MAX_EVENTS]
+    return tuple(say.EventMessage(one.time_s, printable(one.text)) for one in found)
+
+
 def channels(demonstration: Demonstration) -> tuple[str, ...]:
     """Names of what was recorded."""
     recorded = {
@@ -105,7 +117,8 @@ def channels(demonstration: Demonstration) -> tuple[str, ...]:
         "joints": demonstration.joints_rad,
         "gripper": demonstration.gripper,
     }
-    return tuple(name for name, values in recorded.items() if values is not None)
+    own = (name for name, values in recorded.items() if values is not None)
+    return (*own, *(f"channel/{name}" for name in demonstration.channels))
 
 
 def ghosts(before: Labeling, now: Labeling) -> tuple[say.Ghost, ...]:
@@ -129,6 +142,7 @@ def boundaries_of(labeling: Labeling) -> tuple[say.BoundaryMessage, ...]:
     """The boundaries, each with its reasons."""
     segmentation = labeling.segmentation
     meeting = Meeting(segmentation.gaussians)
+    happenings = segmentation.demonstration.happenings
     at_m = _at_m(segmentation.demonstration, [b.time_s for b in labeling.boundaries])
     return tuple(
         say.BoundaryMessage(
@@ -142,17 +156,25 @@ def boundaries_of(labeling: Labeling) -> tuple[say.BoundaryMessage, ...]:
             accepted=boundary.accepted,
             unsure=is_unsure(boundary),
             at_m=position if boundary.contact_change else None,
-            why=_why(boundary, segmentation.threshold, meeting),
+            why=_why(boundary, segmentation.threshold, meeting, happenings),
         )
         for boundary, position in zip(labeling.boundaries, at_m, strict=True)
     )
 
 
-def _why(boundary: LabeledBoundary, threshold: float | None, meeting: Meeting) -> say.Why:
+def _why(
+    boundary: LabeledBoundary,
+    threshold: float | None,
+    meeting: Meeting,
+    happenings: Sequence[Event],
+) -> say.Why:
     found = boundary.automatic
     peak = found.peak if found else None
     return say.Why(
-        sentences=tuple(sentences(boundary, threshold, meeting)),
+        sentences=(
+            *sentences(boundary, threshold, meeting),
+            *logged_near(boundary.time_s, happenings),
+        ),
         reasons=_reasons(found.reasons if found else ()),
         height=peak.height if peak else None,
         times_threshold=peak.height / threshold if peak and threshold else None,

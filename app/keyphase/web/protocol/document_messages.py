@@ -154,6 +154,13 @@ class BreakMessage(Struct, frozen=True):
     text: str
 
 
+class EventMessage(Struct, frozen=True):
+    """Something that was logged in words, or what a button or digital output did."""
+
+    time_s: float
+    text: str
+
+
 class NoticeMessage(Struct, frozen=True):
     """What a person should know: of reading, of the journal or of the folder.
 
@@ -223,6 +230,8 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     line_counts: tuple[LineCounts, ...] = ()
     held_back: tuple[HeldBack, ...] = ()
     breaks: tuple[BreakMessage, ...] = ()
+    events: tuple[EventMessage, ...] = ()
+    wrench_estimated: bool = False
     selected: int | None = None
 
 

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -27,9 +28,11 @@ def cut(demonstration: Demonstration, from_s: float, to_s: float) -> Demonstrati
             f"{count} of {len(demonstration)}; zoom to what is to stay."
         )
     names = ("position_m", "orientation_wxyz", "force_N", "torque_Nm", "joints_rad", "gripper")
-    kept = {name: _part(getattr(demonstration, name), inside) for name in names}
+    kept: dict[str, Any] = {name: _part(getattr(demonstration, name), inside) for name in names}
     time_s = demonstration.time_s[inside]
-    return replace(demonstration, time_s=time_s, source=None, notices=(), **kept)
+    kept["channels"] = {name: values[inside] for name, values in demonstration.channels.items()}
+    events = tuple(one for one in demonstration.events if from_s <= one.time_s <= to_s)
+    return replace(demonstration, time_s=time_s, source=None, notices=(), events=events, **kept)
 
 
 def write_cut(demonstration: Demonstration, recording: Path, from_s: float, to_s: float) -> Path:

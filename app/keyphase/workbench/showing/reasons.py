@@ -5,12 +5,18 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 from keyphase.labeling.labeling import LabeledBoundary
+from keyphase.logged import Event
 from keyphase.segmentation.segmentation import Gaussian, Peak
 
 _OF_GRIPPER: Mapping[str, str] = {
     "grasp": "The gripper has closed here.",
     "release": "The gripper begins to open here.",
 }
+
+
+_LOGGED_NEAR_S = 0.15
+"""What was logged no further away is told as a reason; a person presses a button no better."""
+_MOST_LOGGED = 3
 
 
 def sentences(boundary: LabeledBoundary, threshold: float | None, meeting: "Meeting") -> list[str]:
@@ -32,6 +38,12 @@ def sentences(boundary: LabeledBoundary, threshold: float | None, meeting: "Meet
     if not boundary.contact_change and found.peak is not None:
         said.append("It counts as no contact change.")
     return said
+
+
+def logged_near(time_s: float, events: Sequence[Event]) -> list[str]:
+    """What the log says, and what a button did, at a boundary."""
+    near = [one for one in events if abs(one.time_s - time_s) <= _LOGGED_NEAR_S]
+    return [f"The log says “{one.text}” at {one.time_s:.2f} s." for one in near[:_MOST_LOGGED]]
 
 
 def _about_peak(peak: Peak, threshold: float | None) -> str:

@@ -104,6 +104,8 @@ class SignalTracks:
                 known[name] = lambda values=values: self._three(values)
         if d.orientation_wxyz is not None:
             known["orientation"] = lambda: self._three(rotation_from_start_deg(d))
+        for name, values in d.channels.items():
+            known[f"channel/{name}"] = lambda values=values: (Series("value", d.time_s, values),)
         return known
 
     def _three(self, values: Array) -> tuple[Series, ...]:

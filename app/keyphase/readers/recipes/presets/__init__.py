@@ -42,6 +42,13 @@ def fitting_preset(columns: Iterable[str]) -> str | None:
     return max(fitting, key=lambda name: len(_shipped(name)[_NEEDS]), default=None)
 
 
+def preset_sides(columns: Iterable[str]) -> tuple[str, ...]:
+    """The tools side by side by the fitting preset; none where it knows one, or none fits."""
+    name = fitting_preset(columns)
+    several = _shipped(name).get("demonstration", ()) if name else ()
+    return tuple(one["name"] for one in several)
+
+
 def merged(below: Mapping[str, Any], above: Mapping[str, Any]) -> dict[str, Any]:
     """Values of two recipes; where both say something, the one above says it.
 

@@ -58,6 +58,8 @@ export interface DocumentMessage {
   line_counts: LineCounts[];
   held_back: HeldBack[];
   breaks: BreakMessage[];
+  events: EventMessage[];
+  wrench_estimated: boolean;
   selected: number | null;
 }
 
@@ -228,6 +230,12 @@ export interface HeldBack {
 export interface BreakMessage {
   start_s: number;
   end_s: number;
+  text: string;
+}
+
+/** Something that was logged in words, or what a button or digital output did. */
+export interface EventMessage {
+  time_s: number;
   text: string;
 }
 

@@ -45,6 +45,9 @@ export const TRACKS = [
   },
 ];
 
+/** Where the further channels of a recording begin among the names of its channels. */
+const NAMED = "channel/";
+
 /** The error beside the evidence, where it decides nothing: folded apart from the error alone. */
 const SECOND_ERROR = "error beside evidence";
 const FOLDED_AT_FIRST = ["speed", "torque", "orientation", SECOND_ERROR];
@@ -57,7 +60,10 @@ export function firstChoice(small) {
 
 /** What a row is called among the folded ones. @param {string} key @param {string|null} method */
 export const foldName = (key, method) =>
-  key === "error" && method === "evidence" ? SECOND_ERROR : key;
+  key === "error" && method === "evidence" ? SECOND_ERROR : isNamed(key) ? `open ${key}` : key;
+
+/** Whether a track is one of the further channels, which are folded until somebody opens them. */
+const isNamed = (key) => key.startsWith(NAMED);
 
 /**
  * The tracks this recording can show and the person has not hidden.
@@ -69,10 +75,19 @@ export function tracksOf(state) {
 
 /** The tracks a recording has, shown or hidden. @param {import("./types.js").Doc|null} doc */
 export function tracksFor(doc) {
-  return TRACKS.filter(
+  const known = TRACKS.filter(
     ({ channel, variant }) =>
       doc?.channels.includes(channel) && (!variant || variant === doc.parameters.variant),
   );
+  const named = (doc?.channels ?? []).filter(isNamed).map((channel) => ({
+    key: channel,
+    title: channel.slice(NAMED.length),
+    unit: "",
+    channel,
+    large: 64,
+    small: 46,
+  }));
+  return [...known, ...named];
 }
 
 /**
@@ -82,7 +97,7 @@ export function tracksFor(doc) {
  */
 export function layOut(state, room = 0) {
   const { small, folded, method } = state;
-  const isFolded = ({ key }) => folded.has(foldName(key, method));
+  const isFolded = ({ key }) => folded.has(foldName(key, method)) !== isNamed(key);
   const rows = new Map();
   let y = 0;
   const put = (key, height, isLow = false) => {
@@ -93,6 +108,7 @@ export function layOut(state, room = 0) {
     const isLow = key === "segments" && folded.has(key);
     put(key, isLow ? 24 : small ? low : large, folded.has(key));
   }
+  if (state.document?.events.length) put("events", small ? 15 : 17);
   if (state.comparison?.with) put("comparison", small ? 32 : 36);
   const headHeight = y;
   const tracks = tracksOf(state);

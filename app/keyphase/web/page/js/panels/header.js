@@ -51,12 +51,21 @@ function setUndo(button, name, verb, key, readOnly) {
 }
 
 /** @param {import("../model/types.js").Doc} doc */
-function facts({ start_s: start, end_s: end, rate_hz: rate, channels }) {
+function facts({
+  start_s: start,
+  end_s: end,
+  rate_hz: rate,
+  channels,
+  wrench_estimated: estimated,
+}) {
   const hertz =
     rate >= 1000 && rate % 1000 === 0 ? `${rate / 1000} kHz` : `${Number(rate.toPrecision(4))} Hz`;
   const long = end - start;
   const lasts = long >= 600 ? timeText(long, 0) : `${long.toFixed(2)} s`;
-  return `${lasts} · ${hertz} · ${channels.join(", ")}`;
+  const own = channels.filter((name) => !name.startsWith("channel/"));
+  const more = channels.length - own.length;
+  const shown = own.map((name) => (estimated && name === "force" ? "estimated force" : name));
+  return `${lasts} · ${hertz} · ${[...shown, ...(more ? [`${more} more`] : [])].join(", ")}`;
 }
 
 /**

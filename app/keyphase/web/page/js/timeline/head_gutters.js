@@ -17,6 +17,7 @@ export function createHeadGutters(pane, store, actions) {
     { key: "ruler", title: "Time, s", foldable: false },
     { key: "boundaries", title: "Boundaries" },
     { key: "segments", title: "Segments" },
+    { key: "events", title: "Events", foldable: false },
     { key: "comparison", title: "Compared", foldable: false },
   ];
   const gutters = new Map(

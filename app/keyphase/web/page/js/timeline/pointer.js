@@ -1,6 +1,7 @@
 /** The pointer on the timeline: hovering, gestures, wheel, double click, context menu. */
 
 import { breakAt } from "./breaks.js";
+import { eventAt } from "./events.js";
 import { startGesture } from "./gestures.js";
 import { hitTest } from "./hit.js";
 import { createPinch } from "../lib/pinch.js";
@@ -40,6 +41,13 @@ export function attachPointer(store, timeline, actions) {
 
   const at = (event) => pointOn(surface, event);
 
+  /** The words of a break, or of an event in its row. */
+  function saidAt(doc, { x, y }) {
+    const row = timeline.layout().rows.get("events");
+    const within = row && y >= row.y && y < row.y + row.height;
+    return (within && eventAt(doc, x, timeline.scale())) || breakAt(doc, x, timeline.scale());
+  }
+
   function hover(point) {
     const { document: doc, plotWidth } = store.state;
     if (!doc || !store.state.view) return;
@@ -47,7 +55,7 @@ export function attachPointer(store, timeline, actions) {
     const ruler = timeline.layout().rows.get("ruler");
     const inTracks = point.y >= ruler.y && point.x <= plotWidth;
     surface.style.cursor = CURSORS[hit.kind] ?? "default";
-    surface.title = inTracks ? breakAt(doc, point.x, timeline.scale()) : "";
+    surface.title = inTracks ? saidAt(doc, point) : "";
     store.set({
       hovered: hit.kind === "boundary" ? hit.boundary : null,
       candidate: hit.candidate ?? null,

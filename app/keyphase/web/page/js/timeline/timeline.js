@@ -110,6 +110,7 @@ function drawOn(store, stage, tracks) {
     read(state);
   };
   on(["recording", ...PLACE], (state) => head.drawView(stage, state));
+  on(["recording", ...PLACE], (state) => head.drawLogged(stage, state));
   on(["comparison", ...PLACE], (state) => head.drawOther(stage, state));
   on(["recording", "layout", "plotWidth", "whole"], (state) => head.drawWhole(stage, state));
   on(["document", "layout", "plotWidth"], (state) => head.drawStrip(stage, state));

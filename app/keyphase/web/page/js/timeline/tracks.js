@@ -27,6 +27,11 @@ const TICK_PX = 7;
 const CLEAR_PX = 4;
 const identity = (value) => value;
 
+/** What a further channel is drawn with. */
+const NAMED = { curves: [{ key: "value", color: "--curve" }], width: 1.1, digits: 3 };
+/** @param {string} key */
+const pensOf = (key) => PENS[key] ?? NAMED;
+
 /** Decimals a track's values are written with. @param {string} key */
 export const digitsOf = (key) => PENS[key]?.digits ?? 1;
 
@@ -35,7 +40,7 @@ export const digitsOf = (key) => PENS[key]?.digits ?? 1;
  * @param {import("./gutter.js").TrackParts} parts
  */
 export function createTrack(key, { plot, marks, gutter, texts }) {
-  const { curves, width, digits } = PENS[key];
+  const { curves, width, digits } = pensOf(key);
   const open = createCurves(
     plot,
     curves.map(({ color }) => ({ color, width })),

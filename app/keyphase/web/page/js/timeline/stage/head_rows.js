@@ -5,6 +5,7 @@ import { drawBand } from "../band.js";
 import { drawBoundaries, drawGhosts, drawIntervals } from "../boundaries.js";
 import { drawBreaks } from "../breaks.js";
 import { drawComparison } from "../comparison.js";
+import { drawEvents } from "../events.js";
 import { drawOverviewCurve, drawOverviewStrip, drawWindow } from "../overview.js";
 import { drawRuler } from "../ruler.js";
 
@@ -36,6 +37,13 @@ export function drawView({ groups, scale }, state) {
   groups.overviewWindow.replaceChildren(
     ...drawWindow(state, rows.get("overview"), state.plotWidth),
   );
+}
+
+/** @param {Stage} stage @param {State} state */
+export function drawLogged({ groups, gutters, scale }, { document: doc, layout }) {
+  const row = layout.rows.get("events");
+  groups.events.replaceChildren(...(row ? drawEvents(doc, scale(), row) : []));
+  if (row) gutters.get("events").small.textContent = String(doc.events.length);
 }
 
 /** @param {Stage} stage @param {State} state */

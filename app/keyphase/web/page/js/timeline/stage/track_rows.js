@@ -1,7 +1,7 @@
 /** The tracks below the head: made when they are first shown, placed, drawn, read. */
 
 import { el, svg } from "../../lib/dom.js";
-import { fold, TRACKS, tracksOf } from "../../model/rows.js";
+import { fold, tracksOf } from "../../model/rows.js";
 import { createErrorTrack } from "../error_track.js";
 import { createEvidenceTrack } from "../evidence/evidence_track.js";
 import { createGutter } from "../gutter.js";
@@ -49,7 +49,7 @@ export function createTrackRows(content, store, actions) {
      * @param {import("../../model/rows.js").Layout} layout
      */
     place(state, layout) {
-      for (const { key } of TRACKS) if (tracks.has(key)) tracks.get(key).row.hidden = true;
+      for (const track of tracks.values()) track.row.hidden = true;
       for (const definition of tracksOf(state))
         placeTrack(trackOf(definition), layout.rows.get(definition.key), layout.headHeight);
     },
@@ -73,7 +73,7 @@ export function createTrackRows(content, store, actions) {
 }
 
 /**
- * @param {typeof TRACKS[number]} definition
+ * @param {{key: string, title: string, unit: string}} definition
  * @param {import("../../lib/store.js").Store} store
  * @param {any} actions
  */
