@@ -41,13 +41,6 @@ export function attachPointer(store, timeline, actions) {
 
   const at = (event) => pointOn(surface, event);
 
-  /** The words of a break, or of an event in its row. */
-  function saidAt(doc, { x, y }) {
-    const row = timeline.layout().rows.get("events");
-    const within = row && y >= row.y && y < row.y + row.height;
-    return (within && eventAt(doc, x, timeline.scale())) || breakAt(doc, x, timeline.scale());
-  }
-
   function hover(point) {
     const { document: doc, plotWidth } = store.state;
     if (!doc || !store.state.view) return;
@@ -55,7 +48,7 @@ export function attachPointer(store, timeline, actions) {
     const ruler = timeline.layout().rows.get("ruler");
     const inTracks = point.y >= ruler.y && point.x <= plotWidth;
     surface.style.cursor = CURSORS[hit.kind] ?? "default";
-    surface.title = inTracks ? saidAt(doc, point) : "";
+    surface.title = inTracks ? saidAt(doc, timeline, point) : "";
     store.set({
       hovered: hit.kind === "boundary" ? hit.boundary : null,
       candidate: hit.candidate ?? null,
@@ -198,4 +191,11 @@ function turnWheel(store, timeline, event, x) {
     const anchor = timeline.scale().time(Math.min(Math.max(x, 0), store.state.plotWidth));
     store.set({ view: zoomView(view, Math.exp(-event.deltaY * WHEEL_ZOOM), anchor, doc) });
   }
+}
+
+/** The words of an event in its row, or of a break. */
+function saidAt(doc, timeline, { x, y }) {
+  const row = timeline.layout().rows.get("events");
+  const within = row && y >= row.y && y < row.y + row.height;
+  return (within && eventAt(doc, x, timeline.scale())) || breakAt(doc, x, timeline.scale());
 }
