@@ -2,7 +2,7 @@
 
 import { el } from "../lib/dom.js";
 import { fold } from "../model/rows.js";
-import { createComparisonGutter } from "./comparison.js";
+import { createComparisonGutter } from "./lanes/comparison.js";
 import { createGutter } from "./gutter.js";
 
 /**

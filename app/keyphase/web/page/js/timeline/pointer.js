@@ -1,7 +1,7 @@
 /** The pointer on the timeline: hovering, gestures, wheel, double click, context menu. */
 
 import { breakAt } from "./breaks.js";
-import { eventAt } from "./events.js";
+import { eventAt } from "./lanes/events.js";
 import { startGesture } from "./gestures.js";
 import { hitTest } from "./hit.js";
 import { createPinch } from "../lib/pinch.js";

@@ -4,8 +4,8 @@ import { withDrag } from "../../model/drag.js";
 import { drawBand } from "../band.js";
 import { drawBoundaries, drawGhosts, drawIntervals } from "../boundaries.js";
 import { drawBreaks } from "../breaks.js";
-import { drawComparison } from "../comparison.js";
-import { drawEvents } from "../events.js";
+import { drawComparison } from "../lanes/comparison.js";
+import { drawEvents } from "../lanes/events.js";
 import { drawOverviewCurve, drawOverviewStrip, drawWindow } from "../overview.js";
 import { drawRuler } from "../ruler.js";
 

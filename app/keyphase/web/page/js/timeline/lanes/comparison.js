@@ -3,19 +3,19 @@
  * two bands what they share and what only one of them has.
  */
 
-import { segmentFill } from "../lib/colors.js";
-import { el, icon, svg } from "../lib/dom.js";
-import { namesOf, PROPOSED, proposedHere } from "../model/recordings/recording_list.js";
-import { textWidth } from "../lib/text_width.js";
+import { segmentFill } from "../../lib/colors.js";
+import { el, icon, svg } from "../../lib/dom.js";
+import { namesOf, PROPOSED, proposedHere } from "../../model/recordings/recording_list.js";
+import { textWidth } from "../../lib/text_width.js";
 
 /** Height between the bands, for the links. */
 const LINK_PX = 9;
 const CROSS_PX = 3.2;
 
 /**
- * @param {import("../lib/store.js").State} state
- * @param {import("../lib/scale.js").Scale} scale
- * @param {import("../model/rows.js").Row} row
+ * @param {import("../../lib/store.js").State} state
+ * @param {import("../../lib/scale.js").Scale} scale
+ * @param {import("../../model/rows.js").Row} row
  */
 export function drawComparison({ document: doc, comparison, labels: known }, scale, { y, height }) {
   const {
@@ -42,8 +42,8 @@ export function drawComparison({ document: doc, comparison, labels: known }, sca
 /**
  * A label has the colour it has in the shown segmentation or in the vocabulary, else none.
  * @param {string} label
- * @param {import("../model/types.js").Doc} doc
- * @param {import("../lib/store.js").State["labels"]} known
+ * @param {import("../../model/types.js").Doc} doc
+ * @param {import("../../lib/store.js").State["labels"]} known
  */
 function fillOf(label, doc, known) {
   const same = doc.segments.find((segment) => segment.label === label && segment.kept);
@@ -56,7 +56,7 @@ function fillOf(label, doc, known) {
  * @param {{label: string, fill: string}} segment
  * @param {number} from
  * @param {number} to
- * @param {import("../lib/scale.js").Scale} scale
+ * @param {import("../../lib/scale.js").Scale} scale
  * @param {{top: number, height: number}} place
  */
 function drawOther({ label, fill }, from, to, scale, { top, height }) {
@@ -81,7 +81,7 @@ function drawOther({ label, fill }, from, to, scale, { top, height }) {
 
 /**
  * From where the shown segmentation has a boundary to where the other has it.
- * @param {import("../lib/scale.js").Scale} scale
+ * @param {import("../../lib/scale.js").Scale} scale
  */
 function link(scale, first, second, y) {
   return svg("path", {
@@ -90,7 +90,7 @@ function link(scale, first, second, y) {
   });
 }
 
-/** @param {import("../lib/scale.js").Scale} scale */
+/** @param {import("../../lib/scale.js").Scale} scale */
 function tick(scale, time, { top, height }) {
   return svg("path", {
     d: `M${scale.x(time)} ${top - LINK_PX + 3}v${height + LINK_PX - 3}`,
@@ -100,7 +100,7 @@ function tick(scale, time, { top, height }) {
 
 /**
  * A boundary only the shown segmentation has.
- * @param {import("../lib/scale.js").Scale} scale
+ * @param {import("../../lib/scale.js").Scale} scale
  */
 function missing(scale, time, y) {
   const x = scale.x(time);
@@ -120,7 +120,7 @@ export function nameOf(other) {
 /**
  * The row's gutter: whose it is, how well the two agree, and what can be done with it.
  * @param {{node: HTMLElement, body: HTMLElement}} gutter
- * @param {import("../lib/store.js").Store} store
+ * @param {import("../../lib/store.js").Store} store
  * @param {any} actions
  */
 export function createComparisonGutter({ node, body }, store, actions) {
@@ -149,7 +149,7 @@ export function createComparisonGutter({ node, body }, store, actions) {
     icon("close", "small"),
   );
   node.replaceChildren(el("div", { class: "other-head" }, name, take, close), score, body);
-  /** @param {import("../messages/list_messages").ComparisonMessage} comparison */
+  /** @param {import("../../messages/list_messages").ComparisonMessage} comparison */
   const show = ({
     with: other,
     f1,

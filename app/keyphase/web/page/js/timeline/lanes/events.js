@@ -1,15 +1,15 @@
 /** What the log says in words, and what its buttons did: a mark each, its words where there is room. */
 
-import { svg } from "../lib/dom.js";
-import { textWidth } from "../lib/text_width.js";
+import { svg } from "../../lib/dom.js";
+import { textWidth } from "../../lib/text_width.js";
 
 const MARK_PX = 3.5;
 const CLEAR_PX = 8;
 
 /**
- * @param {import("../model/types.js").Doc} doc
- * @param {import("../lib/scale.js").Scale} scale
- * @param {import("../model/rows.js").Row} row
+ * @param {import("../../model/types.js").Doc} doc
+ * @param {import("../../lib/scale.js").Scale} scale
+ * @param {import("../../model/rows.js").Row} row
  */
 export function drawEvents({ events }, scale, { y, height }) {
   const middle = y + height / 2;
@@ -41,9 +41,9 @@ function words(text, x, until, middle) {
 
 /**
  * What is written at a mark under the pointer, else nothing.
- * @param {import("../model/types.js").Doc} doc
+ * @param {import("../../model/types.js").Doc} doc
  * @param {number} x px
- * @param {import("../lib/scale.js").Scale} scale
+ * @param {import("../../lib/scale.js").Scale} scale
  */
 export function eventAt({ events }, x, scale) {
   const there = events.filter(({ time_s: time }) => Math.abs(scale.x(time) - x) <= 2 * MARK_PX);
