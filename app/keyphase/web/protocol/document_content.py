@@ -43,9 +43,8 @@ _AXES = ("x", "y", "z")
 @lru_cache(maxsize=8)
 def document_message(state: DeskState) -> say.DocumentMessage:
     """What all pages at a recording are told of it; made once for all of them."""
-    labeling = state.labeling
-    segmentation, demonstration = labeling.segmentation, state.demonstration
-    curve, cause = segmentation.curve, state.cause
+    labeling, demonstration, cause = state.labeling, state.demonstration, state.cause
+    segmentation, curve = labeling.segmentation, labeling.segmentation.curve
     return say.DocumentMessage(
         revision=state.revision,
         cause=say.CauseMessage(cause.event, cause.page) if cause else None,

@@ -98,12 +98,16 @@ class Select(OnDocument, tag="select", frozen=True):
     segment: Annotated[int, Meta(ge=0, le=1_000_000)] | None
 
 
+MAX_TRACKS = 250
+"""A recording may have some two hundred further channels."""
+
+
 class Signals(PageRequest, tag="signals", frozen=True):
     """Ask for the visible range of some tracks."""
 
     recording: Id
     request: Counter
-    tracks: Annotated[list[Name], Meta(max_length=20)]
+    tracks: Annotated[list[Name], Meta(max_length=MAX_TRACKS)]
     from_s: Time
     to_s: Time
     width: Width
