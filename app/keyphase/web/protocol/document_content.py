@@ -14,7 +14,7 @@ from keyphase.oddities import breaks_of
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.segmentation.segmentation import Candidate, Peak, Reason
 from keyphase.web.protocol import document_messages as say
-from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.desks.desk_state import Cause, DeskState
 from keyphase.workbench.recordings import printable
 from keyphase.workbench.showing.doubts import is_unsure
 from keyphase.workbench.showing.force_steps import greatest_step
@@ -43,11 +43,11 @@ _AXES = ("x", "y", "z")
 @lru_cache(maxsize=8)
 def document_message(state: DeskState) -> say.DocumentMessage:
     """What all pages at a recording are told of it; made once for all of them."""
-    labeling, demonstration, cause = state.labeling, state.demonstration, state.cause
+    labeling, demonstration = state.labeling, state.demonstration
     segmentation, curve = labeling.segmentation, labeling.segmentation.curve
     return say.DocumentMessage(
         revision=state.revision,
-        cause=say.CauseMessage(cause.event, cause.page) if cause else None,
+        cause=_cause(state.cause),
         id=state.recording.id,
         name=demonstration.name,
         folder=printable(state.recording.path.parent.name),
@@ -87,6 +87,10 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         events=_events(demonstration),
         wrench_estimated=demonstration.wrench_estimated,
     )
+
+
+def _cause(cause: Cause | None) -> say.CauseMessage | None:
+    return cause and say.CauseMessage(cause.event, cause.page)
 
 
 def _elsewhere(state: DeskState) -> say.ElsewhereMessage | None:
