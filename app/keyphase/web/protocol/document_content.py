@@ -43,8 +43,7 @@ _AXES = ("x", "y", "z")
 @lru_cache(maxsize=8)
 def document_message(state: DeskState) -> say.DocumentMessage:
     """What all pages at a recording are told of it; made once for all of them."""
-    labeling, demonstration = state.labeling, state.demonstration
-    segmentation, curve = labeling.segmentation, labeling.segmentation.curve
+    demonstration, segmentation = state.demonstration, state.labeling.segmentation
     return say.DocumentMessage(
         revision=state.revision,
         cause=_cause(state.cause),
@@ -55,7 +54,7 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         end_s=demonstration.end_s,
         rate_hz=demonstration.rate_hz,
         channels=channels(demonstration),
-        force_channels=curve.channels if curve else 0,
+        force_channels=segmentation.curve.channels if segmentation.curve else 0,
         edits=len(state.document.edits),
         notices=_notices(state),
         parameters=asdict(segmentation.parameters),
@@ -64,20 +63,20 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         motion_threshold=segmentation.motion_threshold,
         automatic_motion_threshold=automatic_motion_threshold(segmentation),
         automatic_least_step_N=segmentation.automatic_least_step_N,
-        boundaries=boundaries_of(labeling),
-        segments=_segments(labeling),
+        boundaries=boundaries_of(state.labeling),
+        segments=_segments(state.labeling),
         peaks=tuple(map(_peak, segmentation.peaks)),
         gaussians=len(segmentation.gaussians),
         candidates=tuple(map(_candidate, segmentation.candidates)),
         line_counts=segmentation.line_counts,
         held_back=segmentation.held_back,
-        plan=plan_of(labeling),
-        proposed_drops=tuple(labeling.proposed_drops),
-        inapplicable=tuple(labeling.inapplicable),
+        plan=plan_of(state.labeling),
+        proposed_drops=tuple(state.labeling.proposed_drops),
+        inapplicable=tuple(state.labeling.inapplicable),
         undo=state.document.undo_name,
         redo=state.document.redo_name,
         saved_at=state.saved_at,
-        greatest_step_N=greatest_step(labeling),
+        greatest_step_N=greatest_step(state.labeling),
         state=state.state,
         locked=state.locked and printable(state.locked),
         changed=state.changed,
