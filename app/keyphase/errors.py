@@ -3,6 +3,7 @@
 KeyphaseError
 ├── DemonstrationError      a recording that cannot be read or used
 │   └── RecipeError         a recipe that does not say how to read a table
+├── CameraError             a video beside a recording that cannot be shown
 ├── ParameterError          a parameter out of its range
 ├── LabelingError           an edit that cannot be applied, a document that cannot be opened
 │   ├── JournalError        the journal beside a recording cannot be used
@@ -39,6 +40,10 @@ class DemonstrationError(KeyphaseError):
 
 class RecipeError(DemonstrationError):
     """A recipe that does not say how to read a table."""
+
+
+class CameraError(KeyphaseError):
+    """A video beside a recording that cannot be shown."""
 
 
 class ParameterError(KeyphaseError):

@@ -24,5 +24,5 @@ def applied(segmentation: Segmentation, edits: Mapping[int, Edit]) -> Walk:
     done = Walk(line)
     for number, edit in in_force.edits.items():
         edit.apply(number, done, number in in_force.insisted)
-        done.edits_applied += 1
+        done.edits_applied += edit.changes_segments
     return done

@@ -21,6 +21,7 @@ from keyphase.web.transport.opening import BrowserFile, open_in_browser
 from keyphase.web.transport.page_sockets import Page, PageSockets
 from keyphase.web.transport.proving import prove
 from keyphase.web.transport.site import OurSite
+from keyphase.web.transport.video_parts import Video
 from keyphase.workbench.leftovers import clear_up
 from keyphase.workbench.uploads import DEFAULT_LIMIT_BYTES
 from keyphase.workbench.workbench import Settings, Workbench
@@ -77,7 +78,7 @@ class PageServer:
         self.port = usable_port(host, port, self._keys.ports())
         keys = self._keys.of(self.port)
         self.access = Access(host, keys.token, keys.looking_token)
-        site = OurSite(self.access, self.sockets)
+        site = OurSite(self.access, self.sockets, self._video)
         self.viser = serve(site, host, self.port)
         try:
             prove(host, self.port)
@@ -85,6 +86,11 @@ class PageServer:
             with silent():
                 self.viser.stop()
             raise
+
+    def _video(self, id: str) -> Video | None:
+        """The file that was lent to pages under a name."""
+        camera = self.workbench.footage.camera(id)
+        return Video(camera.file, camera.media_type) if camera else None
 
     @property
     def link(self) -> str:

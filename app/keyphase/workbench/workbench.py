@@ -14,6 +14,7 @@ from keyphase.workbench.desks.library import Library
 from keyphase.workbench.exporting.all_recordings import export_all
 from keyphase.workbench.exporting.beside import InTheWay, require_own_names
 from keyphase.workbench.exporting.formats import write_in
+from keyphase.workbench.footage import FootageShelf
 from keyphase.workbench.leading.takes import Takes
 from keyphase.workbench.looking import Looking
 from keyphase.workbench.playback import Clock
@@ -69,6 +70,7 @@ class Workbench:
             self.recordings.show_proposals,
         )
         self.library.on_change = lambda state: self._line_changed(state.line)
+        self.footage = FootageShelf(self.tasks)
         self.takes = Takes(self.settings.folder)
         self.arms = self.settings.arms
         self.looking = Looking(self.recordings, self.library)
@@ -85,6 +87,7 @@ class Workbench:
                 timer.cancel()
         self._clock.stop()
         self.looking.stop()
+        self.footage.stop()
         self.proposals.stop()
         for view in views:
             view.close()

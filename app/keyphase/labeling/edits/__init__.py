@@ -4,6 +4,7 @@ from keyphase.labeling.edits.accept import Accept
 from keyphase.labeling.edits.accept_labels import AcceptLabels
 from keyphase.labeling.edits.add import Add
 from keyphase.labeling.edits.base import kind_of
+from keyphase.labeling.edits.beside.camera_offset import CameraOffset
 from keyphase.labeling.edits.contact import Contact
 from keyphase.labeling.edits.done import Done, Reopen
 from keyphase.labeling.edits.drop_idle import DropIdle
@@ -26,6 +27,7 @@ __all__ = [
     "AcceptLabels",
     "Add",
     "BringBack",
+    "CameraOffset",
     "Contact",
     "Done",
     "DropIdle",

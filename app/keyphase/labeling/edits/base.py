@@ -7,7 +7,7 @@ segments. The optional fields are those.
 
 import math
 from dataclasses import dataclass, field
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 import msgspec
 
@@ -46,7 +46,12 @@ class InForce:
 
 class BaseEdit(msgspec.Struct, frozen=True, tag_field="kind", forbid_unknown_fields=True,
                omit_defaults=True):  # fmt: skip
-    """One thing a person did; the kinds are its subclasses, each in a module of its own."""
+    """One thing a person did; the kinds are its subclasses, each in a module of its own.
+
+    changes_segments  whether it does anything to boundaries or segments
+    """
+
+    changes_segments: ClassVar[bool] = True
 
     def checked(self) -> Self:
         """The edit with its values checked and its text without surrounding spaces.

@@ -7,6 +7,7 @@ both in seconds from the beginning of the bag. A direct transform of `/tf` is th
 """
 
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field, fields, is_dataclass
 from pathlib import Path
 from typing import Any
@@ -26,7 +27,7 @@ ROS1_MAGIC = b"#ROSBAG V"
 MCAP_MAGIC = b"\x89MCAP0\r\n"
 ROS2_INFO = "metadata.yaml"
 
-_BULKY = ("Image", "PointCloud2", "LaserScan", "OccupancyGrid", "CompressedImage")
+BULKY = ("Image", "PointCloud2", "LaserScan", "OccupancyGrid", "CompressedImage")
 _MAX_DEPTH = 8
 
 
@@ -54,18 +55,32 @@ def table_of_bag(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     return ArrayTable(str(path), streams.arrays(), {}, streams.notices(), {})
 
 
-def _messages(path: Path) -> Iterator[tuple[str, int, Any]]:
+@contextmanager
+def opened_bag(path: Path) -> Iterator[tuple[Any, Callable[[bytes, str], Any]]]:
+    """A reader of its messages, and what makes them of their bytes.
+
+    Raises DemonstrationError for a bag that cannot be read, MissingPackageError where rosbags is
+    not installed.
+    """
     highlevel = package("rosbags.highlevel", EXTRA, path)
     stores = package("rosbags.typesys", EXTRA, path)
     store = stores.get_typestore(stores.Stores.ROS2_HUMBLE)
-    with highlevel.AnyReader([path], default_typestore=store) as reader:
+    with (
+        damage_told(path, "bag", "copy or record it again"),
+        highlevel.AnyReader([path], default_typestore=store) as reader,
+    ):
+        yield reader, reader.deserialize
+
+
+def _messages(path: Path) -> Iterator[tuple[str, int, Any]]:
+    with opened_bag(path) as (reader, deserialize):
         wanted = [
             connection
             for connection in reader.connections
-            if connection.msgtype.rpartition("/")[2] not in _BULKY
+            if connection.msgtype.rpartition("/")[2] not in BULKY
         ]
         for connection, log_ns, raw in reader.messages(connections=wanted):
-            message = reader.deserialize(raw, connection.msgtype)
+            message = deserialize(raw, connection.msgtype)
             yield from _parted(connection.topic, log_ns, message)
 
 

@@ -34,7 +34,7 @@ _MIN_ROOM_BYTES = 1024**2
 
 def parts_of_hdf5(path: Path) -> tuple[str, ...]:
     """The demonstrations of a file with many (`data/demo_0`, …), or none where it is one."""
-    with _opened(path) as file:
+    with opened(path) as file:
         group = _group(file, _EPISODES)
         if group is None:
             return ()
@@ -44,7 +44,7 @@ def parts_of_hdf5(path: Path) -> tuple[str, ...]:
 
 def names_in_hdf5(path: Path, part: str | None) -> tuple[str, ...]:
     """What the columns of a demonstration are called, without reading any; none where it is not."""
-    with _opened(path) as file:
+    with opened(path) as file:
         episodes = _group(file, _EPISODES)
         group = file if episodes is None else _group(episodes, part) if part else None
         if group is None:
@@ -59,7 +59,7 @@ def table_of_hdf5(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     h5py is not installed.
     """
     shown = str(path) if part is None else f"{path}#{part}"
-    with _opened(path) as file:
+    with opened(path) as file:
         episodes = _group(file, _EPISODES)
         group = file if episodes is None else _group(episodes, part) if part else None
         if group is None or (episodes is None and part is not None):
@@ -78,7 +78,8 @@ def table_of_hdf5(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
 
 
 @contextmanager
-def _opened(path: Path) -> Iterator[Any]:
+def opened(path: Path) -> Iterator[Any]:
+    """The file, for as long as the `with` statement lasts; damage is told in a sentence."""
     h5py = package("h5py", EXTRA, path)
     with damage_told(path, "HDF5 file"), h5py.File(path, "r") as file:
         yield file

@@ -5,7 +5,7 @@ the names in `meta/info.json` (`features.*.names`) name them: `observation.state
 """
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -32,7 +32,7 @@ def is_lerobot(path: Path) -> bool:
 
 def parts_of_lerobot(path: Path) -> tuple[str, ...]:
     """episode_0, episode_1, …, as many as `meta/info.json` counts."""
-    count = _info(path).get("total_episodes")
+    count = info_of(path).get("total_episodes")
     if isinstance(count, bool) or not isinstance(count, int) or not 0 <= count <= _MAX_EPISODES:
         raise _damaged(path, "total_episodes must be a whole number")
     return tuple(f"episode_{i}" for i in range(count))
@@ -44,8 +44,8 @@ def table_of_lerobot(path: Path, part: str | None, limit_bytes: int) -> ArrayTab
     Raises DemonstrationError for a dataset or part that cannot be read, MissingPackageError where
     pyarrow is not installed.
     """
-    info = _info(path)
-    number = _number(part)
+    info = info_of(path)
+    number = episode_number(part)
     if number is None or number >= len(parts_of_lerobot(path)):
         raise unknown_part(str(path), part, parts_of_lerobot(path))
     with damage_told(path, "LeRobot dataset"):
@@ -59,7 +59,7 @@ def table_of_lerobot(path: Path, part: str | None, limit_bytes: int) -> ArrayTab
 
 def names_in_lerobot(path: Path, _part: str | None) -> tuple[str, ...]:
     """What the columns of every episode are called, by `meta/info.json` alone."""
-    info = _info(path)
+    info = info_of(path)
     features = info.get("features")
     empty: dict[str, NDArray[Any]] = {}
     for name, feature in features.items() if isinstance(features, dict) else ():
@@ -80,8 +80,8 @@ def file_of_episode(path: Path, info: Mapping[str, Any], number: int) -> Path:
     pattern = info.get("data_path")
     if not isinstance(pattern, str):
         raise _damaged(path, "data_path is missing")
-    if _is_v3(info):
-        where = _episode_row(path, number)
+    if is_v3(info):
+        where = episode_row(path, number, ["data/chunk_index", "data/file_index"])
         values = {
             "chunk_index": int(where["data/chunk_index"]),
             "file_index": int(where["data/file_index"]),
@@ -100,7 +100,8 @@ def inside(path: Path, relative: str) -> Path:
     return file
 
 
-def _is_v3(info: Mapping[str, Any]) -> bool:
+def is_v3(info: Mapping[str, Any]) -> bool:
+    """Whether it holds many episodes in one file."""
     return str(info.get("codebase_version", "")).startswith("v3")
 
 
@@ -122,11 +123,11 @@ def _may_hold(file: Any, group: int, column: int, number: int) -> bool:
     return statistics.min <= number <= statistics.max
 
 
-def _episode_row(path: Path, number: int) -> Mapping[str, Any]:
-    """Where an episode of a v3 dataset lies, from `meta/episodes`."""
+def episode_row(path: Path, number: int, columns: Sequence[str]) -> Mapping[str, Any]:
+    """What `meta/episodes` of a v3 dataset says of an episode in these columns."""
     parquet = package("pyarrow.parquet", EXTRA, path)
     compute = package("pyarrow.compute", EXTRA, path)
-    wanted = ["episode_index", "data/chunk_index", "data/file_index"]
+    wanted = ["episode_index", *columns]
     for file in sorted((path / "meta" / "episodes").glob("*/*.parquet")):
         if not file.is_file():
             raise _damaged(path, f"{file.name} is no regular file")
@@ -175,7 +176,8 @@ def _feature_names(info: Mapping[str, Any]) -> dict[str, list[str]]:
     return found
 
 
-def _info(path: Path) -> dict[str, Any]:
+def info_of(path: Path) -> dict[str, Any]:
+    """What the dataset says of itself. Raises DemonstrationError where it cannot be read."""
     file = path / INFO
     try:
         if file.stat().st_size > _MAX_INFO_BYTES:
@@ -188,7 +190,8 @@ def _info(path: Path) -> dict[str, Any]:
     return content
 
 
-def _number(part: str | None) -> int | None:
+def episode_number(part: str | None) -> int | None:
+    """Which episode a part of a dataset is."""
     digits = (part or "").removeprefix("episode_")
     return int(digits) if digits.isdecimal() and len(digits) <= 9 else None
 

@@ -7,7 +7,9 @@ from msgspec import Struct
 
 from keyphase.simulation.recorded.cell import RecordedCell
 from keyphase.simulation.workcells.registry import workcell, workcell_names
+from keyphase.workbench.footage import LentFootage
 from keyphase.workbench.leading.status import LeadThroughStatus
+from keyphase.workbench.recordings import printable
 from keyphase.workbench.replaying.margin import MarginRun
 from keyphase.workbench.replaying.settings import RANGES, EndBy, ReplaySettings
 from keyphase.workbench.replaying.trials import TrialsRun
@@ -165,3 +167,46 @@ def workcell_choices() -> tuple[WorkcellChoice, ...]:
 def world_choices() -> tuple[WorkcellChoice, ...]:
     """The workcells, and the world made from the recording."""
     return (*workcell_choices(), WorkcellChoice(RecordedCell.name, RecordedCell.title))
+
+
+class CameraMessage(Struct, frozen=True):
+    """A video of a recording; its frame k lies at `from_s + k / fps` of the file.
+
+    id        the video is at /app/video/ID, in parts
+    begins_s  when its first frame was taken, on the recording's clock
+    """
+
+    id: str
+    name: str
+    fps: float
+    frames: int
+    from_s: float
+    begins_s: float
+    width: int
+    height: int
+
+
+class CamerasMessage(Struct, frozen=True, tag_field="type", tag="cameras"):
+    """The videos of a recording; `refused` says of each that cannot be shown why."""
+
+    recording: str
+    cameras: tuple[CameraMessage, ...]
+    refused: tuple[str, ...]
+
+
+def cameras_message(lent: LentFootage) -> CamerasMessage:
+    """What a page is told of the videos of a recording."""
+    cameras = tuple(
+        CameraMessage(
+            id,
+            printable(one.name),
+            one.fps,
+            one.frames,
+            one.from_s,
+            one.begins_s,
+            one.width,
+            one.height,
+        )
+        for id, one in ((lent_camera.id, lent_camera.camera) for lent_camera in lent.cameras)
+    )
+    return CamerasMessage(lent.recording, cameras, tuple(map(printable, lent.refused)))

@@ -11,6 +11,7 @@ from keyphase.errors import RequestError
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web.protocol import requests as ask
 from keyphase.web.protocol.comparison_content import comparison_message
+from keyphase.web.protocol.control_messages import cameras_message
 from keyphase.web.protocol.export_messages import offers_message
 from keyphase.web.protocol.signals_frame import signals_frame
 from keyphase.workbench.desks.desk import Desk
@@ -37,6 +38,8 @@ def do(page: "Conversation", request: ask.DispatchedRequest) -> None:
         case ask.Signals():
             with page.workbench.library.at(request.recording) as desk:
                 _send_signals(page, desk, request)
+        case ask.Cameras():
+            _find_cameras(page, request)
         case ask.OnDocument():
             with page.workbench.library.at(request.recording) as desk:
                 _at_desk(page, desk, request)
@@ -176,6 +179,16 @@ def _spread(page: "Conversation", desk: Desk, request: ask.Spread) -> None:
             workbench.leave_spread(page.view)
         case _:
             assert_never(request.step)
+
+
+def _find_cameras(page: "Conversation", request: ask.Cameras) -> None:
+    with page.workbench.library.at(request.recording) as desk:
+        state = desk.opened()
+    page.workbench.footage.find(
+        state.recording,
+        state.demonstration.start_s,
+        lambda lent: page.send(cameras_message(lent)),
+    )
 
 
 def _send_signals(page: "Conversation", desk: Desk, request: ask.Signals) -> None:

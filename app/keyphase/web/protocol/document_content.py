@@ -3,10 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import asdict
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.labeling.edits.beside.camera_offset import camera_offsets
 from keyphase.labeling.labeling import LabeledBoundary, LabeledSegment, Labeling, PlanEntry
 from keyphase.logged import Event
 from keyphase.notices import Caution, severity_of
@@ -14,7 +16,7 @@ from keyphase.oddities import breaks_of
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.segmentation.segmentation import Candidate, Peak, Reason
 from keyphase.web.protocol import document_messages as say
-from keyphase.workbench.desks.desk_state import Cause, DeskState
+from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.recordings import printable
 from keyphase.workbench.showing.doubts import is_unsure
 from keyphase.workbench.showing.force_steps import greatest_step
@@ -43,17 +45,12 @@ _AXES = ("x", "y", "z")
 @lru_cache(maxsize=8)
 def document_message(state: DeskState) -> say.DocumentMessage:
     """What all pages at a recording are told of it; made once for all of them."""
-    demonstration, segmentation = state.demonstration, state.labeling.segmentation
+    segmentation = state.labeling.segmentation
     return say.DocumentMessage(
         revision=state.revision,
-        cause=_cause(state.cause),
+        cause=state.cause and say.CauseMessage(state.cause.event, state.cause.page),
         id=state.recording.id,
-        name=demonstration.name,
         folder=printable(state.recording.path.parent.name),
-        start_s=demonstration.start_s,
-        end_s=demonstration.end_s,
-        rate_hz=demonstration.rate_hz,
-        channels=channels(demonstration),
         force_channels=segmentation.curve.channels if segmentation.curve else 0,
         edits=len(state.document.edits),
         notices=_notices(state),
@@ -82,14 +79,23 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         changed=state.changed,
         elsewhere=_elsewhere(state),
         labels=state.vocabulary.labels,
-        breaks=_breaks(demonstration),
-        events=_events(demonstration),
-        wrench_estimated=demonstration.wrench_estimated,
+        camera_offsets=camera_offsets(state.document.edits),
+        **_recorded(state.demonstration),
     )
 
 
-def _cause(cause: Cause | None) -> say.CauseMessage | None:
-    return cause and say.CauseMessage(cause.event, cause.page)
+def _recorded(demonstration: Demonstration) -> dict[str, Any]:
+    """What the recording itself says."""
+    return {
+        "name": demonstration.name,
+        "start_s": demonstration.start_s,
+        "end_s": demonstration.end_s,
+        "rate_hz": demonstration.rate_hz,
+        "channels": channels(demonstration),
+        "breaks": _breaks(demonstration),
+        "events": _events(demonstration),
+        "wrench_estimated": demonstration.wrench_estimated,
+    }
 
 
 def _elsewhere(state: DeskState) -> say.ElsewhereMessage | None:

@@ -189,6 +189,7 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     saved_at      HH:MM:SS of the last step on disk
     inapplicable  edits whose place is gone
     line_counts   how many boundaries are found wherever each line lies
+    camera_offsets  how far a person has moved each video on the recording's clock [s]
     held_back     how many more there would be, were another parameter let go
     """
 
@@ -232,6 +233,7 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     breaks: tuple[BreakMessage, ...] = ()
     events: tuple[EventMessage, ...] = ()
     wrench_estimated: bool = False
+    camera_offsets: dict[str, float] = {}
     selected: int | None = None
 
 

@@ -1,6 +1,7 @@
 """Everything the server says to a page; docs/protocol.md and the page's types are made of this."""
 
 from keyphase.web.protocol.control_messages import (
+    CamerasMessage,
     MarginMessage,
     PushMessage,
     RecordMessage,
@@ -58,6 +59,7 @@ Message = (
     | Uploaded
     | TableProposal
     | TableDone
+    | CamerasMessage
     | RobotMessage
     | RecordMessage
     | ReplaySettingsMessage

@@ -44,6 +44,7 @@ from keyphase.web.protocol.replay_requests import (
 )
 from keyphase.web.protocol.request_kinds import OnDocument as OnDocument
 from keyphase.web.protocol.view_requests import (
+    Cameras,
     Follow,
     Latency,
     Open,
@@ -87,7 +88,14 @@ ReplayRequest = Replay | ReplaySettings | Push
 BesideReplayRequest = Trials | TrialsCancel | Margin
 
 DispatchedRequest = (
-    EditingRequest | Select | Signals | LookRequest | ReplayRequest | BesideReplayRequest | Record
+    EditingRequest
+    | Select
+    | Signals
+    | Cameras
+    | LookRequest
+    | ReplayRequest
+    | BesideReplayRequest
+    | Record
 )
 """What is done at once; the others are conversations of several messages."""
 
@@ -107,6 +115,7 @@ LOOKING_REQUESTS = (
     Show,
     Theme,
     Signals,
+    Cameras,
     Latency,
     Compare,
 )

@@ -19,6 +19,12 @@ class OpenDemonstration(PageRequest, tag="open_demonstration", frozen=True):
     """Look at a copy of the recording that comes with keyphase."""
 
 
+class Cameras(PageRequest, tag="cameras", frozen=True):
+    """Tell which videos there are of a recording that is open."""
+
+    recording: Id
+
+
 class Follow(PageRequest, tag="follow", frozen=True):
     """See what another page sees; null: no more."""
 

@@ -48,7 +48,9 @@ _MORE = frozenset(
 _BODY = frozenset({b"content-length", b"transfer-encoding"})
 _TOKEN = re.compile(rb"[-!#$%&'*+.^_`|~0-9a-zA-Z]+")
 _VALUE = re.compile(rb"[\x09\x20-\x7e\x80-\xff]*")
-_FIRST_LINE = re.compile(rb"GET (/[\x21-\x7e]*) HTTP/1\.1")
+_FIRST_LINE = re.compile(rb"(GET|HEAD) (/[\x21-\x7e]*) HTTP/1\.1")
+HEAD_ONLY = "keyphase-head-only"
+"""What stands in the head of a request that was HEAD; nobody else can put it there."""
 
 _END = b"\r\n\r\n"
 _LINGER_S = 1.0
@@ -57,15 +59,19 @@ _LINGER_S = 1.0
 def checked_head(head: bytes, port: int) -> bytes:
     """The head without what nobody reads; of the cookies only those of the server on `port`.
 
-    Raises RequestError for one that is no GET of HTTP/1.1, malformed, doubled where one value is
-    meant, or followed by a body.
+    One that asks for the head alone becomes a GET with `HEAD_ONLY` in it: websockets knows no
+    other. Raises RequestError for one that is no GET or HEAD of HTTP/1.1, malformed, doubled where
+    one value is meant, or followed by a body.
     """
     first, *lines = head.split(b"\r\n")
-    if not _FIRST_LINE.fullmatch(first):
+    found = _FIRST_LINE.fullmatch(first)
+    if not found:
         raise RequestError("Expected GET, a path and HTTP/1.1 in the first line of the request.")
     if len(lines) > MAX_HEADERS:
         raise RequestError(f"Expected at most {MAX_HEADERS} headers, but {len(lines)} came.")
-    kept, seen = [first], set[bytes]()
+    kept, seen = [b"GET " + found[2] + b" HTTP/1.1"], set[bytes]()
+    if found[1] == b"HEAD":
+        kept.append(HEAD_ONLY.encode() + b": 1")
     for line in lines:
         name, value = _parts(line)
         if name in _BODY and value != b"0":

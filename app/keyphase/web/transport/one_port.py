@@ -24,7 +24,7 @@ from websockets.http11 import Request, Response
 from keyphase.errors import KeyphaseError
 from keyphase.web.transport.addresses import PAGE, page_of_frame_socket, page_of_socket
 from keyphase.web.transport.budget import Budget
-from keyphase.web.transport.head import JudgedConnection
+from keyphase.web.transport.head import HEAD_ONLY, JudgedConnection
 from keyphase.web.transport.responses import text
 
 PAGE_MESSAGE_BYTES = 1 << 20
@@ -170,10 +170,17 @@ def _gate(site: Site) -> _Process:
     def process(connection: ServerConnection, request: Request) -> Response | None:
         port = connection.local_address[1]
         if request.headers.get("Upgrade", "").lower() != "websocket":
-            return site.response(request, port)
+            return _asked_for(request, site.response(request, port))
         return site.refusal(request, port) or _bounded(connection, request)
 
     return process
+
+
+def _asked_for(request: Request, response: Response) -> Response:
+    """Without its body where only the head was asked for."""
+    if HEAD_ONLY in request.headers:
+        response.body = b""
+    return response
 
 
 def _bounded(connection: ServerConnection, request: Request) -> Response | None:

@@ -39,7 +39,7 @@ def page_policy(host: str) -> str:
     """Content security policy of our own page: its own scripts and styles, nothing inline."""
     return (
         "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
-        f"font-src 'self'; connect-src 'self' ws://{host}; frame-src 'self'; "
+        f"media-src 'self'; font-src 'self'; connect-src 'self' ws://{host}; frame-src 'self'; "
         "base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
     )
 

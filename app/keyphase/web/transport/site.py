@@ -22,6 +22,7 @@ from keyphase.web.transport.responses import (
     text,
     viser_policy,
 )
+from keyphase.web.transport.video_parts import VIDEOS, Videos, video_part
 from keyphase.web.transport.viser_messages import admits
 from keyphase.web.transport.viser_page import ViserPage, viser_page
 
@@ -30,10 +31,13 @@ INDEX = "/app/static/index.html"
 
 
 class OurSite:
-    """Gate, files and sockets."""
+    """Gate, files, videos and sockets."""
 
-    def __init__(self, access: Access, sockets: PageSockets) -> None:
+    def __init__(
+        self, access: Access, sockets: PageSockets, videos: Videos = lambda _id: None
+    ) -> None:
         self._access = access
+        self._videos = videos
         self._sockets = sockets
         self._owners = PageOwners()
         self._files: StaticFiles = page_files()
@@ -55,6 +59,8 @@ class OurSite:
             return self._remembered(entry, self._files.response(INDEX, policy, tag), port)
         if path.startswith(self._files.prefix):
             return self._files.response(path, policy, tag)
+        if path.startswith(VIDEOS):
+            return video_part(self._videos(path.removeprefix(VIDEOS)), request.headers)
         if is_frame(path):
             policy = viser_policy(request.headers["Host"])
             return self._viser.response(policy, request.headers.get("Accept-Encoding", ""), tag)

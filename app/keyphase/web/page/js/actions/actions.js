@@ -7,6 +7,7 @@ import { segmentAt } from "../model/segments.js";
 import { createBoundaryActions } from "./boundary_actions.js";
 import { createPlaybackActions } from "./playback_actions.js";
 import { createSegmentActions } from "./segment_actions.js";
+import { createCameraActions } from "./camera_actions.js";
 import { createExportActions } from "./export_actions.js";
 import { createPanelActions } from "./panel_actions.js";
 import { createPlanActions } from "./plan_actions.js";
@@ -71,5 +72,6 @@ export function createActions(store, send, latency, own) {
     createRecordingActions(store, send, actions),
     createPanelActions(store, send),
     createExportActions(store, send),
+    createCameraActions(store, edit, actions),
   );
 }

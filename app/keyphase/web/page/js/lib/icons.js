@@ -69,6 +69,7 @@ export const ICONS = {
   info: [ring(8, 8, 6), line("M8 7.5v3.5M8 5v.2")],
   panel: [line("M2.5 3h11v10h-11zM10 3v10")],
   robot: [line("M3 13.5h6M6 13.5V10l3.5-3L13 9.5M9.5 7 6.5 3"), dot(9.5, 7, 1)],
+  camera: [line("M2 5h8.5v7H2zM10.5 7.5 14 5.5v6l-3.5-2")],
   close: [line("m4 4 8 8M12 4l-8 8")],
   queue: [line("M2.5 4h11M2.5 8h11M2.5 12h7")],
 };

@@ -1,5 +1,29 @@
 // Made by `make protocol` from the structs in app/keyphase: change those.
 
+/** The videos of a recording; `refused` says of each that cannot be shown why. */
+export interface CamerasMessage {
+  type: "cameras";
+  recording: string;
+  cameras: CameraMessage[];
+  refused: string[];
+}
+
+/**
+ * A video of a recording; its frame k lies at `from_s + k / fps` of the file.
+ * - id: the video is at /app/video/ID, in parts
+ * - begins_s: when its first frame was taken, on the recording's clock
+ */
+export interface CameraMessage {
+  id: string;
+  name: string;
+  fps: number;
+  frames: number;
+  from_s: number;
+  begins_s: number;
+  width: number;
+  height: number;
+}
+
 /** Which arm follows the recording, of which that could, and whether it can be moved. */
 export interface RobotMessage {
   type: "robot";

@@ -16,6 +16,7 @@
  * - saved_at: HH:MM:SS of the last step on disk
  * - inapplicable: edits whose place is gone
  * - line_counts: how many boundaries are found wherever each line lies
+ * - camera_offsets: how far a person has moved each video on the recording's clock [s]
  * - held_back: how many more there would be, were another parameter let go
  */
 export interface DocumentMessage {
@@ -60,6 +61,7 @@ export interface DocumentMessage {
   breaks: BreakMessage[];
   events: EventMessage[];
   wrench_estimated: boolean;
+  camera_offsets: { [name: string]: number };
   selected: number | null;
 }
 

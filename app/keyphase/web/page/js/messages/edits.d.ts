@@ -171,6 +171,13 @@ export interface SetEndEdit {
   span_s?: [number, number] | null;
 }
 
+/** Show the video of `camera` later by `offset_s` [s] than its file says; below 0: earlier. */
+export interface CameraOffsetEdit {
+  kind: "camera_offset";
+  camera: string;
+  offset_s: number;
+}
+
 export type Edit =
   | AddEdit
   | RemoveEdit
@@ -189,4 +196,5 @@ export type Edit =
   | TakeOverEdit
   | DoneEdit
   | ReopenEdit
-  | SetEndEdit;
+  | SetEndEdit
+  | CameraOffsetEdit;

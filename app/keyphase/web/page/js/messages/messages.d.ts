@@ -1,6 +1,7 @@
 // Made by `make protocol` from the structs in app/keyphase: change those.
 
 import type {
+  CamerasMessage,
   MarginMessage,
   PushMessage,
   RecordMessage,
@@ -59,6 +60,7 @@ export type Message =
   | Uploaded
   | TableProposal
   | TableDone
+  | CamerasMessage
   | RobotMessage
   | RecordMessage
   | ReplaySettingsMessage

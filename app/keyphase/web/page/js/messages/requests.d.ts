@@ -35,6 +35,7 @@ import type {
   TrialsRequest,
 } from "./replay_requests";
 import type {
+  CamerasRequest,
   FollowRequest,
   LatencyRequest,
   OpenDemonstrationRequest,
@@ -67,6 +68,7 @@ export type Request =
   | ExportRequest
   | SelectRequest
   | SignalsRequest
+  | CamerasRequest
   | OpenRequest
   | OpenDemonstrationRequest
   | FollowRequest

@@ -1,5 +1,11 @@
 // Made by `make protocol` from the structs in app/keyphase: change those.
 
+/** Tell which videos there are of a recording that is open. */
+export interface CamerasRequest {
+  type: "cameras";
+  recording: string;
+}
+
 /** Look at a recording. */
 export interface OpenRequest {
   type: "open";

@@ -39,6 +39,10 @@ export function stillPending(pending, event) {
  * @type {{[E in Edit as E["kind"]]?: (doc: Doc, edit: E) => Doc|null}}
  */
 const DRAWN = {
+  camera_offset: (doc, { camera, offset_s: offset }) => ({
+    ...doc,
+    camera_offsets: { ...doc.camera_offsets, [camera]: offset },
+  }),
   move(doc, { from_s: from, to_s: to }) {
     const index = boundaryAt(doc, from);
     const moved = doc.boundaries[index];

@@ -80,6 +80,9 @@ export function createReceiver(
       store.set({ progress: [...tasks.values()].at(-1) ?? null });
     },
     nothing: () => own.closed(),
+    cameras(message) {
+      if (message.recording === state.recording) store.set({ cameras: message });
+    },
     comparison(message) {
       if (message.recording === state.recording) store.set({ comparison: message });
     },
@@ -160,6 +163,7 @@ function fresh(doc) {
     comparison: null,
     spread: null,
     offers: null,
+    cameras: null,
   };
 }
 

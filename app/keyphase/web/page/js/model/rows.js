@@ -109,6 +109,7 @@ export function layOut(state, room = 0) {
     put(key, isLow ? 24 : small ? low : large, folded.has(key));
   }
   if (state.document?.events.length) put("events", small ? 15 : 17);
+  if (state.camerasShown && state.cameras?.cameras.length) put("cameras", small ? 32 : 40);
   if (state.comparison?.with) put("comparison", small ? 32 : 36);
   const headHeight = y;
   const tracks = tracksOf(state);

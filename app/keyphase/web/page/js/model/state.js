@@ -35,6 +35,7 @@ import { firstChoice } from "./rows.js";
  *   shown: Object<string, boolean>, saved: Saved|null, exporting: string|null,
  *   offers: import("../messages/export_messages").OffersMessage|null,
  *   inTheWay: import("../messages/export_messages").InTheWayMessage|null,
+ *   cameras: import("../messages/control_messages").CamerasMessage|null,
  *   following: string|null, lostAt: Date|null, command: string|null}} Told
  *
  * What a person looks at and holds; `hovered`, `current` and `explained` are numbers of boundaries,
@@ -50,7 +51,7 @@ import { firstChoice } from "./rows.js";
  *   pending: import("./pending.js").Pending[], tab: string, drawer: "panel"|"queue"|null,
  *   holding: boolean, saving: boolean, small: boolean, dark: boolean|null, snap: boolean|null,
  *   logarithmic: boolean, leastCertainFirst: boolean, filter: string, picked: string[],
- *   firstSteps: boolean,
+ *   firstSteps: boolean, camerasShown: boolean, camerasChosen: string[],
  *   folded: Set<string>, hidden: Set<string>, replayFolded: Set<string>, replayView: View|null,
  *   plotWidth: number, paneHeight: number, paneWidth: number,
  *   layout: import("./rows.js").Layout|null}} Seen
@@ -102,6 +103,7 @@ function nothingTold() {
     exporting: null,
     offers: null,
     inTheWay: null,
+    cameras: null,
     following: null,
     lostAt: null,
     command: null,
@@ -140,6 +142,8 @@ function nothingSeen(small) {
     filter: "",
     picked: [],
     firstSteps: false,
+    camerasShown: true,
+    camerasChosen: [],
     ...firstChoice(small),
     replayFolded: new Set(["torque"]),
     replayView: null,

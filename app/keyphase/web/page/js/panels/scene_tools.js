@@ -1,5 +1,6 @@
 /** Switches on the scene itself: the robot, and in a narrow window the panel and the list. */
 
+import { hasFootage } from "../model/footage/frames.js";
 import { byId, el, icon } from "../lib/dom.js";
 
 /**
@@ -11,16 +12,22 @@ export function createSceneTools(store, actions) {
   const panel = tool("panel", "Panel", "Parameters, record, replay and export", () =>
     store.set({ drawer: store.state.drawer === "panel" ? null : "panel" }),
   );
+  const cameras = tool("camera", "Cameras", "Show the cameras or not (H)", actions.toggleCameras);
   const list = tool("queue", "Recordings", "The list of recordings", () =>
     store.set({ drawer: store.state.drawer === "queue" ? null : "queue" }),
   );
   list.classList.add("for-narrow");
   panel.classList.add("for-drawer");
-  byId("scene").append(el("div", { class: "scene-tools" }, list, robot, panel));
+  byId("scene").append(el("div", { class: "scene-tools" }, list, cameras, robot, panel));
   store.later(["shown", "lookingOnly", "document"], ({ shown, lookingOnly, document: doc }) => {
     robot.classList.toggle("on", Boolean(shown.robot));
     robot.setAttribute("aria-pressed", String(Boolean(shown.robot)));
     robot.hidden = lookingOnly || !doc;
+  });
+  store.on(["cameras", "camerasShown"], (state) => {
+    cameras.hidden = !hasFootage({ ...state, camerasShown: true });
+    cameras.classList.toggle("on", state.camerasShown);
+    cameras.setAttribute("aria-pressed", String(state.camerasShown));
   });
   store.on(["drawer"], ({ drawer }) => {
     document.documentElement.dataset.drawer = drawer ?? "";

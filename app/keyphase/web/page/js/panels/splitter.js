@@ -71,5 +71,8 @@ export function createSplitter(store, naturalHeight) {
     isOpen = !isOpen;
     apply();
   });
-  store.on(["recording", "folded", "hidden", "small", "comparison"], apply);
+  store.on(
+    ["recording", "folded", "hidden", "small", "comparison", "cameras", "camerasShown"],
+    apply,
+  );
 }

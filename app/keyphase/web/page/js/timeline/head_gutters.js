@@ -18,6 +18,7 @@ export function createHeadGutters(pane, store, actions) {
     { key: "boundaries", title: "Boundaries" },
     { key: "segments", title: "Segments" },
     { key: "events", title: "Events", foldable: false },
+    { key: "cameras", title: "Camera", foldable: false },
     { key: "comparison", title: "Compared", foldable: false },
   ];
   const gutters = new Map(

@@ -6,6 +6,7 @@
 import { thresholdOf } from "./error_track.js";
 import { evidenceOnSurface } from "./evidence/on_surface.js";
 import { createHeadGutters } from "./head_gutters.js";
+import { createFilmStrip } from "./film_strip.js";
 import { layOut } from "../model/rows.js";
 import { createPlayhead } from "./ruler.js";
 import { createScale } from "../lib/scale.js";
@@ -28,6 +29,7 @@ export function createTimeline(pane, store, actions) {
     groups,
     gutters: createHeadGutters(pane, store, actions),
     playhead: createPlayhead(groups.playhead),
+    film: createFilmStrip(store, groups.cameras, scale),
     scale,
     bottom: () => pane.clientHeight,
   };
@@ -64,7 +66,18 @@ export function createTimeline(pane, store, actions) {
  */
 function arrangeOn(pane, content, store, stage, tracks) {
   store.on(
-    ["recording", "method", "folded", "hidden", "small", "paneHeight", "paneWidth", "comparison"],
+    [
+      "recording",
+      "method",
+      "folded",
+      "hidden",
+      "small",
+      "paneHeight",
+      "paneWidth",
+      "comparison",
+      "cameras",
+      "camerasShown",
+    ],
     (state) => {
       if (!state.document) return;
       const size = state.small ? "small" : "large";
@@ -112,6 +125,7 @@ function drawOn(store, stage, tracks) {
   on(["recording", ...PLACE], (state) => head.drawView(stage, state));
   on(["recording", ...PLACE], (state) => head.drawLogged(stage, state));
   on(["comparison", ...PLACE], (state) => head.drawOther(stage, state));
+  on(["document", "cameras", "camerasShown", "camerasChosen", ...PLACE], stage.film);
   on(["recording", "layout", "plotWidth", "whole"], (state) => head.drawWhole(stage, state));
   on(["document", "layout", "plotWidth"], (state) => head.drawStrip(stage, state));
   on([...SEGMENTS, ...PLACE], (state) => head.drawSegments(stage, state));

@@ -13,7 +13,7 @@ import { drawRuler } from "../ruler.js";
  * @typedef {import("../../lib/store.js").State} State
  * @typedef {{groups: import("./layers.js").Layers["groups"], gutters: Map<string, any>,
  *   playhead: ReturnType<typeof import("../ruler.js").createPlayhead>,
- *   scale: () => import("../../lib/scale.js").Scale, bottom: () => number}} Stage
+ *   film: (state: State) => void, scale: () => import("../../lib/scale.js").Scale, bottom: () => number}} Stage
  */
 
 /** @param {Stage} stage @param {State} plain */

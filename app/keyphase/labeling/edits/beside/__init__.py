@@ -1,0 +1,1 @@
+"""Edits of what lies beside the segments: they change no boundary and no segment."""
