@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import LabelingError
@@ -12,7 +13,7 @@ from keyphase.segmentation import segment
 from keyphase.simulation import record
 from keyphase.transfer.alignment import align
 from keyphase.transfer.as_edit import as_edit
-from keyphase.transfer.ordering import Option, in_order
+from keyphase.transfer.evidence_places import Place, Places
 from keyphase.transfer.proposing import propose, usual_cost_of
 from keyphase.transfer.signals import signals_of
 from keyphase.transfer.taught import Taught, taught_by
@@ -97,12 +98,38 @@ def test_one_taught_recording_has_no_usual_cost(first: Taught) -> None:
     assert usual_cost_of([first, first]) == pytest.approx(0.0, abs=1e-6)
 
 
-def test_boundaries_keep_their_order_though_the_best_places_do_not() -> None:
-    options = [[Option(2.0, 0.9, 0.1), Option(1.0, 0.1, 1.0)], [Option(1.5, 0.9, 0.1)]]
-    chosen = in_order(options, 0.0, 3.0)
-    assert [one.time_s if one else None for one in chosen] == [1.0, 1.5]
+def test_a_recording_that_stands_turned_to_the_robot_is_turned_back(first: Taught) -> None:
+    demonstration = first.demonstration
+    turn = Rotation.from_rotvec([0.0, 0.0, 0.7])
+    matrix = turn.as_matrix().T
+    assert demonstration.orientation_wxyz is not None
+    assert demonstration.force_N is not None
+    orientation = turn * Rotation.from_quat(demonstration.orientation_wxyz, scalar_first=True)
+    turned = replace(
+        demonstration,
+        position_m=demonstration.position_m @ matrix,
+        orientation_wxyz=orientation.as_quat(scalar_first=True),
+        force_N=demonstration.force_N @ matrix,
+    )
+    alignment = align(first.signals, signals_of(turned))
+    assert alignment.turned_rad == pytest.approx(-0.7, abs=0.02)
+    assert alignment.cost < 0.1
 
 
-def test_a_boundary_without_a_place_is_left_out() -> None:
-    chosen = in_order([[Option(2.9, 1.0, 0.1)], [Option(2.9, 1.0, 0.1)]], 0.0, 3.0)
-    assert [one is None for one in chosen].count(True) == 1
+def test_a_boundary_keeps_its_distance_from_the_evidence_it_belongs_to(
+    first: Taught, second: Demonstration
+) -> None:
+    own = segment(second)
+    early = tuple(
+        replace(phase, start_s=phase.start_s - 0.15 * (i > 0), end_s=phase.end_s - 0.15)
+        for i, phase in enumerate(first.phases)
+    )
+    found = propose([replace(first, phases=early)], second, own)
+    expected = [boundary.time_s - 0.15 for boundary in own.boundaries]
+    np.testing.assert_allclose([b.time_s for b in found.boundaries], expected, atol=0.1)
+
+
+def test_a_boundary_belongs_to_what_is_near_rather_than_to_what_is_likely() -> None:
+    near, likely = Place(1.02, "contact", 0.3), Place(1.12, "motion", 0.9)
+    assert Places((near, likely)).of(1.0) == near
+    assert Places((near, likely)).of(2.0) is None

@@ -10,10 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
-from keyphase.transfer.signals import Signals
+from keyphase.transfer.signals import Signals, in_common
 
 BAND = 0.25
 _MIN_BAND = 50
+
+MAX_TURNED_RAD = np.deg2rad(100.0)
+"""A recording that had to be turned by more to fit does something else."""
+
+_MAX_TURNS = 2
+_FITS_WELL = 0.3
+_SAME_TURN_RAD = np.deg2rad(5.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,12 +30,20 @@ class Alignment:
     from_s, to_s  (K,) pairs of moments, neither ever falling
     residual      (K,) how far apart the signals are there
     cost          their mean: how badly the recordings fit together
+    turned_rad    by how much the second was turned about the vertical to fit
     """
 
     from_s: Array
     to_s: Array
     residual: Array
     cost: float
+    turned_rad: float = 0.0
+
+    @property
+    def tempo(self) -> float:
+        """How much longer the second takes."""
+        ours, others = self.from_s[-1] - self.from_s[0], self.to_s[-1] - self.to_s[0]
+        return float(others / max(ours, 1e-9))
 
     def at(self, time_s: float) -> float:
         """The moment of the second recording that belongs to one of the first."""
@@ -42,22 +57,44 @@ class Alignment:
 
 
 def align(first: Signals, second: Signals) -> Alignment:
-    """The cheapest warping of two recordings by the signals both have."""
-    a, b = _common(first, second)
-    distance = _distances(a, b)
+    """The cheapest warping of two recordings by the signals both have.
+
+    A second that fits badly may stand turned about the vertical to the robot: it is turned as the
+    places aligned so far say, and aligned again, where that fits better.
+    """
+    best = _aligned(first, second, 0.0)
+    for _ in range(_MAX_TURNS):
+        if best.cost < _FITS_WELL:
+            break
+        turned_rad = _turned_between(first, second, best)
+        if abs(turned_rad) > MAX_TURNED_RAD or abs(turned_rad - best.turned_rad) < _SAME_TURN_RAD:
+            break
+        again = _aligned(first, second, turned_rad)
+        if again.cost >= best.cost:
+            break
+        best = again
+    return best
+
+
+def _aligned(first: Signals, second: Signals, turned_rad: float) -> Alignment:
+    ours, others = in_common(first, second, turned_rad)
+    distance = _distances(ours.values, others.values)
     total = _accumulated(distance)
     rows, columns = _path(total)
     residual = distance[rows, columns]
-    return Alignment(first.time_s[rows], second.time_s[columns], residual, float(residual.mean()))
+    cost = float(residual.mean())
+    return Alignment(first.time_s[rows], second.time_s[columns], residual, cost, turned_rad)
 
 
-def _common(first: Signals, second: Signals) -> tuple[Array, Array]:
-    shared = [kind for kind in dict.fromkeys(first.kinds) if kind in second.kinds]
-    pick = [
-        [i for kind in shared for i, name in enumerate(signals.kinds) if name == kind]
-        for signals in (first, second)
-    ]
-    return first.values[:, pick[0]], second.values[:, pick[1]]
+def _turned_between(first: Signals, second: Signals, alignment: Alignment) -> float:
+    """The angle about the vertical that brings the second's ways onto the first's [rad]."""
+    dot = cross = 0.0
+    for kind in ("velocity", "place"):
+        a = first.only([kind]).between(alignment.from_s)
+        b = second.only([kind]).between(alignment.to_s)
+        dot += float((a[:, :2] * b[:, :2]).sum())
+        cross += float((b[:, 0] * a[:, 1] - b[:, 1] * a[:, 0]).sum())
+    return float(np.arctan2(cross, dot))
 
 
 def _distances(a: Array, b: Array) -> Array:
@@ -84,11 +121,14 @@ def _accumulated(distance: Array) -> Array:
 
 
 def _path(total: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    before = np.stack([total[:-1, :-1], total[:-1, 1:], total[1:, :-1]])
+    steps = before.argmin(axis=0).tolist()
     i, j = total.shape[0] - 1, total.shape[1] - 1
     pairs = []
     while i > 0 and j > 0:
         pairs.append((i - 1, j - 1))
-        choice = int(np.argmin((total[i - 1, j - 1], total[i - 1, j], total[i, j - 1])))
-        i, j = (i - 1, j - 1) if choice == 0 else (i - 1, j) if choice == 1 else (i, j - 1)
+        step = steps[i - 1][j - 1]
+        i -= step != 2
+        j -= step != 1
     path = np.array(pairs[::-1], dtype=np.intp)
     return path[:, 0], path[:, 1]

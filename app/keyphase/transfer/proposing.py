@@ -1,8 +1,9 @@
 """Boundaries and names proposed for a recording from those that are finished.
 
 Each finished recording is warped onto the new one; of those that fit, the boundaries of one order
-of phases are put where most of them say, then moved to the recording's own evidence near by. How
-well it fits, how sure the evidence is and how much the finished ones agree make the confidence.
+of phases are put where the phases between them are most like the taught ones, at the recording's
+own evidence. How well it fits, how sure the evidence is and how much the finished ones agree make
+the confidence.
 """
 
 from collections.abc import Sequence
@@ -12,32 +13,35 @@ import numpy as np
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import LabelingError
-from keyphase.segmentation.segmentation import Boundary, Candidate, Segmentation
+from keyphase.segmentation.segmentation import Boundary, Segmentation
 from keyphase.transfer.alignment import Alignment, align
-from keyphase.transfer.ordering import Option, in_order
+from keyphase.transfer.evidence_places import NO_PLACES, Places, places_of
+from keyphase.transfer.placing import Teacher, placed_ends
 from keyphase.transfer.signals import Signals, signals_of
 from keyphase.transfer.taught import Taught
 
-SNAP_S = 0.4
-"""How far from where it was taught a boundary may be moved to evidence."""
+APART_S = 0.4
+"""A proposed boundary this far from all of the program's is one more."""
 
 SAME_S = 0.05
 """A boundary of the program this near to a proposed one is the same."""
 
-MIN_PROBABILITY = 0.1
-"""Evidence less likely than this moves nothing."""
-
-STAYING_WORTH = 0.2
-"""A boundary stays where it was taught unless evidence is worth more than this."""
+NEARLY_AS_GOOD = 1.3
+"""Finished recordings that fit worse than this many times the best one say nothing."""
 
 TRUSTED = 0.7
 """Where persons kept this share of the program's boundaries, and it found this share of theirs,
-its own boundaries in the other recordings are taken, and only the names transferred."""
+its own are taken in a recording in which it finds another number, and only names are transferred:
+something is missing or doubled there."""
 
 MAX_COST = 0.9
 OUTLIER_FACTOR = 1.8
-"""A recording that fits worse than this many times what the finished ones do among themselves, or
-by more than MAX_COST, is of another kind."""
+LEAST_LIMIT = 0.6
+"""A recording that fits worse than OUTLIER_FACTOR times what the finished ones do among themselves,
+and than LEAST_LIMIT, or by more than MAX_COST, is of another kind."""
+
+NAME_WORTH = 0.85
+"""How sure a name is whose ends are not sure at all, were all of its time called so."""
 
 _BIAS, _FIT, _SPREAD, _EVIDENCE = 2.9, -2.2, -2.0, 1.2
 _MAX_ALIGNED = 5
@@ -98,21 +102,22 @@ def propose(
     if not taught:
         raise LabelingError("Expected finished recordings to learn from, but there is none.")
     signals = signals_of(demonstration)
-    aligned = [(one, align(one.signals, signals)) for one in _nearest(taught, signals)]
-    aligned.sort(key=lambda pair: pair[1].cost)
-    best, alignment = aligned[0]
-    limit = MAX_COST if usual_cost is None else min(MAX_COST, OUTLIER_FACTOR * usual_cost)
+    places = NO_PLACES if segmentation is None else places_of(segmentation)
+    aligned = [Teacher(one, align(one.signals, signals)) for one in _nearest(taught, signals)]
+    aligned.sort(key=lambda teacher: teacher.alignment.cost)
+    best, alignment = aligned[0].taught, aligned[0].alignment
+    limit = _limit(usual_cost)
     if alignment.cost > limit:
         return Transfer(demonstration.name, (), (), True, alignment.cost, (best.name,))
-    same = [(one, a) for one, a in aligned if one.names == best.names]
-    same = [(one, a) for one, a in same if a.cost <= 1.3 * alignment.cost]
-    boundaries = _boundaries(same, demonstration, segmentation)
-    if segmentation is not None and _program_agrees([one for one, _ in same]):
+    same = [one for one in aligned if one.taught.names == best.names]
+    same = [one for one in same if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
+    boundaries = _boundaries(same, signals, places)
+    if segmentation is not None and _finds_others(same, segmentation):
         boundaries = _with_own(boundaries, segmentation)
     phases = _phases(best, alignment, boundaries, demonstration)
     inner = {phase.end_s for phase in phases[:-1]}
     boundaries = tuple(b for b in boundaries if b.time_s in inner)
-    teachers = tuple(one.name for one, _ in same)
+    teachers = tuple(one.taught.name for one in same)
     return Transfer(demonstration.name, boundaries, phases, False, alignment.cost, teachers)
 
 
@@ -134,43 +139,21 @@ def _nearest(taught: Sequence[Taught], signals: Signals) -> Sequence[Taught]:
 
 
 def _boundaries(
-    aligned: Sequence[tuple[Taught, Alignment]],
-    demonstration: Demonstration,
-    segmentation: Segmentation | None,
+    teachers: Sequence[Teacher], signals: Signals, places: Places
 ) -> tuple[ProposedBoundary, ...]:
-    candidates = () if segmentation is None else segmentation.candidates
-    best = aligned[0][0]
-    warped, spreads, options = [], [], []
-    for number, phase in enumerate(best.phases[:-1]):
-        times = [a.at(one.phases[number].end_s) for one, a in aligned]
-        warped.append(float(np.median(times)))
-        spreads.append(float(np.ptp(times)) if len(times) > 1 else 0.15)
-        options.append(_options(warped[-1], phase.ends_in_contact, candidates))
-    chosen = in_order(options, demonstration.start_s, demonstration.end_s)
+    best, alignment = teachers[0].taught, teachers[0].alignment
+    ends = placed_ends(teachers, signals, places)
+    if ends is None:
+        return ()
     return tuple(
         ProposedBoundary(
-            option.time_s,
-            _confidence(
-                aligned[0][1].residual_near(phase.end_s), spreads[number], option.probability
-            ),
+            end.time_s,
+            _confidence(alignment.residual_near(phase.end_s), end.spread_s, end.probability),
             phase.ends_in_contact,
-            warped[number],
+            end.warped_s,
         )
-        for number, (phase, option) in enumerate(zip(best.phases[:-1], chosen, strict=True))
-        if option is not None
+        for phase, end in zip(best.phases[:-1], ends, strict=True)
     )
-
-
-def _options(warped_s: float, contact: bool, candidates: Sequence[Candidate]) -> list[Option]:
-    """The place itself, and evidence near by: the likelier and nearer, the better."""
-    found = [Option(warped_s, 0.0, -np.log(STAYING_WORTH))]
-    for one in candidates:
-        away = abs(one.time_s - warped_s)
-        if away <= SNAP_S and one.probability >= MIN_PROBABILITY:
-            kind = 1.0 if (one.kind == "contact") == contact else 0.5
-            worth = kind * one.probability * (1.0 - 0.8 * away / SNAP_S)
-            found.append(Option(one.time_s, one.probability, -np.log(worth)))
-    return found
 
 
 def _confidence(residual: float, spread_s: float, probability: float) -> float:
@@ -178,10 +161,23 @@ def _confidence(residual: float, spread_s: float, probability: float) -> float:
     return float(1.0 / (1.0 + np.exp(-z)))
 
 
-def _program_agrees(taught: Sequence[Taught]) -> bool:
-    """Whether the persons who finished these kept what the program had found, and little else."""
-    kept, found = np.mean([one.agreement for one in taught], axis=0)
-    return bool(kept >= TRUSTED and found >= TRUSTED)
+def _name_confidence(share: float, sure: float) -> float:
+    """A name is right far more often than its ends: half a phase under it is enough."""
+    return float(np.sqrt(share)) * (NAME_WORTH + (1.0 - NAME_WORTH) * sure)
+
+
+def _finds_others(teachers: Sequence[Teacher], segmentation: Segmentation) -> bool:
+    """Whether the program, whose boundaries persons kept, finds another number of them here."""
+    kept, found = np.mean([one.taught.agreement for one in teachers], axis=0)
+    counts = [len(one.taught.segmentation.boundaries) for one in teachers]
+    return bool(min(kept, found) >= TRUSTED and len(segmentation.boundaries) not in counts)
+
+
+def _limit(usual_cost: float | None) -> float:
+    """The cost from which on a recording is an outlier."""
+    if usual_cost is None:
+        return MAX_COST
+    return min(MAX_COST, max(OUTLIER_FACTOR * usual_cost, LEAST_LIMIT))
 
 
 def _with_own(
@@ -199,7 +195,7 @@ def _with_own(
     more = [
         b
         for b in proposed
-        if np.abs(times - b.time_s).min() > SNAP_S
+        if np.abs(times - b.time_s).min() > APART_S
         and b.confidence >= 0.8
         and b.time_s != b.warped_s
     ]
@@ -233,7 +229,7 @@ def _phases(
         index = int(np.argmax(votes))
         phase = best.phases[index]
         share = float(votes.max() / max(votes.sum(), 1))
-        confidence = share * min(sure[i], sure[i + 1])
+        confidence = _name_confidence(share, min(sure[i], sure[i + 1]))
         start_s = edges[i]
         if index == before:
             last = found.pop()

@@ -5,7 +5,8 @@ rotation relative to the start, force relative to the start over its large value
 opening over its range. A recording of another operator, another place or another robot keeps them.
 """
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,7 +14,13 @@ from keyphase.demonstration import Array, Demonstration
 from keyphase.rotations.courses import from_first
 
 RATE_HZ = 25.0
-"""Enough for phases; an alignment costs its square."""
+"""Enough for phases."""
+
+MAX_SAMPLES = 400
+"""Of longer recordings the samples lie wider apart: an alignment costs their square."""
+
+VECTORS = ("velocity", "place", "turn", "force")
+"""Kinds of three columns, x y z in the base frame."""
 
 _LEVER_M = 0.2
 _FORCE_WEIGHT = 1.5
@@ -32,21 +39,52 @@ class Signals:
     values: Array
     kinds: tuple[str, ...]
 
+    def between(self, time_s: Array) -> Array:
+        """The values (..., D) at times (...), straight between samples."""
+        step = (self.time_s[-1] - self.time_s[0]) / (len(self.time_s) - 1)
+        place = np.clip((time_s - self.time_s[0]) / step, 0.0, len(self.time_s) - 1.0)
+        row = np.minimum(place.astype(int), len(self.time_s) - 2)
+        part = (place - row)[..., None]
+        return (1.0 - part) * self.values[row] + part * self.values[row + 1]
+
+    def turned(self, angle_rad: float) -> "Signals":
+        """The same in a frame that was turned about the vertical, by which it looks turned back."""
+        values = self.values.copy()
+        cosine, sine = np.cos(angle_rad), np.sin(angle_rad)
+        for kind in VECTORS:
+            if kind in self.kinds:
+                x = self.kinds.index(kind)
+                values[:, x] = cosine * self.values[:, x] - sine * self.values[:, x + 1]
+                values[:, x + 1] = sine * self.values[:, x] + cosine * self.values[:, x + 1]
+        return replace(self, values=values)
+
+    def only(self, kinds: Sequence[str]) -> "Signals":
+        """With these kinds alone."""
+        chosen = [i for kind in kinds for i, name in enumerate(self.kinds) if name == kind]
+        return Signals(self.time_s, self.values[:, chosen], tuple(self.kinds[i] for i in chosen))
+
+
+def in_common(first: Signals, second: Signals, turned_rad: float = 0.0) -> tuple[Signals, Signals]:
+    """Both with the kinds that both have, the second turned about the vertical."""
+    shared = [kind for kind in dict.fromkeys(first.kinds) if kind in second.kinds]
+    return first.only(shared), second.only(shared).turned(turned_rad)
+
 
 def signals_of(demonstration: Demonstration) -> Signals:
-    """The signals of a demonstration at RATE_HZ."""
-    count = max(int(demonstration.duration_s * RATE_HZ) + 1, 2)
+    """The signals of a demonstration at RATE_HZ, or slower where it is long."""
+    count = min(max(int(demonstration.duration_s * RATE_HZ) + 1, 2), MAX_SAMPLES)
     grid = np.linspace(demonstration.start_s, demonstration.end_s, count)
     place = _smooth(_at(demonstration.time_s, demonstration.position_m, grid))
     velocity = np.gradient(place, grid, axis=0)
     speed = np.linalg.norm(velocity, axis=1, keepdims=True)
     fast = np.quantile(speed, _LARGE) + 1e-9
     relative = place - place[0]
-    extent = np.ptp(relative, axis=0).max() + 1e-9
+    extent = np.linalg.norm(relative, axis=1).max() + 1e-9
     columns = {"speed": speed / fast, "velocity": velocity / fast, "place": relative / extent}
     if demonstration.orientation_wxyz is not None:
         turn = _turn(demonstration.time_s, demonstration.orientation_wxyz, grid)
-        columns["turn"] = _LEVER_M * turn / max(extent, _LEVER_M * float(np.ptp(turn)), 1e-9)
+        largest = float(np.linalg.norm(turn, axis=1).max())
+        columns["turn"] = _LEVER_M * turn / max(extent, _LEVER_M * largest, 1e-9)
     if demonstration.force_N is not None:
         columns |= _force(_smooth(_at(demonstration.time_s, demonstration.force_N, grid)))
     if demonstration.gripper is not None:

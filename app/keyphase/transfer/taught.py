@@ -12,6 +12,7 @@ from keyphase.errors import LabelingError
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file import SegmentFile
 from keyphase.segmentation import Segmentation, segment
+from keyphase.transfer.evidence_places import Place, places_of
 from keyphase.transfer.signals import Signals, signals_of
 
 AGREE_S = 0.25
@@ -57,6 +58,20 @@ class Taught:
         away = np.abs(own[:, None] - theirs[None])
         near = away <= AGREE_S
         return float(near.any(axis=1).mean()), float(near.any(axis=0).mean())
+
+    @cached_property
+    def anchors(self) -> tuple[Place | None, ...]:
+        """The evidence each boundary belongs to; None where there is none near. No two share it."""
+        places = places_of(self.segmentation)
+        found = [places.of(phase.end_s) for phase in self.phases[:-1]]
+        return tuple(
+            place if place is not None and self._is_nearest(i, place, found) else None
+            for i, place in enumerate(found)
+        )
+
+    def _is_nearest(self, number: int, place: Place, found: Sequence[Place | None]) -> bool:
+        sharing = [i for i, other in enumerate(found) if other == place]
+        return number == min(sharing, key=lambda i: abs(self.phases[i].end_s - place.time_s))
 
     @cached_property
     def signals(self) -> Signals:

@@ -1,0 +1,112 @@
+"""How well phases arrive on other recordings of their task, beside two things that are simpler.
+
+python tests/benchmarks/accuracy_transfer.py --cache CACHE [--real ../shared/real_demonstrations]
+
+For each task some recordings teach their true phases to all the others, one at a time and three at
+a time. Beside: the boundaries the program finds by itself, and the taught ones stretched in time.
+Simulated recordings take a while to make and are kept in CACHE.
+"""
+
+import argparse
+import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+import numpy as np
+from joblib import Memory, Parallel, delayed
+from transferring.known import GRIPPER, WORKCELLS, Known, made, real_sets, simulated
+from transferring.outliers import outliers
+from transferring.trying import METHODS, Tried, row, tries
+
+TEACHERS = (1, 3)
+DRAWS = 5
+
+
+def main() -> int:
+    """Print the tables; the exit status says whether the goals are met."""
+    asked = _asked()
+    cached = Memory(asked.cache, verbose=0).cache(made)
+    tasks = {
+        task: _enough(cached, task, count, asked.jobs)
+        for task, count in [*((one, asked.count) for one in WORKCELLS), (GRIPPER, asked.grips)]
+    }
+    by_simulation = set(tasks)
+    if asked.real is not None:
+        tasks |= real_sets(asked.real)
+    if asked.only:
+        tasks = {name: known for name, known in tasks.items() if asked.only in name}
+    good = True
+    print(f"{'task':28}{'taught':>7}" + "".join(f"{name:>22}" for name in METHODS))
+    everything: list[Tried] = []
+    for name, known in tasks.items():
+        for count in TEACHERS:
+            tried = _tried(known, count, asked.jobs)
+            everything += tried
+            line, met = row(name, count, tried, simulated=name in by_simulation)
+            good &= met
+            print(line, flush=True)
+    good &= _calibrated(everything)
+    good &= outliers({name: known for name, known in tasks.items() if name in by_simulation})
+    return 0 if good else 1
+
+
+def _asked() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--cache", type=Path, required=True, help="where recordings are kept")
+    parser.add_argument("--real", type=Path, help="folder of real recordings with its truth.json")
+    parser.add_argument("--count", type=int, default=40, help="recordings of each workcell")
+    parser.add_argument("--grips", type=int, default=40, help="recordings of the pick and place")
+    parser.add_argument("--only", default="", help="only tasks with this in their name")
+    parser.add_argument("--jobs", type=int, default=1)
+    return parser.parse_args()
+
+
+def _enough(cached, task: str, count: int, jobs: int) -> list[Known]:
+    """The first `count` recordings of a task that did not fail."""
+    found: list[Known] = []
+    seed = 0
+    while len(found) < count:
+        seeds = range(seed, seed + count - len(found))
+        some = Parallel(n_jobs=jobs)(delayed(cached)(task, one) for one in seeds)
+        found += [
+            simulated(task, one, each)
+            for one, each in zip(seeds, some, strict=True)
+            if each is not None
+        ]
+        seed = seeds.stop
+    return found
+
+
+def _tried(known: Sequence[Known], count: int, jobs: int) -> list[Tried]:
+    """All the others of a task, taught by `count` drawn ones, a few times."""
+    if len(known) <= count:
+        return []
+    rng = np.random.default_rng(0)
+    drawn = [rng.choice(len(known), count, replace=False).tolist() for _ in range(DRAWS)]
+    results = Parallel(n_jobs=jobs)(delayed(tries)(known, one) for one in drawn)
+    return [tried for some in results for tried in some]
+
+
+def _calibrated(tried: Iterable[Tried]) -> bool:
+    from keyphase.scoring.calibration import calibration
+
+    tried = list(tried)
+    good = True
+    for what in ("boundaries", "names"):
+        found = calibration([pair for one in tried for pair in getattr(one, f"sure_{what}")])
+        if found.error is None:
+            continue
+        print(
+            f"\nconfidences of {what}: {found.count}, expected calibration error {found.error:.3f}"
+        )
+        for each in found.bins:
+            print(
+                f"  {each.low:.1f} to {each.high:.1f}: {each.count:6} given {each.confidence:.2f} "
+                f"right {each.right:.2f}"
+            )
+        good &= found.error < 0.1
+    return good
+
+
+if __name__ == "__main__":
+    sys.exit(main())
