@@ -76,10 +76,13 @@ def test_the_reasons_of_a_boundary_are_the_terms_of_its_probability(bundled):
         sizes = [abs(reason.contribution) for reason in reasons]
         assert sizes == sorted(sizes, reverse=True)
         odds = np.log(boundary.confidence / (1.0 - boundary.confidence))
-        summed = sum(reason.contribution for reason in reasons) + calibration.offset
-        line = weights.motion if not boundary.contact_change else None
-        if line is not None:
-            assert odds == pytest.approx(summed + calibration.slope * line.bias, abs=0.01)
+        summed = sum(reason.contribution for reason in reasons)
+        if not boundary.contact_change:
+            # Terms and bias are stretched alike, so that what is left is what a score of zero says.
+            score = np.interp(odds, calibration.odds, calibration.scores)
+            bias = calibration.slope(np.array([score]))[0] * weights.motion.bias
+            nothing = calibration.log_odds(np.zeros(1))[0]
+            assert odds == pytest.approx(summed + bias + nothing, abs=0.01)
 
 
 def test_what_is_not_given_says_what_would_let_it_in(bundled):

@@ -5,7 +5,11 @@ import json
 import numpy as np
 
 from keyphase.segmentation.evidence.fitting.fit import MOTION_SIGNS, STATE_SIGNS, STEP_SIGNS
-from keyphase.segmentation.evidence.fitting.logistic import fitted_calibration, fitted_line
+from keyphase.segmentation.evidence.fitting.logistic import (
+    CALIBRATED_AT,
+    fitted_calibration,
+    fitted_line,
+)
 from keyphase.segmentation.evidence.weights import (
     WEIGHTS_FILE,
     shipped_weights,
@@ -44,5 +48,5 @@ def test_a_line_finds_the_weights_its_labels_were_drawn_from():
     columns = {"tells": 0, "says nothing": 1}
     line = fitted_line(terms, columns, {"tells": 1, "says nothing": -1}, right, np.ones(len(odds)))
     np.testing.assert_allclose(line.weight, [1.5, 0.0], atol=0.08)
-    slope, offset = fitted_calibration(2.0 * odds, right, np.ones(len(odds)))
-    np.testing.assert_allclose([slope, offset], [0.5, 0.0], atol=0.05)
+    calibrated = fitted_calibration(2.0 * odds, right, np.ones(len(odds)))
+    np.testing.assert_allclose(calibrated, 0.5 * np.array(CALIBRATED_AT), atol=0.15)

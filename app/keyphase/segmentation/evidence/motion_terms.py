@@ -156,7 +156,7 @@ class _Valleys:
         shorter = np.minimum(strokes[:-1], strokes[1:]) / span
         return np.column_stack(
             [
-                -np.log(np.maximum(depth * 0.5**kinds, 0.02)),
+                -np.log(np.maximum(depth * 0.4**kinds, 0.02)),
                 np.log(np.maximum(dwell, 0.04)),
                 _crowding(self.valley, crowd, self.grid.rate_hz),
                 1.0 - (into * out).sum(axis=1) / (norms + 1e-9),

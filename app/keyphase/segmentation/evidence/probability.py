@@ -53,7 +53,7 @@ def calibrated(odds: Array, calibration: Calibration, unlike: float) -> Array:
     For recordings unlike those they are drawn towards the automatic line: what is given stays
     given, but with less confidence.
     """
-    z = np.clip(calibration.slope * odds + calibration.offset, -MAX_ODDS, MAX_ODDS)
+    z = np.clip(calibration.log_odds(odds), -MAX_ODDS, MAX_ODDS)
     line = log_odds(calibration.line)
     return line + (z - line) / (1.0 + _FADES * unlike)
 

@@ -134,7 +134,7 @@ class Told:
         weights = self._weights
         calibration = weights.contact_calibration if contact else weights.motion_calibration
         odds = (self._evidence.contact_odds if contact else self._evidence.motion_odds)[index]
-        return float(calibration.slope * odds + calibration.offset)
+        return float(calibration.log_odds(np.array([odds]))[0])
 
     def _worth_telling(self) -> list[tuple[float, CandidateKind, int]]:
         scores = self._scores
@@ -187,7 +187,8 @@ class Told:
     @cached_property
     def _added(self) -> dict[str, "_Added"]:
         weights, evidence = self._weights, self._evidence
-        contact, motion = weights.contact_calibration.slope, weights.motion_calibration.slope
+        contact = weights.contact_calibration.slope(evidence.contact_odds)
+        motion = weights.motion_calibration.slope(evidence.motion_odds)
         touches, moves = evidence.contact.terms, evidence.motion.terms
         return {
             "step": _Added.of(weights.step, touches, CONTACT_COLUMNS, CONTACT_TERMS, contact),
@@ -213,10 +214,10 @@ class _Added:
         table: Array,
         columns: Mapping[str, int],
         words: Mapping[str, str],
-        slope: float,
+        slope: Array,
     ) -> "_Added":
         use = np.flatnonzero(line.weight)
-        odds = slope * line.contributions(table, columns)[:, use]
+        odds = slope[:, None] * line.contributions(table, columns)[:, use]
         return cls([(line.names[i], words[line.names[i]]) for i in use], odds)
 
 

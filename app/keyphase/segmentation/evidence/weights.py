@@ -1,7 +1,7 @@
 """The fitted constants, as they stand in weights.json beside this file, with their provenance."""
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -11,6 +11,8 @@ import numpy as np
 from keyphase.demonstration import Array
 
 WEIGHTS_FILE = Path(__file__).with_name("weights.json")
+
+_NEAR_ZERO = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,11 +40,23 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Calibration:
-    """Probability = 1 / (1 + exp(-(slope z + offset))); `line` is the one that is automatic."""
+    """Probability of a score: log-odds (K,) at some ascending scores (K,), straight between them
+    and nat for nat beyond; `line` is the probability that is automatic.
+    """
 
-    slope: float
-    offset: float
+    scores: tuple[float, ...]
+    odds: tuple[float, ...]
     line: float
+
+    def log_odds(self, scores: Array) -> Array:
+        """Calibrated log-odds of scores (C,)."""
+        at, odds = np.array(self.scores), np.array(self.odds)
+        return np.interp(scores, at, odds) + scores - np.clip(scores, at[0], at[-1])
+
+    def slope(self, scores: Array) -> Array:
+        """By how much the terms of scores (C,) are stretched: from a score of zero to each."""
+        away = np.where(np.abs(scores) < _NEAR_ZERO, _NEAR_ZERO, scores)
+        return (self.log_odds(away) - self.log_odds(np.zeros(1))) / away
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,8 +94,8 @@ def weights_from_json(content: Mapping[str, Any]) -> Weights:
         _line(content["step"]),
         _line(content["state"]),
         _line(content["motion"]),
-        Calibration(**content["calibration"]["contact"]),
-        Calibration(**content["calibration"]["motion"]),
+        _calibration(content["calibration"]["contact"]),
+        _calibration(content["calibration"]["motion"]),
         Kinds(
             tuple(kinds["families"]),
             tuple(kinds["spread"]),
@@ -121,8 +135,16 @@ def _line_as_json(line: Line) -> dict[str, Any]:
     return {"bias": round(line.bias, 4), "terms": terms}
 
 
-def _calibration_as_json(calibration: Calibration) -> dict[str, float]:
-    return {name: round(value, 4) for name, value in asdict(calibration).items()}
+def _calibration_as_json(calibration: Calibration) -> dict[str, Any]:
+    return {
+        "scores": list(calibration.scores),
+        "log_odds": [round(value, 4) for value in calibration.odds],
+        "line": round(calibration.line, 4),
+    }
+
+
+def _calibration(content: Mapping[str, Any]) -> Calibration:
+    return Calibration(tuple(content["scores"]), tuple(content["log_odds"]), content["line"])
 
 
 def _short(values: Array) -> list[float]:

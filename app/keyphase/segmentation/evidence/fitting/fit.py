@@ -12,7 +12,11 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.evidence.choice import spaced_scores
 from keyphase.segmentation.evidence.contact_terms import breadth
-from keyphase.segmentation.evidence.fitting.logistic import fitted_calibration, fitted_line
+from keyphase.segmentation.evidence.fitting.logistic import (
+    CALIBRATED_AT,
+    fitted_calibration,
+    fitted_line,
+)
 from keyphase.segmentation.evidence.fitting.taught import Side, Taught, labels, right
 from keyphase.segmentation.evidence.probability import (
     CONTACT_COLUMNS,
@@ -91,7 +95,7 @@ _CONTACT_AS_GOOD = 0.01
 is missing is not."""
 _MOTION_AS_GOOD = 0.002
 """Where motion ends and begins anybody sees; here the best line counts."""
-_UNCALIBRATED = Calibration(1.0, 0.0, 0.5)
+_UNCALIBRATED = Calibration((-1.0, 1.0), (-1.0, 1.0), 0.5)
 _NO_KINDS = Kinds((), (), np.zeros((1, 0)), np.zeros(0), 1.0)
 
 
@@ -195,7 +199,7 @@ def scores_left_out(
 
 
 def _calibration(scored: Sequence[tuple[str, Side, Array]], as_good: float) -> Calibration:
-    """Slope and offset of the scores, and the automatic line.
+    """What scores are worth, and the automatic line.
 
     The line is the lowest whose mean F1 over the families is within `as_good` of the best.
     """
@@ -208,12 +212,12 @@ def _calibration(scored: Sequence[tuple[str, Side, Array]], as_good: float) -> C
     share = np.zeros(len(scores))
     for family in sorted(set(families)):
         share[families == family] = FAMILY_SHARE / (families == family).sum()
-    slope, offset = fitted_calibration(scores, hits, share)
-    probability = sigmoid(slope * scores + offset)
+    calibration = Calibration(CALIBRATED_AT, fitted_calibration(scores, hits, share), 0.5)
+    probability = sigmoid(calibration.log_odds(scores))
     lines = np.round(np.arange(0.1, 0.9, 0.05), 2)
     worth = [_mean_f1(probability >= line, families, hits, events) for line in lines]
     good = np.array(worth) >= max(worth) - as_good
-    return Calibration(slope, offset, float(lines[int(np.argmax(good))]))
+    return replace(calibration, line=float(lines[int(np.argmax(good))]))
 
 
 def _mean_f1(given: Array, families: Array, hits: Array, events: Mapping[str, int]) -> float:

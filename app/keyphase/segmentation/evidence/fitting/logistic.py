@@ -20,6 +20,7 @@ def fitted_line(
     right: Array,
     share: Array,
     beside: Array | None = None,
+    regularisation: float = REGULARISATION,
 ) -> Line:
     """The line over the terms that `signs` names, +1 or -1 each, 0 for either.
 
@@ -43,7 +44,7 @@ def fitted_line(
         slope = share * (sigmoid(odds) - right)
         if beside is not None:
             slope = slope * np.exp(np.minimum(np.logaddexp(own, beside + own) - odds, 0.0))
-        penalty = np.append(REGULARISATION * weights[:-1], 0.0)
+        penalty = np.append(regularisation * weights[:-1], 0.0)
         return misfit + 0.5 * float(penalty @ weights), table.T @ slope + penalty
 
     options = {"maxiter": 500}
@@ -51,12 +52,24 @@ def fitted_line(
     return Line(names, mean, scale, found[:-1], float(found[-1]))
 
 
+CALIBRATED_AT = (-4.0, -1.5, 0.0, 1.5, 4.0)
+"""Scores between which the calibration is straight."""
+
+_LOOSE = 0.1
 _BOUNDS = {1: (0.0, None), -1: (None, 0.0), 0: (None, None)}
 
 
-def fitted_calibration(odds: Array, right: Array, share: Array) -> tuple[float, float]:
-    """Slope (not negative) and offset of log-odds (C,) that hold in the mean."""
-    signs = {"odds": 1}
-    line = fitted_line(odds[:, None], {"odds": 0}, signs, right, share)
-    slope = float(line.weight[0] / line.scale[0])
-    return slope, float(line.bias - slope * line.mean[0])
+def fitted_calibration(odds: Array, right: Array, share: Array) -> tuple[float, ...]:
+    """Log-odds at `CALIBRATED_AT` that hold in the mean over scores (C,): never falling, straight
+    in between. A single slope cannot say that doubt is rare between the clear cases.
+    """
+    at = np.array(CALIBRATED_AT)
+    ends = np.append(at[1:-1], np.inf)
+    begins = np.append(-np.inf, at[1:-1])
+    zero = np.clip(at[0], begins, ends)
+    parts = np.clip(odds[:, None], begins, ends) - zero
+    signs = {str(part): 1 for part in range(len(begins))}
+    columns = {name: part for part, name in enumerate(signs)}
+    line = fitted_line(parts, columns, signs, right, share, regularisation=_LOOSE)
+    table = np.clip(at[:, None], begins, ends) - zero
+    return tuple(line.log_odds(table, columns).tolist())

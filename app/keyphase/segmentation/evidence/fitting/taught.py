@@ -12,6 +12,9 @@ from keyphase.segmentation.evidence.motion_terms import motion_candidates
 from keyphase.segmentation.evidence.speed import speed_of
 from keyphase.segmentation.motion import motion_of
 
+SERVED_S = 0.4
+"""Motion nearer than this to a contact change is part of it, and neither right nor wrong."""
+
 SLOW_S = 0.3
 """An event with a wider window is a ramp, which the line of steps need not find."""
 
@@ -67,7 +70,9 @@ def taught(family: str, demonstration: Demonstration, truth: Truth) -> Taught:
     cells = np.arange(len(grid))
     touch_s = grid.time_s[touches.cell]
     move_s = np.interp(moves.cell, cells, grid.time_s)
-    both = np.vstack([truth.ignore, truth.ignore_motion])
+    beside = truth.time_s[truth.contact]
+    served = np.column_stack([beside - SERVED_S, beside + SERVED_S])
+    both = np.vstack([truth.ignore, truth.ignore_motion, served])
     return Taught(
         family,
         _side(
