@@ -1,6 +1,6 @@
 """A demonstration on one uniform grid, in the units in which evidence is weighed."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -56,6 +56,11 @@ class Grid:
         """How many cells a duration is, at least one."""
         return max(1, round(duration_s * self.rate_hz))
 
+    def with_wrench(self, wrench: Array) -> "Grid":
+        """The grid with another wrench (n, 3 or 6) [N], in units of its own size."""
+        scaled, size = _in_sizes(wrench)
+        return replace(self, wrench=scaled, size_N=size)
+
 
 def grid_of(demonstration: Demonstration, motion: Motion) -> Grid:
     """Put a demonstration on its grid; `motion` is its own."""
@@ -88,7 +93,11 @@ def _wrench(demonstration: Demonstration, cells: Array, even: Array) -> tuple[Ar
     wrench = _at(cells, even, force)
     if torque is not None and np.ptp(torque) > 0.0:
         wrench = np.hstack([wrench, _at(cells, even, torque) / LEVER_M])
-    wrench -= np.median(wrench, axis=0)
+    return _in_sizes(wrench)
+
+
+def _in_sizes(wrench: Array) -> tuple[Array | None, float]:
+    wrench = wrench - np.median(wrench, axis=0)
     size = float(np.quantile(np.linalg.norm(wrench, axis=1), _SIZE_QUANTILE))
     return (wrench / size, size) if size > 1e-9 else (None, 0.0)
 

@@ -7,6 +7,7 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.evidence.contact_terms import ContactCandidates, contact_candidates
 from keyphase.segmentation.evidence.grid import Grid, grid_of
+from keyphase.segmentation.evidence.inertia import without_inertia
 from keyphase.segmentation.evidence.motion_terms import MotionCandidates, motion_candidates
 from keyphase.segmentation.evidence.probability import contact_odds, motion_odds, unlike
 from keyphase.segmentation.evidence.speed import speed_of
@@ -43,6 +44,7 @@ def evidence_of(demonstration: Demonstration, motion: Motion, weights: Weights) 
     """Look at every place where a boundary could be."""
     grid = grid_of(demonstration, motion)
     speed = speed_of(grid)
+    grid = without_inertia(grid, speed)
     contact, moves = contact_candidates(grid, speed), motion_candidates(grid, speed)
     contact = _in_order(contact)
     cells = np.arange(len(grid))

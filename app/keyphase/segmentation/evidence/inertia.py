@@ -1,0 +1,71 @@
+"""The inertia of an unsubtracted tool, taken out of the wrench where it explains the force.
+
+A sensor behind a tool of a kilogram or two shows newtons as the hand sets off and stops. Where mass
+times acceleration explains most of the force of the free moments, that much is taken away.
+"""
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.segmentation.evidence.grid import Grid
+from keyphase.segmentation.evidence.speed import SMOOTHING_HZ, Speed
+from keyphase.segmentation.filters import smoothed
+
+EXPLAINED = 0.5
+"""Share of the force's variance that inertia must explain."""
+
+MASSES_KG = (0.05, 15.0)
+"""Of what is taken for a tool; forces may be told with either sign."""
+
+_MIN_RATE_HZ = 8.0
+_MIN_CELLS = 30
+_MOVING = 0.1
+_FREE_SHARE = 0.6
+_ROUNDS = 6
+
+
+def without_inertia(grid: Grid, speed: Speed) -> Grid:
+    """The grid with the tool's inertia taken out of its wrench, or the same grid."""
+    if grid.wrench is None or speed.fast_m_s <= 0.0 or grid.rate_hz < _MIN_RATE_HZ:
+        return grid
+    step_s = 1.0 / grid.rate_hz
+    velocity = np.gradient(speed.pose_m[:, :3], step_s, axis=0)
+    acceleration = np.gradient(velocity, step_s, axis=0)
+    force = grid.wrench[:, :3] * grid.size_N
+    force = smoothed(force, min(SMOOTHING_HZ, 0.35 * grid.rate_hz), grid.rate_hz)
+    moving = speed.speed_m_s > _MOVING * speed.fast_m_s
+    mass, explained, free = _mass_kg(force[moving], acceleration[moving])
+    if explained < EXPLAINED or not MASSES_KG[0] <= abs(mass) <= MASSES_KG[1]:
+        return grid
+    wrench = grid.wrench * grid.size_N
+    wrench[:, :3] -= mass * acceleration
+    if wrench.shape[1] > 3:
+        cells = np.flatnonzero(moving)[free]
+        lever = _lever(wrench[cells, 3:], acceleration[cells])
+        wrench[:, 3:] -= np.cross(lever, acceleration)
+    return grid.with_wrench(wrench)
+
+
+def _lever(torque: Array, acceleration: Array) -> Array:
+    """The vector (3,) whose cross product with the acceleration is nearest to the torque."""
+    around = torque - np.median(torque, axis=0)
+    square = float(np.square(acceleration).sum()) * np.eye(3) - acceleration.T @ acceleration
+    return np.linalg.lstsq(square, np.cross(acceleration, around).sum(axis=0))[0]
+
+
+def _mass_kg(force: Array, acceleration: Array) -> tuple[float, float, np.ndarray]:
+    """Force over acceleration, the share of variance that explains, and of which moments (n,), by
+    least trimmed squares: those count that fit best, in the others something may be touched.
+    """
+    if len(force) < _MIN_CELLS:
+        return 0.0, 0.0, np.zeros(len(force), dtype=bool)
+    kept, mass = np.ones(len(force), dtype=bool), 0.0
+    around, misfit = force, np.zeros(len(force))
+    for _ in range(_ROUNDS):
+        around = force - np.median(force[kept], axis=0)
+        square = float(np.square(acceleration[kept]).sum())
+        mass = float((around[kept] * acceleration[kept]).sum()) / (square + 1e-12)
+        misfit = np.square(around - mass * acceleration).sum(axis=1)
+        kept = misfit <= np.quantile(misfit, _FREE_SHARE)
+    whole = float(np.square(around[kept]).sum())
+    return mass, 1.0 - float(misfit[kept].sum()) / (whole + 1e-12), kept
