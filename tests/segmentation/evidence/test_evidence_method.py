@@ -11,8 +11,7 @@ import synthetic
 from keyphase.demonstration import Demonstration
 from keyphase.readers import read
 from keyphase.segmentation import Parameters, Segmenter, segment
-from keyphase.segmentation.evidence.counts import HIGHEST, LOWEST
-from keyphase.segmentation.evidence.probability import log_odds
+from keyphase.segmentation.evidence.telling.counts import HIGHEST, LOWEST
 from keyphase.segmentation.evidence.weights import shipped_weights
 
 DATA = Path(__file__).parents[3] / "data"
@@ -22,7 +21,8 @@ LINES = (0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 0.5, 0.7, 0.9, 0.97, 0.99, 
 @pytest.mark.parametrize("name", ["setup1", "setup2", "wipe"])
 def test_dragging_a_line_over_its_range_changes_the_number_of_segments(name):
     segmenter = Segmenter(read(DATA / f"{name}.npz"))
-    lines = 1.0 / (1.0 + np.exp(-np.linspace(log_odds(LOWEST), log_odds(HIGHEST), 163)))
+    steps = segmenter.segment().line_counts[0].steps
+    lines = np.sqrt(np.multiply((LOWEST, *steps), (*steps, HIGHEST)))
     counts = [len(segmenter.segment(Parameters(force_threshold=x)).segments) for x in lines]
     assert np.count_nonzero(np.diff(counts)) >= 3
 

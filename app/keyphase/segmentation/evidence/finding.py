@@ -6,9 +6,6 @@ from functools import cached_property
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.segmentation.evidence.counts import held_back, line_counts
-from keyphase.segmentation.evidence.drawn import DrawnCurve
-from keyphase.segmentation.evidence.gaussians import SegmentGaussians, intervals_s
 from keyphase.segmentation.evidence.selection import (
     CONTACT,
     Scores,
@@ -17,8 +14,11 @@ from keyphase.segmentation.evidence.selection import (
     select,
 )
 from keyphase.segmentation.evidence.stage import Evidence, evidence_of
-from keyphase.segmentation.evidence.told import Told
-from keyphase.segmentation.evidence.track import track_of
+from keyphase.segmentation.evidence.telling.counts import held_back, line_counts
+from keyphase.segmentation.evidence.telling.drawn import DrawnCurve
+from keyphase.segmentation.evidence.telling.gaussians import SegmentGaussians, intervals_s
+from keyphase.segmentation.evidence.telling.told import Told
+from keyphase.segmentation.evidence.telling.track import track_of
 from keyphase.segmentation.evidence.weights import Weights, shipped_weights
 from keyphase.segmentation.found import Found
 from keyphase.segmentation.motion import Motion

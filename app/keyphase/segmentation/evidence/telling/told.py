@@ -8,7 +8,6 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.evidence.contact_terms import CONTACT_TERMS
-from keyphase.segmentation.evidence.counts import LOWEST
 from keyphase.segmentation.evidence.motion_terms import MOTION_TERMS
 from keyphase.segmentation.evidence.probability import (
     CONTACT_COLUMNS,
@@ -27,6 +26,7 @@ from keyphase.segmentation.evidence.selection import (
     Selection,
 )
 from keyphase.segmentation.evidence.stage import Evidence
+from keyphase.segmentation.evidence.telling.counts import LOWEST
 from keyphase.segmentation.evidence.weights import Line, Weights
 from keyphase.segmentation.segmentation import Boundary, Candidate, CandidateKind, Change, Reason
 

@@ -1,0 +1,1 @@
+"""What is drawn and told of the evidence: reasons, numbers over a line, the track, Gaussians."""
