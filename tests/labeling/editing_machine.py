@@ -95,10 +95,11 @@ class Editing(RuleBasedStateMachine):
             named = seen.segments[seen.segment_at(time_s)]
             assert (named.label, named.proposed) == (name.strip(), False)
 
-    @rule(time_s=anywhere, kept=st.booleans())
-    def keep(self, time_s, kept):
-        seen = self.apply(Keep(time_s, kept))
-        assert seen is None or seen.segments[seen.segment_at(time_s)].kept == kept
+    @rule(time_s=anywhere, to_s=st.none() | anywhere, kept=st.booleans())
+    def keep(self, time_s, to_s, kept):
+        seen = self.apply(Keep(time_s, kept, to_s=to_s))
+        for time in (time_s, time_s if to_s is None else to_s):
+            assert seen is None or seen.segments[seen.segment_at(time)].kept == kept
 
     @rule(time_s=anywhere, contact_change=st.booleans())
     def judge(self, time_s, contact_change):

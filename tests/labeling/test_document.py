@@ -69,6 +69,7 @@ def test_there_is_an_end_to_undo():
         (Label(5.0, "insert"), "Label segment 3 “insert”"),
         (Label(5.0, "a label that goes on and on"), "Label segment 3 “a label that goes on an…”"),
         (Label(5.0, ""), "Give segment 3 its proposed label"),
+        (Label(3.0, "", to_s=5.0), "Give segments 2 to 3 their proposed labels"),
         (Keep(5.0, False), "Drop segment 3"),
         (Keep(3.0, True), "Keep segment 2"),
         (Merge(5.0, 9.0), "Merge segments 3 to 5"),

@@ -25,6 +25,21 @@ def test_a_label_is_the_persons_and_no_proposal():
     assert [s.proposed for s in seen.segments] == [True, True, False, True, True]
 
 
+def test_several_in_a_row_are_named_and_dropped_as_one_step():
+    person = Person(segmentation())
+    person.makes(Label(7.1, "insert", to_s=3.0))
+    assert labels(person.labeling) == ["part 1", "insert", "insert", "insert", "part 5"]
+    person.makes(Keep(1.0, False, to_s=5.0))
+    assert kept(person.labeling) == [3, 4]
+
+
+def test_what_was_decided_about_several_stays_with_them_when_their_sides_move():
+    person = Person(segmentation())
+    person.makes(Label(3.0, "insert", to_s=5.0), Move(2.0, 3.5), Move(6.0, 6.4))
+    assert labels(person.labeling)[1:3] == ["insert", "insert"]
+    assert "insert" not in (labels(person.labeling)[0], labels(person.labeling)[3])
+
+
 def test_an_empty_label_gives_back_the_proposed_one():
     seen = Person(segmentation()).makes(Label(5.0, "insert"), Label(5.0, ""))
     assert labels(seen)[2] == "part 3"

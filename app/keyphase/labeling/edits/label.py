@@ -6,7 +6,7 @@ import msgspec
 
 from keyphase.errors import LabelingError
 from keyphase.labeling.edits.base import BaseEdit
-from keyphase.labeling.edits.places import segment_at, segment_number, span_of
+from keyphase.labeling.edits.places import segments_numbered, stretch_at
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.spans import Span
 from keyphase.labeling.walk import Walk
@@ -19,20 +19,26 @@ _NOT_TEXT = frozenset({"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"})
 
 
 class Label(BaseEdit, frozen=True, tag="label"):
-    """Name the segment around `time_s`; an empty label gives it back the proposed one."""
+    """Name the segment around `time_s`, or all from there to the one around `to_s`.
+
+    An empty label gives back the proposed one.
+    """
 
     time_s: float
     label: str
     span_s: Span | None = None
+    to_s: float | None = None
 
     def checked(self) -> "Label":
         """With a label that is plain text."""
         return msgspec.structs.replace(super().checked(), label=check_label(self.label))
 
     def anchored(self, labeling: Labeling) -> "Label":
-        """At the middle of its segment, with the segment's span."""
-        segment = segment_at(self.time_s, labeling)
-        return Label(segment.middle_s, check_label(self.label), span_of(segment))
+        """At the middle of its segment, with the span of all it is about."""
+        first, *more = stretch_at(self.time_s, self.to_s, labeling)
+        last = more[-1] if more else first
+        span, to_s = (first.start_s, last.end_s), last.middle_s if more else None
+        return Label(first.middle_s, check_label(self.label), span, to_s)
 
     def apply(self, number: int, walk: Walk, insisted: bool) -> None:
         """The latest label of a segment wins."""
@@ -40,10 +46,11 @@ class Label(BaseEdit, frozen=True, tag="label"):
 
     def step_name(self, labeling: Labeling) -> str:
         """With the label as it was given."""
-        segment = segment_number(self.time_s, labeling)
+        named = segments_numbered(self.time_s, self.to_s, labeling)
         if not self.label:
-            return f"Give segment {segment} its proposed label"
-        return f"Label segment {segment} “{shortened(self.label)}”"
+            whose = "its proposed label" if self.to_s is None else "their proposed labels"
+            return f"Give {named} {whose}"
+        return f"Label {named} “{shortened(self.label)}”"
 
 
 def check_label(label: str) -> str:

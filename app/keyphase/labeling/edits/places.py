@@ -32,6 +32,16 @@ def segment_at(time_s: float, labeling: Labeling) -> LabeledSegment:
     return labeling.segments[labeling.segment_at(time_s)]
 
 
+def stretch_at(time_s: float, to_s: float | None, labeling: Labeling) -> list[LabeledSegment]:
+    """The segments from the one around a time to the one around another, which may be left out.
+
+    Raises LabelingError where either time is outside the recording.
+    """
+    ends = (segment_at(time, labeling) for time in (time_s, time_s if to_s is None else to_s))
+    first, last = sorted(ends, key=lambda one: one.start_s)
+    return [one for one in labeling.segments if first.start_s <= one.start_s <= last.start_s]
+
+
 def span_of(segment: LabeledSegment) -> Span:
     """Start and end of a segment [s]."""
     return segment.start_s, segment.end_s
@@ -64,3 +74,13 @@ def boundary_number(time_s: float, labeling: Labeling) -> int:
 def segment_number(time_s: float, labeling: Labeling) -> int:
     """The number, from 1, under which a segment is shown."""
     return labeling.segment_at(time_s) + 1
+
+
+def segments_numbered(time_s: float, to_s: float | None, labeling: Labeling) -> str:
+    """What one segment, or several in a row, are called in the name of a step."""
+    first = segment_number(time_s, labeling)
+    return (
+        f"segment {first}"
+        if to_s is None
+        else (f"segments {first} to {segment_number(to_s, labeling)}")
+    )

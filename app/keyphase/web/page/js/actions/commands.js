@@ -67,6 +67,8 @@ const segmentsCommands = (actions, dialogs) => [
   ["Accept all proposed names, or the whole proposal", ["Shift Enter"], actions.acceptAll],
   ["Previous segment", ["["], () => actions.selectNext(-1)],
   ["Next segment", ["]"], () => actions.selectNext(1)],
+  ["Choose one more segment, or one less", ["Shift →"], () => actions.selectFurther(1)],
+  ["Choose the one before, too, or one less", ["Shift ←"], () => actions.selectFurther(-1)],
 ];
 
 /** @type {(actions: any) => Row[]} */
@@ -149,7 +151,7 @@ const everythingCommands = (actions, dialogs) => [
   ["Keys", ["?"], dialogs.openKeys, true],
 ];
 
-const NAMED = { " ": "Space", ContextMenu: "Menu" };
+const NAMED = { " ": "Space", ContextMenu: "Menu", ArrowLeft: "←", ArrowRight: "→" };
 
 /**
  * A key press as commands write it: "Ctrl Shift Z", "Shift N", "?", "Space".

@@ -1,6 +1,6 @@
 /** Selecting, naming, keeping, dropping and merging segments. */
 
-import { middle, segmentAt } from "../model/segments.js";
+import { chosenStretch, middle, segmentAt } from "../model/segments.js";
 import { reveal } from "./reveal.js";
 
 /**
@@ -14,11 +14,25 @@ import { reveal } from "./reveal.js";
 export function createSegmentActions(store, { edit, onSegment, selectedSegment, share }, others) {
   const { state } = store;
   const doc = () => state.document;
+  /** Where more than one is chosen: first, last. */
+  const several = () => {
+    const chosen = doc() && chosenStretch(state);
+    return chosen && chosen[0] < chosen[1] ? chosen : null;
+  };
+  /** What an edit is about: the chosen ones where it was asked of one of them, else that one. */
+  function meant(index) {
+    const [first, last] = several() ?? [0, -1];
+    const { segments } = doc();
+    if (index !== undefined && (index < first || index > last))
+      return { segments: [segments[index]], place: { time_s: middle(segments[index]) } };
+    const place = { time_s: middle(segments[first]), to_s: middle(segments[last]) };
+    return { segments: segments.slice(first, last + 1), place };
+  }
   const actions = {
     /** @param {number|null} index */
     select(index) {
       if (!doc()) return;
-      store.set({ selected: index });
+      store.set({ selected: index, selectedTo: null });
       share({ type: "select", segment: index });
     },
     selectNext(direction) {
@@ -30,7 +44,24 @@ export function createSegmentActions(store, { edit, onSegment, selectedSegment, 
       reveal(store, middle(doc().segments[index]));
     },
 
+    /** Draws the choice out to a segment, from the selected one. @param {number} index */
+    selectTo(index) {
+      if (!doc()?.segments[index]) return;
+      if (state.selected === null) return actions.select(index);
+      store.set({ selectedTo: index === state.selected ? null : index });
+    },
+    /** Draws the choice out by one segment, or takes it back. */
+    selectFurther(direction) {
+      if (!doc()) return;
+      if (state.selected === null) return actions.selectNext(direction);
+      const to = (state.selectedTo ?? state.selected) + direction;
+      const index = Math.min(Math.max(to, 0), doc().segments.length - 1);
+      actions.selectTo(index);
+      reveal(store, middle(doc().segments[index]));
+    },
+
     merge() {
+      if (several()) return actions.mergeRange(...several());
       onSegment((_, index) => {
         if (index < doc().segments.length - 1) actions.mergeRange(index, index + 1);
       });
@@ -40,22 +71,29 @@ export function createSegmentActions(store, { edit, onSegment, selectedSegment, 
       edit({ kind: "merge", from_s: middle(segments[first]), to_s: middle(segments[last]) });
       actions.select(first);
     },
+    /** Drops what is kept of the chosen ones; keeps them where none is. */
     toggleDrop: (index) =>
-      onSegment(
-        (segment) => edit({ kind: "keep", time_s: middle(segment), kept: !segment.kept }),
-        index,
-      ),
+      onSegment((_, at) => {
+        const { segments, place } = meant(at);
+        edit({ kind: "keep", ...place, kept: !segments.some(({ kept }) => kept) });
+      }, index),
     dropIdle: () => edit({ kind: "drop_idle" }),
     /** @param {import("../model/types.js").Segment} segment @param {Object|null} end null: the proposed one */
     setEnd: (segment, end) => edit({ kind: "end", time_s: middle(segment), end }),
     label: (label, index) =>
-      onSegment((segment) => edit({ kind: "label", time_s: middle(segment), label }), index),
+      onSegment((_, at) => edit({ kind: "label", ...meant(at).place, label }), index),
+    acceptName: (index) =>
+      onSegment(
+        (segment) => edit({ kind: "label", time_s: middle(segment), label: segment.label }),
+        index,
+      ),
     labelByNumber(number) {
       const known = state.labels[number - 1];
       const index = selectedSegment()?.index;
       if (!known || index === undefined || state.readOnly) return;
+      const last = several()?.[1] ?? index;
       actions.label(known.name, index);
-      actions.selectKeptAfter(index);
+      actions.selectKeptAfter(last);
     },
     /** Selects the next segment that is kept, so that names follow each other. */
     selectKeptAfter(index) {
@@ -71,7 +109,7 @@ export function createSegmentActions(store, { edit, onSegment, selectedSegment, 
       const boundary = doc()?.boundaries[index];
       if (boundary) return boundary.accepted ? others.nextDoubt() : others.acceptAndGoOn(index);
       const segment = doc()?.segments[state.selected];
-      if (segment?.proposed) return actions.label(segment.label, state.selected);
+      if (segment?.proposed) return actions.acceptName(state.selected);
       return segment ? undefined : others.nextDoubt();
     },
     rename(index = selectedSegment()?.index) {

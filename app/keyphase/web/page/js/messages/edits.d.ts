@@ -20,20 +20,25 @@ export interface MoveEdit {
   to_s: number;
 }
 
-/** Name the segment around `time_s`; an empty label gives it back the proposed one. */
+/**
+ * Name the segment around `time_s`, or all from there to the one around `to_s`. An empty label
+ * gives back the proposed one.
+ */
 export interface LabelEdit {
   kind: "label";
   time_s: number;
   label: string;
   span_s?: [number, number] | null;
+  to_s?: number | null;
 }
 
-/** Keep or drop the segment around `time_s`. */
+/** Keep or drop the segment around `time_s`, or all from there to the one around `to_s`. */
 export interface KeepEdit {
   kind: "keep";
   time_s: number;
   kept: boolean;
   span_s?: [number, number] | null;
+  to_s?: number | null;
 }
 
 /** Say whether the boundary at `time_s` is a contact change. */

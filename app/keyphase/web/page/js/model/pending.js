@@ -81,9 +81,9 @@ const DRAWN = {
     const first = doc.boundaries.findIndex(({ time_s: time }) => time > from);
     return inside ? without(doc, first, inside) : null;
   },
-  label: (doc, { time_s: time, label }) =>
-    withSegment(doc, time, { label, short: [label, label, label], proposed: false }),
-  keep: (doc, { time_s: time, kept }) => withSegment(doc, time, { kept }),
+  label: (doc, { time_s: time, to_s: to, label }) =>
+    withSegments(doc, time, to, { label, short: [label, label, label], proposed: false }),
+  keep: (doc, { time_s: time, to_s: to, kept }) => withSegments(doc, time, to, { kept }),
   accept: (doc, { time_s: time }) => withBoundary(doc, time, { accepted: true, unsure: false }),
   contact: (doc, { time_s: time, contact_change: contact }) =>
     withBoundary(doc, time, { contact_change: contact }),
@@ -125,11 +125,18 @@ function segmentAt({ segments }, time) {
   return index < 0 ? segments.length - 1 : index;
 }
 
-/** @param {Doc} doc @param {number} time @param {Partial<Segment>} change */
-function withSegment(doc, time, change) {
-  const index = segmentAt(doc, time);
-  const segment = doc.segments[index];
-  return segment ? { ...doc, segments: doc.segments.with(index, { ...segment, ...change }) } : null;
+/**
+ * With a change to the segment at a time, or to all from there to another time.
+ * @param {Doc} doc
+ * @param {number} time
+ * @param {number|null|undefined} to
+ * @param {Partial<Segment>} change
+ */
+function withSegments(doc, time, to, change) {
+  const [first, last] = [segmentAt(doc, time), segmentAt(doc, to ?? time)];
+  const isMeant = (index) => index >= first && index <= last;
+  const segments = doc.segments.map((one, k) => (isMeant(k) ? { ...one, ...change } : one));
+  return { ...doc, segments };
 }
 
 /** @param {Doc} doc @param {number} time @param {Partial<import("./types.js").Boundary>} change */

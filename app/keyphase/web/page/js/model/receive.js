@@ -63,17 +63,20 @@ export function createReceiver(
         saving: false,
         readOnly: state.lookingOnly || Boolean(message.locked),
         labels: message.labels,
+        ...(message.selected === state.selected ? {} : { selectedTo: null }),
         ...(other ? fresh(message) : {}),
       });
       own.arrived(message, message.cause?.client === client ? message.cause.event : null);
       if (other) signals.refresh();
       if (!other && message.boundaries.length !== before.boundaries.length)
-        store.set({ hovered: null, explained: null, current: null });
+        store.set({ hovered: null, explained: null, current: null, selectedTo: null });
       latency.arrived(message, (cause) => cause.client === client);
     },
     ghost: (message) => store.set({ ghost: message.boundaries }),
     playhead: (message) => playback.receive(message),
-    selection: (message) => store.set({ selected: message.segment }),
+    selection({ segment }) {
+      if (segment !== state.selected) store.set({ selected: segment, selectedTo: null });
+    },
     task(message) {
       if (message.done) tasks.delete(message.id);
       else tasks.set(message.id, message);
@@ -155,6 +158,7 @@ function fresh(doc) {
     candidate: null,
     current: null,
     explained: null,
+    selectedTo: null,
     pointer: null,
     drag: null,
     range: null,

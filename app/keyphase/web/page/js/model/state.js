@@ -39,11 +39,12 @@ import { firstChoice } from "./rows.js";
  *   following: string|null, lostAt: Date|null, command: string|null}} Told
  *
  * What a person looks at and holds; `hovered`, `current` and `explained` are numbers of boundaries,
- * `selected` and `renaming` of segments, `candidate` of a candidate, `pointer` and `clock` are times,
+ * `selected`, `selectedTo` (so far more are chosen with it) and `renaming` of segments, `candidate` of a candidate, `pointer` and `clock` are times,
  * `lineOver` is the parameter of the line under the pointer
  * @typedef {import("./types.js").View} View
  * @typedef {{
  *   view: View|null, viewBefore: View|null, clock: number, selected: number|null,
+ *   selectedTo: number|null,
  *   hovered: number|null, candidate: number|null, lineOver: string|null,
  *   secondsPerDoubt: number|null, current: number|null, explained: number|null,
  *   pointer: number|null, drag: import("./drag.js").Drag|null, range: [number, number]|null,
@@ -117,6 +118,7 @@ function nothingSeen(small) {
     viewBefore: null,
     clock: 0,
     selected: null,
+    selectedTo: null,
     hovered: null,
     candidate: null,
     secondsPerDoubt: null,

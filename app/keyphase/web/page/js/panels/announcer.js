@@ -1,6 +1,7 @@
 /** Tells readers of the screen what an edit did, and which segment or boundary is chosen. */
 
 import { byId } from "../lib/dom.js";
+import { chosenStretch } from "../model/segments.js";
 import { duration, moment } from "../lib/format.js";
 
 /** @param {import("../lib/store.js").Store} store */
@@ -12,6 +13,10 @@ export function createAnnouncer(store) {
     const now = doc?.undo ?? null;
     if (now !== undo && now) say(`${now}. ${doc.segments.length} segments.`);
     undo = now;
+  });
+  store.later(["selectedTo"], (state) => {
+    const [first, last] = chosenStretch(state) ?? [0, 0];
+    if (first < last) say(`Segments ${first + 1} to ${last + 1} are selected.`);
   });
   store.later(["selected"], ({ document: doc, selected }) => {
     if (doc?.segments[selected]) say(segmentText(doc, selected));

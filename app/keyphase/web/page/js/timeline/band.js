@@ -5,6 +5,7 @@
 
 import { segmentFill } from "../lib/colors.js";
 import { svg } from "../lib/dom.js";
+import { chosenStretch } from "../model/segments.js";
 import { duration } from "../lib/format.js";
 import { formsOf } from "../model/label_forms.js";
 import { denseSegments, MOST_IN_DETAIL, segmentsInView } from "./dense.js";
@@ -26,25 +27,27 @@ export function fittingLabel(segment, room, font) {
  * @param {import("../model/rows.js").Row} row
  */
 export function drawBand(state, scale, row) {
-  const { document: doc, selected, range } = state;
+  const { document: doc, range } = state;
+  const [first, last] = chosenStretch(state) ?? [-1, -2];
+  const isChosen = (index) => index >= first && index <= last;
   const box = { top: row.y + 3, height: row.height - 6 };
   const nodes = [
     svg("rect", { y: row.y, width: scale.width, height: row.height, class: "band-ground" }),
   ];
-  let ring = null;
+  const rings = [];
   const dense = segmentsInView(doc.segments, scale).length > MOST_IN_DETAIL;
   if (dense) nodes.push(...denseSegments(doc.segments, scale, box.top, box.height));
   doc.segments.forEach((segment, index) => {
-    if (segment.end_s < scale.from || segment.start_s > scale.to || (dense && index !== selected))
+    if (segment.end_s < scale.from || segment.start_s > scale.to || (dense && !isChosen(index)))
       return;
     const left = Math.max(scale.x(segment.start_s), 0) + 1;
     const right = Math.min(scale.x(segment.end_s), scale.width) - 1;
     if (right - left < 0.5) return;
     const place = { ...box, left, width: Math.max(right - left, 1) };
     nodes.push(drawSegment(segment, index, place));
-    if (index === selected) ring = drawRing(place);
+    if (isChosen(index)) rings.push(drawRing(place));
   });
-  if (ring) nodes.push(ring);
+  nodes.push(...rings);
   if (range) nodes.push(drawRange(doc, range, scale, box));
   return nodes;
 }

@@ -1,5 +1,6 @@
 /** Boundaries: glyphs and times in their row, lines and uncertainty intervals over all tracks. */
 
+import { chosenStretch } from "../model/segments.js";
 import { originColor } from "../lib/colors.js";
 import { svg } from "../lib/dom.js";
 import { time as timeText } from "../lib/format.js";
@@ -18,7 +19,7 @@ const DENSE_PX = 45;
  * @param {import("../model/rows.js").Layout} layout
  */
 export function drawIntervals(state, scale, layout, bottom) {
-  const { document: doc, selected } = state;
+  const { document: doc } = state;
   const top = layout.rows.get("boundaries").y;
   const bandBottom = layout.headHeight;
   const nodes = [];
@@ -39,10 +40,10 @@ export function drawIntervals(state, scale, layout, bottom) {
       }),
     );
   });
-  const segment = doc.segments[selected];
-  if (segment) {
-    const left = Math.max(scale.x(segment.start_s), 0);
-    const right = Math.min(scale.x(segment.end_s), scale.width);
+  const [first, last] = (chosenStretch(state) ?? []).map((index) => doc.segments[index]);
+  if (first && last) {
+    const left = Math.max(scale.x(first.start_s), 0);
+    const right = Math.min(scale.x(last.end_s), scale.width);
     if (right > left)
       nodes.push(
         svg("rect", {

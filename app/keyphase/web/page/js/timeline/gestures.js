@@ -181,6 +181,7 @@ function dragSegments(store, timeline, actions, first, readOnly) {
       const [from, to] = span(point);
       store.set({ range: null });
       if (moved && from < to && !readOnly) actions.mergeRange(from, to);
+      else if (point.event.shiftKey) actions.selectTo(first);
       else actions.select(first);
     },
     cancel: () => store.set({ range: null }),

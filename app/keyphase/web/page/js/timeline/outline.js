@@ -4,6 +4,7 @@
  */
 
 import { el } from "../lib/dom.js";
+import { chosenStretch } from "../model/segments.js";
 
 /** As many are listed; more would take longer to make than to hear. */
 const MOST = 500;
@@ -12,19 +13,25 @@ const STEPS = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
 /**
  * @param {HTMLElement} pane
  * @param {import("../lib/store.js").Store} store
- * @param {{select: (index: number) => void, visit: (index: number) => void}} actions
+ * @param {{select: (index: number) => void, selectTo: (index: number) => void,
+ *   visit: (index: number) => void}} actions
  * @param {{segment: (doc: import("../model/types.js").Doc, index: number) => string,
  *   boundary: (doc: import("../model/types.js").Doc, index: number) => string}} texts
  */
 export function createOutline(pane, store, actions, texts) {
-  const segments = list("Segments", "outline-segment", (index) => actions.select(index));
+  const segments = list("Segments", "outline-segment", (index, draws) =>
+    draws ? actions.selectTo(index) : actions.select(index),
+  );
   const boundaries = list("Boundaries", "outline-boundary", (index) => actions.visit(index));
   pane.prepend(boundaries.node, segments.node);
   store.later(["document"], ({ document: doc }) => {
     segments.fill(doc ? doc.segments.slice(0, MOST).map((_, k) => texts.segment(doc, k)) : []);
     boundaries.fill(doc ? doc.boundaries.slice(0, MOST).map((_, k) => texts.boundary(doc, k)) : []);
   });
-  store.later(["selected", "document"], ({ selected }) => segments.choose(selected));
+  segments.node.setAttribute("aria-multiselectable", "true");
+  store.later(["selected", "selectedTo", "document"], (state) =>
+    segments.choose(state.selectedTo ?? state.selected, chosenStretch(state) ?? undefined),
+  );
   store.later(["current", "document"], ({ current }) => boundaries.choose(current));
 }
 
@@ -42,7 +49,7 @@ function list(name, prefix, choose) {
     event.preventDefault();
     event.stopPropagation();
     at = Math.min(Math.max(to, 0), last);
-    choose(at);
+    choose(at, event.shiftKey);
   });
   return {
     node,
@@ -55,11 +62,14 @@ function list(name, prefix, choose) {
         ),
       );
     },
-    choose(index) {
-      node.querySelector("[aria-selected=true]")?.setAttribute("aria-selected", "false");
+    /** One is active; those from first to last are selected. */
+    choose(index, [first, last] = [index, index]) {
+      for (const one of node.querySelectorAll("[aria-selected=true]"))
+        one.setAttribute("aria-selected", "false");
       at = index !== null && node.children[index] ? index : null;
       if (at === null) return node.removeAttribute("aria-activedescendant");
-      node.children[at].setAttribute("aria-selected", "true");
+      for (const one of [...node.children].slice(first, last + 1))
+        one.setAttribute("aria-selected", "true");
       return node.setAttribute("aria-activedescendant", `${prefix}-${at}`);
     },
   };

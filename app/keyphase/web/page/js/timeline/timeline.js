@@ -102,7 +102,17 @@ function arrangeOn(pane, content, store, stage, tracks) {
 }
 
 /** What the segments and boundaries are drawn from. */
-const SEGMENTS = ["document", "selected", "hovered", "current", "drag", "range", "ghost", "folded"];
+const SEGMENTS = [
+  "document",
+  "selected",
+  "selectedTo",
+  "hovered",
+  "current",
+  "drag",
+  "range",
+  "ghost",
+  "folded",
+];
 const PLACE = ["view", "layout", "plotWidth"];
 
 /**

@@ -8,6 +8,7 @@ const GESTURES = [
   ["Scroll the tracks", "Alt wheel"],
   ["Move without snapping", "Alt drag"],
   ["Merge", "drag over segments"],
+  ["Choose several", "Shift click"],
   ["Rename", "double click"],
   ["Repeat in the plan", "Ctrl drag a chip"],
   ["Everything else", "right click"],

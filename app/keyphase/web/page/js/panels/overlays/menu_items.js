@@ -61,7 +61,7 @@ function segmentItems(doc, index, time, labels, actions, off) {
       run: () => actions.label(name, index),
     })),
     ...(segment.proposed
-      ? [{ text: "Accept its name", off, run: () => actions.label(segment.label, index) }]
+      ? [{ text: "Accept its name", off, run: () => actions.acceptName(index) }]
       : []),
     ...(doc.segments.some(({ proposed, kept }) => proposed && kept)
       ? [{ text: "Accept all proposed names", key: "Shift Enter", off, run: actions.acceptNames }]
