@@ -18,6 +18,7 @@ OFFERED = [
     "Parameters",
     "Segmentation",
     "Segmenter",
+    "agreement",
     "audit",
     "draw",
     "label",

@@ -19,6 +19,7 @@ from keyphase.errors import KeyphaseError
 if TYPE_CHECKING:
     from keyphase.auditing.audit import audit
     from keyphase.demonstration import Demonstration
+    from keyphase.labeling.comparing.agreement import agreement
     from keyphase.labeling.document import Document
     from keyphase.labeling.label import label
     from keyphase.labeling.segment_file import read_segment_file, write_segment_file
@@ -43,6 +44,7 @@ __all__ = [
     "Parameters",
     "Segmentation",
     "Segmenter",
+    "agreement",
     "audit",
     "draw",
     "label",
@@ -66,6 +68,7 @@ _HOMES = {
     "Parameters": "keyphase.segmentation.parameters",
     "Segmentation": "keyphase.segmentation.segmentation",
     "Segmenter": "keyphase.segmentation.segmenter",
+    "agreement": "keyphase.labeling.comparing.agreement",
     "audit": "keyphase.auditing.audit",
     "draw": "keyphase.pictures.drawing",
     "label": "keyphase.labeling.label",

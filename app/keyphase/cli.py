@@ -13,6 +13,7 @@ from typing import Annotated, Any, Protocol
 import tyro
 
 from keyphase import __version__
+from keyphase.commands.agree import AgreeSegments
 from keyphase.commands.audit import AuditLabels
 from keyphase.commands.draw import DrawSegmentation
 from keyphase.commands.export import ExportSegments
@@ -34,6 +35,7 @@ COMMANDS = {
     "inspect": Inspect,
     "propose": Propose,
     "score": ScoreSegments,
+    "agree": AgreeSegments,
     "export": ExportSegments,
     "audit": AuditLabels,
     "draw": DrawSegmentation,

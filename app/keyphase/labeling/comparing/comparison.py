@@ -106,12 +106,13 @@ def _same_label(first: Outline, second: Outline) -> float:
     same = sum(
         high - low
         for low, high in pairwise(edges)
-        if _label_at(first, 0.5 * (low + high)) == _label_at(second, 0.5 * (low + high))
+        if label_at(first, 0.5 * (low + high)) == label_at(second, 0.5 * (low + high))
     )
     return same / (end - start)
 
 
-def _label_at(outline: Outline, time_s: float) -> str:
+def label_at(outline: Outline, time_s: float) -> str:
+    """What is said of a moment."""
     return outline.labels[_count_before(outline.boundaries_s, time_s)]
 
 
