@@ -30,6 +30,7 @@ OFFERED = [
     "score",
     "segment",
     "skills_of",
+    "skills_of_many",
     "taught_by",
     "write",
     "write_segment_file",

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from keyphase.segmentation.own_methods import FoundBoundary, register_method
     from keyphase.simulation.replay.by_file import replay
     from keyphase.skills.library import skills_of
+    from keyphase.skills.many import skills_of_many
     from keyphase.transfer.proposing import propose
     from keyphase.transfer.taught import taught_by
     from keyphase.writers.writing import write
@@ -56,6 +57,7 @@ __all__ = [
     "score",
     "segment",
     "skills_of",
+    "skills_of_many",
     "taught_by",
     "write",
     "write_segment_file",
@@ -80,6 +82,7 @@ _HOMES = {
     "score": "keyphase.scoring",
     "segment": "keyphase.segmentation.segmenter",
     "skills_of": "keyphase.skills.library",
+    "skills_of_many": "keyphase.skills.many",
     "taught_by": "keyphase.transfer.taught",
     "write": "keyphase.writers.writing",
     "write_segment_file": "keyphase.labeling.segment_file",

@@ -21,6 +21,7 @@ from keyphase.commands.fit import FitWeights
 from keyphase.commands.inspect import Inspect
 from keyphase.commands.make_demonstrations import MakeDemonstrations
 from keyphase.commands.open import Open
+from keyphase.commands.phases import Phases
 from keyphase.commands.propose import Propose
 from keyphase.commands.record import Record
 from keyphase.commands.replay import ReplaySegments
@@ -34,6 +35,7 @@ COMMANDS = {
     "segment": SegmentRecordings,
     "inspect": Inspect,
     "propose": Propose,
+    "phases": Phases,
     "score": ScoreSegments,
     "agree": AgreeSegments,
     "export": ExportSegments,

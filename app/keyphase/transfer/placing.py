@@ -41,12 +41,14 @@ class PlacedEnd:
     """Where a phase ends.
 
     warped_s     where the alignment alone puts it
+    evidence_s   the evidence it belongs to; the same as warped_s without any
     probability  of the evidence it belongs to; 0 without any
     spread_s     how far the teachers are apart about it
     """
 
     time_s: float
     warped_s: float
+    evidence_s: float
     probability: float
     spread_s: float
 
@@ -90,7 +92,7 @@ def placed_ends(
     ]
     times = _in_order(times, [option.time_s for option in chosen], start_s, end_s)
     return tuple(
-        PlacedEnd(time, one.warped_s, option.probability, one.spread_s)
+        PlacedEnd(time, one.warped_s, option.time_s, option.probability, one.spread_s)
         for time, one, option in zip(times, wanted, chosen, strict=True)
     )
 

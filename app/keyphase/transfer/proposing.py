@@ -23,16 +23,19 @@ from keyphase.transfer.taught import Taught
 APART_S = 0.4
 """A proposed boundary this far from all of the program's is one more."""
 
-SAME_S = 0.05
-"""A boundary of the program this near to a proposed one is the same."""
+SAME_S = 0.2
+"""A boundary of the program this near to the evidence of a proposed one is the same."""
+
+SURE_ENOUGH = 0.8
+"""A proposed boundary that the program passed over is taken from this confidence on."""
 
 NEARLY_AS_GOOD = 1.3
 """Finished recordings that fit worse than this many times the best one say nothing."""
 
 TRUSTED = 0.7
 """Where persons kept this share of the program's boundaries, and it found this share of theirs,
-its own are taken in a recording in which it finds another number, and only names are transferred:
-something is missing or doubled there."""
+its own are taken in a recording in which it finds others than are proposed, and only names are
+transferred: something is missing or doubled there."""
 
 MAX_COST = 0.9
 OUTLIER_FACTOR = 1.8
@@ -49,12 +52,15 @@ _MAX_ALIGNED = 5
 
 @dataclass(frozen=True)
 class ProposedBoundary:
-    """A boundary proposed from others; `warped_s` is where it was before evidence moved it."""
+    """A boundary proposed from others.
+
+    evidence_s  the recording's own evidence it belongs to; None where there is none
+    """
 
     time_s: float
     confidence: float
     contact_change: bool
-    warped_s: float
+    evidence_s: float | None = None
 
 
 @dataclass(frozen=True)
@@ -112,9 +118,10 @@ def propose(
     same = [one for one in aligned if one.taught.names == best.names]
     same = [one for one in same if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
     boundaries = _boundaries(same, signals, places)
-    if segmentation is not None and _finds_others(same, segmentation):
+    differs = segmentation is not None and _differs(same, boundaries, segmentation)
+    if segmentation is not None and differs:
         boundaries = _with_own(boundaries, segmentation)
-    phases = _phases(best, alignment, boundaries, demonstration)
+    phases = _phases(best, alignment, boundaries, demonstration, joined=not differs)
     inner = {phase.end_s for phase in phases[:-1]}
     boundaries = tuple(b for b in boundaries if b.time_s in inner)
     teachers = tuple(one.taught.name for one in same)
@@ -150,7 +157,7 @@ def _boundaries(
             end.time_s,
             _confidence(alignment.residual_near(phase.end_s), end.spread_s, end.probability),
             phase.ends_in_contact,
-            end.warped_s,
+            end.evidence_s if end.probability > 0.0 else None,
         )
         for phase, end in zip(best.phases[:-1], ends, strict=True)
     )
@@ -166,11 +173,25 @@ def _name_confidence(share: float, sure: float) -> float:
     return float(np.sqrt(share)) * (NAME_WORTH + (1.0 - NAME_WORTH) * sure)
 
 
-def _finds_others(teachers: Sequence[Teacher], segmentation: Segmentation) -> bool:
-    """Whether the program, whose boundaries persons kept, finds another number of them here."""
+def _differs(
+    teachers: Sequence[Teacher], proposed: Sequence[ProposedBoundary], segmentation: Segmentation
+) -> bool:
+    """Whether the program, whose boundaries persons kept, finds others here than are proposed."""
     kept, found = np.mean([one.taught.agreement for one in teachers], axis=0)
-    counts = [len(one.taught.segmentation.boundaries) for one in teachers]
-    return bool(min(kept, found) >= TRUSTED and len(segmentation.boundaries) not in counts)
+    if min(kept, found) < TRUSTED:
+        return False
+    own = segmentation.boundaries
+    return len(own) != len(proposed) or not all(_belonging(b, proposed) for b in own)
+
+
+def _belonging(own: Boundary, proposed: Sequence[ProposedBoundary]) -> ProposedBoundary | None:
+    """The proposed boundary that belongs to the evidence of one of the program's."""
+    near = [
+        (abs(b.evidence_s - own.time_s), i)
+        for i, b in enumerate(proposed)
+        if b.evidence_s is not None and abs(b.evidence_s - own.time_s) <= SAME_S
+    ]
+    return proposed[min(near)[1]] if near else None
 
 
 def _limit(usual_cost: float | None) -> float:
@@ -187,24 +208,22 @@ def _with_own(
 
     One that the finished recordings have there, too, is at least as sure as they make it.
     """
-    own = [
-        ProposedBoundary(b.time_s, _confirmed(b, proposed), b.contact_change, b.time_s)
-        for b in segmentation.boundaries
-    ]
+    own = [_confirmed(b, proposed) for b in segmentation.boundaries]
     times = np.array([b.time_s for b in own] or [np.inf])
     more = [
         b
         for b in proposed
         if np.abs(times - b.time_s).min() > APART_S
-        and b.confidence >= 0.8
-        and b.time_s != b.warped_s
+        and b.confidence >= SURE_ENOUGH
+        and b.evidence_s is not None
     ]
     return tuple(sorted([*own, *more], key=lambda boundary: boundary.time_s))
 
 
-def _confirmed(own: Boundary, proposed: Sequence[ProposedBoundary]) -> float:
-    same = (b.confidence for b in proposed if abs(b.time_s - own.time_s) <= SAME_S)
-    return max(own.confidence, *same, 0.0)
+def _confirmed(own: Boundary, proposed: Sequence[ProposedBoundary]) -> ProposedBoundary:
+    same = _belonging(own, proposed)
+    confidence = own.confidence if same is None else max(own.confidence, same.confidence)
+    return ProposedBoundary(own.time_s, confidence, own.contact_change, own.time_s)
 
 
 def _phases(
@@ -212,10 +231,12 @@ def _phases(
     alignment: Alignment,
     boundaries: Sequence[ProposedBoundary],
     demonstration: Demonstration,
+    *,
+    joined: bool,
 ) -> tuple[ProposedPhase, ...]:
     """Each phase is called what most of its time is called in the best fitting recording.
 
-    Neighbours that are parts of one phase there are one phase here, too.
+    `joined`: neighbours that are parts of one phase there are one phase here, too.
     """
     edges = [demonstration.start_s, *(b.time_s for b in boundaries), demonstration.end_s]
     sure = [1.0, *(b.confidence for b in boundaries), 1.0]
@@ -231,7 +252,7 @@ def _phases(
         share = float(votes.max() / max(votes.sum(), 1))
         confidence = _name_confidence(share, min(sure[i], sure[i + 1]))
         start_s = edges[i]
-        if index == before:
+        if joined and index == before:
             last = found.pop()
             start_s, confidence = last.start_s, min(confidence, last.confidence)
         before = index

@@ -8,12 +8,14 @@ from typing import Any
 from keyphase.errors import KeyphaseError
 from keyphase.labeling.colors import SEGMENT_COLORS
 from keyphase.labeling.earlier import parameters_as_meant
+from keyphase.labeling.tasks.task import Task
+from keyphase.labeling.tasks.task_content import tasks_in
 from keyphase.labeling.vocabulary import MAX_LABELS, Vocabulary, VocabularyLabel
 from keyphase.segmentation.parameters import Parameters
 
 VERSION = 1
 
-_OWN = ("version", "labels", "parameters")
+_OWN = ("version", "labels", "parameters", "phases")
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,7 @@ class FolderContent:
 
     vocabulary: Vocabulary = field(default_factory=Vocabulary)
     parameters: Parameters = field(default_factory=Parameters)
+    tasks: tuple[Task, ...] = ()
     left_out: tuple[str, ...] = ()
     later: bool = False
     others: Mapping[str, Any] = field(default_factory=dict)
@@ -43,8 +46,9 @@ def folder_content(content: Any) -> FolderContent:
         left_out.append(f"version {version!r:.20}, where {VERSION} was expected")
     vocabulary = _vocabulary(content.get("labels", []), left_out)
     parameters = _parameters(content.get("parameters", {}), left_out)
+    tasks = tasks_in(content.get("phases", []), left_out)
     others = {n: v for n, v in content.items() if n not in _OWN and _is_json(v)}
-    return FolderContent(vocabulary, parameters, tuple(left_out), later, others)
+    return FolderContent(vocabulary, parameters, tasks, tuple(left_out), later, others)
 
 
 def _vocabulary(items: Any, left_out: list[str]) -> Vocabulary:

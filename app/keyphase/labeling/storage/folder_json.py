@@ -1,7 +1,8 @@
 """The settings of a folder as JSON, and what is whole of them where they are no JSON any more.
 
-Labels and parameters are flat: each label an object of its own, each parameter a name and a number
-or word. So both are found in a file that was cut, or in which something else stands by now.
+Labels, phases and parameters are flat: each label and phase an object of its own, each parameter a
+name and a number or word. So all are found in a file that was cut, or in which something else is
+by now.
 """
 
 import json
@@ -35,12 +36,12 @@ def settings_json(data: bytes) -> Any:
 
 
 def salvaged(data: bytes) -> dict[str, Any]:
-    """What is whole in settings that are no JSON: labels in their order, and parameters."""
+    """What is whole in settings that are no JSON: labels, phases in their order, and parameters."""
     if values_in(data) > _MAX_VALUES:
         return {"version": VERSION}
     text = data.decode("utf-8", "replace")
     named = [one for one in map(_json, _FLAT_OBJECT.findall(text)) if isinstance(one, dict)]
-    labels = [one for one in named if "name" in one and "color" in one]
+    colored = [one for one in named if "name" in one and "color" in one]
     outside = _FLAT_OBJECT.sub(lambda found: "" if '"color"' in found[0] else found[0], text)
     known = {each.name for each in fields(Parameters)}
     pairs = ((_json(name), _json(value)) for name, value in _VALUE.findall(outside))
@@ -48,7 +49,8 @@ def salvaged(data: bytes) -> dict[str, Any]:
     version = _VERSION.search(outside)
     return {
         "version": int(version[1]) if version else VERSION,
-        "labels": labels,
+        "labels": [one for one in colored if "task" not in one],
+        "phases": [one for one in colored if "task" in one],
         "parameters": parameters,
     }
 

@@ -1,4 +1,4 @@
-"""What all recordings of a folder share: the vocabulary and the parameters."""
+"""What all recordings of a folder share: the vocabulary, the parameters and the tasks."""
 
 import json
 from collections.abc import Callable, Mapping
@@ -15,6 +15,7 @@ from keyphase.labeling.storage.folder_content import VERSION, folder_content
 from keyphase.labeling.storage.folder_json import salvaged, settings_json
 from keyphase.labeling.storage.old_files import keep_as_old, put_back
 from keyphase.labeling.storage.state_folder import StateFolder, state_folder
+from keyphase.labeling.tasks.task import Task
 from keyphase.labeling.vocabulary import Vocabulary
 from keyphase.segmentation.parameters import Parameters
 
@@ -36,6 +37,7 @@ class FolderSettings:
 
     vocabulary: Vocabulary = field(default_factory=Vocabulary)
     parameters: Parameters = field(default_factory=Parameters)
+    tasks: tuple[Task, ...] = ()
     notice: str | None = None
     later: bool = False
     others: Mapping[str, Any] = field(default_factory=dict)
@@ -114,7 +116,9 @@ def _read(path: Path | None) -> FolderSettings:
         damage, content = str(error), salvaged(data)
     read = folder_content(content)
     notice = _notice(path, read.left_out, damage)
-    return FolderSettings(read.vocabulary, read.parameters, notice, read.later, read.others)
+    return FolderSettings(
+        read.vocabulary, read.parameters, read.tasks, notice, read.later, read.others
+    )
 
 
 def _notice(path: Path, left_out: tuple[str, ...], damage: str | None) -> str | None:
@@ -133,6 +137,8 @@ def _as_json(settings: FolderSettings) -> bytes:
         "labels": settings.vocabulary.as_json(),
         "parameters": asdict(settings.parameters),
     }
+    if settings.tasks:
+        content["phases"] = [phase for task in settings.tasks for phase in task.as_json()]
     return f"{json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False)}\n".encode(
         errors="backslashreplace"
     )

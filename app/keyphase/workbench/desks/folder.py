@@ -1,4 +1,4 @@
-"""A folder of recordings while it is open: the vocabulary and parameters its recordings share."""
+"""A folder of recordings while it is open: the vocabulary, parameters and task they share."""
 
 import threading
 from collections.abc import Callable
@@ -12,8 +12,12 @@ from keyphase.labeling.storage.folder_settings import (
     change_folder_settings,
     read_folder_settings,
 )
+from keyphase.labeling.tasks.task import plain_or, task_of
 from keyphase.labeling.vocabulary import Vocabulary
 from keyphase.segmentation import Parameters
+
+FIRST_TASK = "task"
+"""What the task of a folder without a name is called."""
 
 
 class Folder:
@@ -36,6 +40,16 @@ class Folder:
         """
         preferred = SEGMENT_COLORS[color % len(SEGMENT_COLORS)]
         self._change_vocabulary(lambda vocabulary: vocabulary.with_label(label, preferred))
+
+    def show_task(self, labeling: Labeling) -> None:
+        """Let a finished recording write the phases of the folder's task, if it has none yet.
+
+        Raises JournalError where they cannot be kept.
+        """
+        name = plain_or(self.path.name, FIRST_TASK)
+        shown = task_of(name, labeling)
+        if shown.phases and not (self._settings.tasks or self._settings.later):
+            self._change(lambda each: each if each.tasks else replace(each, tasks=(shown,)))
 
     def forget(self, label: str) -> None:
         """Take a label out of the vocabulary; segments that have it keep it."""

@@ -167,6 +167,8 @@ class OpenRecording:
         if done != self.document.done or self.labeling.changed_since_done:
             self.keep_parameters()
             self._keep(self.document.apply(Done() if done else Reopen(), self.labeling))
+            if done:
+                self.folder.show_task(self.labeling)
 
     def take_journal(self) -> None:
         """Make what was done to the same bytes under another name this recording's.

@@ -1,0 +1,1 @@
+"""Tasks of a folder: the ordered phases that its recordings go through."""
