@@ -103,8 +103,12 @@ def _distances(a: Array, b: Array) -> Array:
     distance = np.sqrt(np.maximum(squares, 0.0))
     rows, columns = np.arange(len(a))[:, None], np.arange(len(b))[None]
     diagonal = rows * (len(b) - 1) / max(len(a) - 1, 1)
-    width = max(BAND * max(len(a), len(b)), _MIN_BAND)
-    return np.where(np.abs(columns - diagonal) <= width, distance, np.inf)
+    near = np.abs(columns - diagonal) <= _band_width(len(a), len(b))
+    return np.where(near, distance, np.inf)
+
+
+def _band_width(rows: int, columns: int) -> float:
+    return max(BAND * max(rows, columns), _MIN_BAND)
 
 
 def _accumulated(distance: Array) -> Array:
@@ -112,8 +116,12 @@ def _accumulated(distance: Array) -> Array:
     n, m = distance.shape
     total = np.full((n + 1, m + 1), np.inf)
     total[0, 0] = 0.0
+    slope = (m - 1) / max(n - 1, 1)
+    width = _band_width(n, m) + 2.0
     for diagonal in range(2, n + m + 1):
-        i = np.arange(max(1, diagonal - m), min(n, diagonal - 1) + 1)
+        low = max(1, diagonal - m, int((diagonal - width) / (1.0 + slope)))
+        high = min(n, diagonal - 1, int((diagonal + width) / (1.0 + slope)) + 1)
+        i = np.arange(low, high + 1)
         j = diagonal - i
         before = np.minimum(np.minimum(total[i - 1, j], total[i, j - 1]), total[i - 1, j - 1])
         total[i, j] = distance[i - 1, j - 1] + before

@@ -47,7 +47,7 @@ NAME_WORTH = 0.85
 """How sure a name is whose ends are not sure at all, were all of its time called so."""
 
 _BIAS, _FIT, _SPREAD, _EVIDENCE = 2.9, -2.2, -2.0, 1.2
-_MAX_ALIGNED = 5
+_MAX_ALIGNED = 3
 
 
 @dataclass(frozen=True)
