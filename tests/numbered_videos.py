@@ -54,15 +54,17 @@ def write_video(
     fps: float = 30.0,
     first: int = 0,
     codec: tuple[str, dict[str, str]] = H264,
+    size: tuple[int, int] = (WIDTH, HEIGHT),
 ) -> Path:
     """A video of frames numbered from `first`; the file's ending says in which container."""
     name, options = codec
     rate = Fraction(fps).limit_denominator(1001)
     with av.open(str(path), "w") as output:
         stream = output.add_stream(name, rate=rate, options=dict(options))
-        stream.width, stream.height, stream.pix_fmt = WIDTH, HEIGHT, "yuv420p"
+        stream.width, stream.height, stream.pix_fmt = *size, "yuv420p"
         for number in range(first, first + frames):
             frame = av.VideoFrame.from_ndarray(picture(number), format="rgb24")
+            frame = frame.reformat(*size, "yuv420p")
             frame.pts, frame.time_base = number - first, 1 / rate
             output.mux(stream.encode(frame))
         output.mux(stream.encode())
