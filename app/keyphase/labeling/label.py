@@ -9,6 +9,7 @@ from keyphase.labeling.applying import applied
 from keyphase.labeling.boundary_line import Mark
 from keyphase.labeling.colors import colors_of, ranked_colors
 from keyphase.labeling.edits import Edit
+from keyphase.labeling.edits.beside.assess import assessment_of
 from keyphase.labeling.frozen import Frozen
 from keyphase.labeling.labeling import Inapplicable, LabeledSegment, Labeling
 from keyphase.labeling.plan import planned
@@ -53,6 +54,7 @@ def label(
         done=done.frozen is not None,
         changed_since_done=done.frozen is not None and done.edits_applied > 1,
         made_with=done.frozen.made_with() if done.frozen else None,
+        assessment=assessment_of(edits),
     )
 
 

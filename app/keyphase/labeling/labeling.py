@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from keyphase.labeling.assessment import NOTHING_SAID, Assessment
 from keyphase.segmentation.end_condition import EndCondition
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import Boundary, Origin, Segmentation
@@ -81,6 +82,7 @@ class Labeling:
     inapplicable    edits whose place is gone under the present parameters, see `BringBack`
     done            a person has finished with it: its values no longer follow the segmentation
     changed_since_done  edits were made since
+    assessment      what a person thinks of the recording as a whole
     made_with       the parameters that had made it when it was done; None where it is not
     """
 
@@ -93,6 +95,7 @@ class Labeling:
     done: bool = False
     changed_since_done: bool = False
     made_with: Parameters | None = None
+    assessment: Assessment = NOTHING_SAID
 
     @property
     def parameters(self) -> Parameters:

@@ -12,6 +12,7 @@ from keyphase.errors import KeyphaseError, LabelingError, SegmentFileError
 from keyphase.files.reading import read_regular
 from keyphase.files.strict_json import parsed_json, violation
 from keyphase.files.writing import write_whole
+from keyphase.labeling.assessment import NOTHING_SAID, Assessment
 from keyphase.labeling.earlier import parameters_as_meant
 from keyphase.labeling.edits import MAX_PLAN_LENGTH, check_label
 from keyphase.labeling.labeling import Labeling
@@ -81,6 +82,7 @@ class SegmentFile:
     boundaries: tuple[FiledBoundary, ...]
     segments: tuple[FiledSegment, ...]
     plan: tuple[int, ...]
+    assessment: Assessment = NOTHING_SAID
 
     @property
     def recording(self) -> Path:
@@ -239,6 +241,7 @@ def _parsed(content: Mapping[str, Any], path: Path) -> SegmentFile:
             tuple(_boundary(item) for item in content["boundaries"]),
             tuple(_segment(item) for item in content["segments"]),
             tuple(content["plan"]),
+            Assessment(**content.get("assessment", {})),
         )
     except (KeyphaseError, ArithmeticError, TypeError, ValueError) as error:
         raise SegmentFileError(f"{path}: {error}; write the file again.") from error

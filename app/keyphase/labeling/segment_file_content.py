@@ -12,6 +12,7 @@ from typing import Any
 from keyphase import __version__
 from keyphase.demonstration import Demonstration
 from keyphase.errors import SegmentFileError
+from keyphase.labeling.assessment import Assessment
 from keyphase.labeling.labeling import LabeledBoundary, LabeledSegment, Labeling
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 
@@ -53,7 +54,14 @@ def segment_file_content(labeling: Labeling, path: Path) -> dict[str, Any]:
         "boundaries": [_rounded(_boundary(b)) for b in labeling.boundaries],
         "segments": [_rounded(_segment(i, s)) for i, s in enumerate(labeling.segments, start=1)],
         "plan": [entry.segment + 1 for entry in labeling.plan],
+        **_assessed(labeling.assessment),
     }
+
+
+def _assessed(assessment: Assessment) -> dict[str, Any]:
+    """What a person thinks of the recording, where anybody has said it."""
+    said = {name: value for name, value in asdict(assessment).items() if value}
+    return {"assessment": said} if said else {}
 
 
 def as_json(content: dict[str, Any]) -> bytes:

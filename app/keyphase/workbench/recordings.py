@@ -9,6 +9,7 @@ from typing import Literal
 
 from keyphase.errors import KeyphaseError
 from keyphase.files.parts import stem_of
+from keyphase.labeling.assessment import NOTHING_SAID, Assessment
 from keyphase.labeling.storage.summary import summarize
 from keyphase.workbench.showing.doubts import Piece
 
@@ -20,6 +21,7 @@ class Recording:
     """One line of the list.
 
     state, confidence, unsure, strip   what its segmentation has come to; empty until looked at
+    assessment                         what a person thinks of it as a whole
     error                              why it cannot be opened
     """
 
@@ -30,6 +32,7 @@ class Recording:
     unsure: int = 0
     strip: tuple[Piece, ...] = ()
     error: str | None = None
+    assessment: Assessment = NOTHING_SAID
 
     @property
     def name(self) -> str:
@@ -50,7 +53,7 @@ def recording_at(path: Path) -> Recording:
     except Exception as error:
         return replace(line, error=defect(path, error))
     state = "done" if said.done else "touched" if said.touched else "automatic"
-    return replace(line, state=state)
+    return replace(line, state=state, assessment=said.assessment)
 
 
 def defect(path: Path, error: Exception) -> str:

@@ -4,6 +4,7 @@ from keyphase.labeling.edits.accept import Accept
 from keyphase.labeling.edits.accept_labels import AcceptLabels
 from keyphase.labeling.edits.add import Add
 from keyphase.labeling.edits.base import kind_of
+from keyphase.labeling.edits.beside.assess import Assess
 from keyphase.labeling.edits.beside.camera_offset import CameraOffset
 from keyphase.labeling.edits.contact import Contact
 from keyphase.labeling.edits.done import Done, Reopen
@@ -26,6 +27,7 @@ __all__ = [
     "Accept",
     "AcceptLabels",
     "Add",
+    "Assess",
     "BringBack",
     "CameraOffset",
     "Contact",

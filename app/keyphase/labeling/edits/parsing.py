@@ -9,6 +9,7 @@ from keyphase.errors import LabelingError
 from keyphase.labeling.edits.accept import Accept
 from keyphase.labeling.edits.accept_labels import AcceptLabels
 from keyphase.labeling.edits.add import Add
+from keyphase.labeling.edits.beside.assess import Assess
 from keyphase.labeling.edits.beside.camera_offset import CameraOffset
 from keyphase.labeling.edits.contact import Contact
 from keyphase.labeling.edits.done import Done, Reopen
@@ -44,6 +45,7 @@ Edit = (
     | Reopen
     | SetEnd
     | CameraOffset
+    | Assess
 )
 """Everything a person can do; msgspec tells the kinds apart by their field `kind`."""
 

@@ -5,6 +5,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from keyphase.errors import KeyphaseError
+from keyphase.labeling.assessment import NOTHING_SAID, Assessment
+from keyphase.labeling.edits.base import BaseEdit
+from keyphase.labeling.edits.beside.assess import assessment_of
 from keyphase.labeling.finished import is_done, needs_freezing
 from keyphase.labeling.storage.readings import longest_journal
 from keyphase.labeling.storage.state_folder import journal_path, state_folder
@@ -14,12 +17,14 @@ from keyphase.labeling.storage.state_folder import journal_path, state_folder
 class JournalSummary:
     """What a list of recordings shows of a journal.
 
-    unfrozen  it was finished by a version that did not keep what was seen
+    unfrozen    it was finished by a version that did not keep what was seen
+    assessment  what a person thinks of the recording as a whole
     """
 
     touched: bool
     done: bool
     unfrozen: bool = False
+    assessment: Assessment = NOTHING_SAID
 
 
 def summarize(recording: Path) -> JournalSummary:
@@ -36,4 +41,6 @@ def summarize(recording: Path) -> JournalSummary:
     state = followed.state
     done = is_done(state.history, done_before=state.done_before)
     unfrozen = needs_freezing(state.history, done_before=state.done_before)
-    return JournalSummary(bool(state.history.done), done, unfrozen)
+    edits = {step.number: step.change for step in state.history.done}
+    said = assessment_of({n: edit for n, edit in edits.items() if isinstance(edit, BaseEdit)})
+    return JournalSummary(bool(state.history.done), done, unfrozen, said)

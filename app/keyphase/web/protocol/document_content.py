@@ -79,6 +79,7 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         changed=state.changed,
         elsewhere=_elsewhere(state),
         labels=state.vocabulary.labels,
+        assessment=state.labeling.assessment,
         camera_offsets=camera_offsets(state.document.edits),
         **_recorded(state.demonstration),
     )

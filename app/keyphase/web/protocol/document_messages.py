@@ -4,6 +4,7 @@ from typing import Any, Literal
 
 from msgspec import UNSET, Struct, UnsetType
 
+from keyphase.labeling.assessment import NOTHING_SAID, Assessment
 from keyphase.labeling.labeling import Inapplicable
 from keyphase.labeling.vocabulary import VocabularyLabel
 from keyphase.notices import Severity
@@ -189,6 +190,7 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     saved_at      HH:MM:SS of the last step on disk
     inapplicable  edits whose place is gone
     line_counts   how many boundaries are found wherever each line lies
+    assessment    what a person thinks of the recording as a whole
     camera_offsets  how far a person has moved each video on the recording's clock [s]
     held_back     how many more there would be, were another parameter let go
     """
@@ -234,6 +236,7 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     events: tuple[EventMessage, ...] = ()
     wrench_estimated: bool = False
     camera_offsets: dict[str, float] = {}
+    assessment: Assessment = NOTHING_SAID
     selected: int | None = None
 
 

@@ -4,6 +4,7 @@ from typing import Any, Literal
 
 from msgspec import UNSET, Struct, UnsetType, field
 
+from keyphase.labeling.assessment import NOTHING_SAID, Assessment
 from keyphase.workbench.proposals import Proposal
 from keyphase.workbench.recording_list import Listing
 from keyphase.workbench.recordings import Recording, State, folder_name, printable
@@ -59,6 +60,7 @@ class RecordingLine(Struct, frozen=True):
     proposed_from: tuple[str, ...] = ()
     proposed_confidence: float | None = None
     outlier: bool = False
+    assessment: Assessment = NOTHING_SAID
 
 
 class Recordings(Struct, frozen=True, tag_field="type", tag="recordings"):
@@ -215,6 +217,7 @@ def _line(
         recording.error,
         pages,
         *_proposed(proposal),
+        recording.assessment,
     )
 
 

@@ -72,4 +72,5 @@ class DeskState:
             unsure=unsure_count(self.kept_labeling),
             strip=strip(self.kept_labeling),
             error=None,
+            assessment=self.kept_labeling.assessment,
         )

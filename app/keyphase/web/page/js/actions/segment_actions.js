@@ -102,6 +102,8 @@ export function createSegmentActions(store, { edit, onSegment, selectedSegment, 
       actions.select(next);
       reveal(store, middle(doc().segments[next]));
     },
+    /** What one thinks of the recording as a whole: the parts that change. @param {Object} change */
+    assess: (change) => doc() && edit({ kind: "assess", ...doc().assessment, ...change }),
     acceptNames: () => edit({ kind: "accept_labels" }),
     /** Enter: the boundary shown, or the name of the segment that was selected; nothing else. */
     accept() {

@@ -1,5 +1,7 @@
 // Made by `make protocol` from the structs in app/keyphase: change those.
 
+import type { Assessment } from "./list_messages";
+
 /**
  * What a recording is at one revision.
  * - selected: index of the segment this page has selected
@@ -16,6 +18,7 @@
  * - saved_at: HH:MM:SS of the last step on disk
  * - inapplicable: edits whose place is gone
  * - line_counts: how many boundaries are found wherever each line lies
+ * - assessment: what a person thinks of the recording as a whole
  * - camera_offsets: how far a person has moved each video on the recording's clock [s]
  * - held_back: how many more there would be, were another parameter let go
  */
@@ -62,6 +65,7 @@ export interface DocumentMessage {
   events: EventMessage[];
   wrench_estimated: boolean;
   camera_offsets: { [name: string]: number };
+  assessment: Assessment;
   selected: number | null;
 }
 

@@ -183,6 +183,17 @@ export interface CameraOffsetEdit {
   offset_s: number;
 }
 
+/**
+ * Mark the recording as a success or a failure, with its quality from 1 to 5 and a note. The three
+ * are said together; what is left out is taken back.
+ */
+export interface AssessEdit {
+  kind: "assess";
+  outcome?: "failure" | "success" | null;
+  quality?: number | null;
+  note?: string;
+}
+
 export type Edit =
   | AddEdit
   | RemoveEdit
@@ -202,4 +213,5 @@ export type Edit =
   | DoneEdit
   | ReopenEdit
   | SetEndEdit
-  | CameraOffsetEdit;
+  | CameraOffsetEdit
+  | AssessEdit;

@@ -45,6 +45,7 @@ export interface RecordingLine {
   proposed_from: string[];
   proposed_confidence: number | null;
   outlier: boolean;
+  assessment: Assessment;
 }
 
 /** One segment in a strip: its share of the duration, its colour; None: idle or dropped. */
@@ -58,6 +59,13 @@ export interface PageThere {
   id: string;
   name: string;
   color: number;
+}
+
+/** Outcome, quality from 1 to 5, and a note; nothing is said where nobody has said it. */
+export interface Assessment {
+  outcome: "failure" | "success" | null;
+  quality: number | null;
+  note: string;
 }
 
 /** The page that is followed; null: none. */

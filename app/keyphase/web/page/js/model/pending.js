@@ -39,6 +39,10 @@ export function stillPending(pending, event) {
  * @type {{[E in Edit as E["kind"]]?: (doc: Doc, edit: E) => Doc|null}}
  */
 const DRAWN = {
+  assess: (doc, { outcome = null, quality = null, note = "" }) => ({
+    ...doc,
+    assessment: { outcome, quality, note },
+  }),
   camera_offset: (doc, { camera, offset_s: offset }) => ({
     ...doc,
     camera_offsets: { ...doc.camera_offsets, [camera]: offset },

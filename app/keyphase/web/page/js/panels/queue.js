@@ -41,7 +41,7 @@ export function createQueue(store, actions, menu) {
       byId("queue-states").replaceChildren(...counts(items, small));
       sort.classList.toggle("on", leastCertainFirst);
       sort.setAttribute("aria-pressed", String(leastCertainFirst));
-      filter.hidden = items.length < FILTER_FROM;
+      filter.hidden = items.length < FILTER_FROM && !items.some(isAssessed) && !filter.value;
       const shown = shownRecordings(store.state);
       rows.replaceChildren(...drawFolders(shown, leastCertainFirst, rowOf));
       rows.querySelector(".on")?.scrollIntoView({ block: "nearest" });
@@ -69,6 +69,9 @@ export function createQueue(store, actions, menu) {
     });
   }
 }
+
+const isAssessed = ({ assessment }) =>
+  Boolean(assessment && (assessment.outcome || assessment.quality || assessment.note));
 
 /** Rows with a heading above those of each folder, unless all are of one or doubt gives the order. */
 function drawFolders(shown, leastCertainFirst, rowOf) {

@@ -33,12 +33,35 @@ export function drawRow(item, { on, picked, common, open, menu }) {
     },
     stateMark(state),
     el("span", { class: "queue-name", text: cutName(name, common) }),
-    el("span", { class: "queue-pages" }, ...others.slice(0, MOST_PAGES).map(pageMark)),
+    el(
+      "span",
+      { class: "queue-pages" },
+      assessed(item.assessment),
+      ...others.slice(0, MOST_PAGES).map(pageMark),
+    ),
     certainty(item, low, sure),
     error
       ? el("span", { class: "queue-error", text: "cannot be read" })
       : el("span", { class: "queue-strip", "aria-hidden": "true" }, ...strip(item)),
   );
+}
+
+/**
+ * What a person thinks of it, in short.
+ * @param {import("../model/types.js").Recording["assessment"]|undefined} assessment
+ */
+function assessed(assessment) {
+  const { outcome = null, quality = null, note = "" } = assessment ?? {};
+  if (!outcome && !quality && !note) return null;
+  const sign = outcome ? { success: "✓", failure: "✗" }[outcome] : note && !quality ? "…" : "";
+  const told = [outcome, quality && `quality ${quality} of 5`, note].filter(Boolean).join(", ");
+  return el("span", {
+    class: `queue-assessed ${outcome ?? ""}`,
+    text: `${sign}${quality ?? ""}`,
+    title: told,
+    role: "img",
+    "aria-label": told,
+  });
 }
 
 /**

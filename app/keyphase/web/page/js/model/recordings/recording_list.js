@@ -13,13 +13,26 @@ const WORTH_CUTTING = 8;
 const STAYS = 3;
 
 /**
+ * Whether a recording fits a word of the filter: one of `is:success`, `is:failure`, `is:done` and
+ * the like, `quality:3` (so good or better), or a part of its folder, name or note.
+ * @param {Recording} item
+ * @param {string} word
+ */
+function fits({ name, folder = "", state, assessment }, word) {
+  const { outcome, quality, note } = assessment ?? { outcome: null, quality: null, note: "" };
+  const [what, value] = word.split(":");
+  if (what === "is" && value) return [state, outcome ?? "unmarked"].includes(value);
+  if (what === "quality" && value) return (quality ?? 0) >= Number(value);
+  return `${folder}/${name} ${note}`.toLowerCase().includes(word);
+}
+
+/**
  * The recordings in the order in which they are shown.
  * @param {{recordings: {items: Recording[]}, leastCertainFirst: boolean, filter: string}} state
  */
 export function shownRecordings({ recordings, leastCertainFirst, filter }) {
-  const wanted = filter.trim().toLowerCase();
-  const fits = ({ name, folder = "" }) => `${folder}/${name}`.toLowerCase().includes(wanted);
-  const items = wanted ? recordings.items.filter(fits) : recordings.items;
+  const words = filter.trim().toLowerCase().split(/\s+/).filter(Boolean);
+  const items = recordings.items.filter((item) => words.every((word) => fits(item, word)));
   if (!leastCertainFirst) return items;
   return items.toSorted((a, b) => (a.confidence ?? 2) - (b.confidence ?? 2));
 }

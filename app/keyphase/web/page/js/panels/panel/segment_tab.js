@@ -10,6 +10,7 @@ import {
   valueInForce,
 } from "../../model/parameters.js";
 import { button, choice, group, row, slider } from "./fields.js";
+import { createAssessmentGroup } from "./assessment_group.js";
 import { createEndGroup } from "./end_group.js";
 import { createShownParts } from "./shown_parts.js";
 import { createRobotGroup } from "./robot_group.js";
@@ -71,6 +72,7 @@ export function createSegmentTab(store, actions) {
     parameters,
     createShownParts(store, actions),
     createRobotGroup(store, actions),
+    createAssessmentGroup(store, actions),
     row(reset, spread),
   );
 }
