@@ -66,6 +66,7 @@ def main() -> None:
                 f"{name}: {len(took)} seeks, {wrong} wrong frames, median {p50:.0f} ms, "
                 f"95 % {p95:.0f} ms, {100 * within:.1f} % under {MOST_MS:g} ms\n"
             )
+            sys.stdout.flush()
         page.close()
         server.stop()
     sys.exit(failed)

@@ -43,6 +43,21 @@ test("a filter finds names and folders, whatever their case", () => {
   assert.deepEqual(names(stateOf(filed, { filter: "tues" })), ["b"]);
 });
 
+test("a filter finds what a person thinks of a recording, every word of it", () => {
+  const said = (outcome, quality, note = "") => ({ assessment: { outcome, quality, note } });
+  const marked = [
+    item("S02", 0.9, said("success", 4)),
+    item("S03", 0.4, said("failure", 2, "Peg dropped")),
+    item("S04", 0.6, { ...said(null, null), state: "done" }),
+  ];
+  const found = (filter) => names(stateOf(marked, { filter }));
+  assert.deepEqual(found("is:failure"), ["S03"]);
+  assert.deepEqual(found("is:unmarked"), ["S04"]);
+  assert.deepEqual(found("is:done"), ["S04"]);
+  assert.deepEqual(found("quality:2"), ["S02", "S03"]);
+  assert.deepEqual(found("quality:2 dropped"), ["S03"]);
+});
+
 test("the next recording is the one below it as shown", () => {
   const state = stateOf(items, { leastCertainFirst: true, recording: "S03" });
   assert.equal(recordingBeside(state, 1).name, "S04");

@@ -44,9 +44,10 @@ class Assess(BaseEdit, frozen=True, tag="assess"):
 
     def anchored(self, labeling: Labeling) -> "Assess":
         """Refused where it says what was said already."""
-        if self.assessment == labeling.assessment:
+        said = self.checked()
+        if said.assessment == labeling.assessment:
             raise LabelingError("The recording is marked so already.")
-        return self
+        return said
 
     @property
     def assessment(self) -> Assessment:
