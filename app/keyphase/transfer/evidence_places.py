@@ -69,7 +69,7 @@ def places_of(segmentation: Segmentation) -> Places:
 
 def usual_kind(places: Sequence[Place | None]) -> PlaceKind | None:
     """The kind that most of the places of one boundary have, in several recordings."""
-    kinds = [None if place is None else place.kind for place in places]
+    kinds: list[PlaceKind | None] = [None if place is None else place.kind for place in places]
     return max(kinds, key=lambda kind: (kinds.count(kind), kind is not None))
 
 
