@@ -86,9 +86,14 @@ def opened_video(file: Path, media_type: str, most_bytes: int = MOST_INDEX_BYTES
                 yield container
         except (av.FFmpegError, ValueError, OverflowError, EOFError, IndexError) as error:
             raise CameraError(
-                f"{file}: expected a whole video, but it cannot be read ({error}); copy or export "
-                "it again."
+                f"{file}: expected a whole video, but it cannot be read "
+                f"({_reason(error)}); copy or export it again."
             ) from error
+
+
+def _reason(error: Exception) -> str:
+    """What FFmpeg says is wrong, without its numbers."""
+    return getattr(error, "strerror", None) or str(error)
 
 
 def _media_type(file: Path) -> str:

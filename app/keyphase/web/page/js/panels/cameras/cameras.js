@@ -2,6 +2,7 @@
 
 import { chosenCameras, hasFootage, offsetOf } from "../../model/footage/frames.js";
 import { byId, el, icon } from "../../lib/dom.js";
+import { plural } from "../../lib/format.js";
 import { createPlayer } from "./player.js";
 
 /**
@@ -12,7 +13,11 @@ export function createCameras(store, actions) {
   const pane = byId("cameras");
   const choices = el("div", { class: "camera-choices", role: "group", "aria-label": "Cameras" });
   const views = el("div", { class: "camera-views" });
-  const refused = el("ul", { class: "camera-refused" });
+  const reasons = el("ul");
+  const count = el("summary");
+  const refused = /** @type {HTMLDetailsElement} */ (
+    el("details", { class: "camera-refused" }, count, reasons)
+  );
   pane.append(
     el(
       "header",
@@ -58,8 +63,12 @@ export function createCameras(store, actions) {
     choices.replaceChildren(
       ...(state.cameras?.cameras ?? []).map((one) => choice(one, chosen, actions)),
     );
-    refused.replaceChildren(...(state.cameras?.refused ?? []).map((text) => el("li", { text })));
-    refused.hidden = !refused.children.length;
+    const unseen = state.cameras?.refused ?? [];
+    reasons.replaceChildren(...unseen.map((text) => el("li", { text })));
+    count.textContent = `${plural(unseen.length, "video")} cannot be shown`;
+    refused.hidden = !unseen.length;
+    // Where there is nothing else to see the reasons are; beside a picture they wait to be asked.
+    refused.open = !state.cameras?.cameras.length;
   }
   store.on(["cameras", "camerasShown", "camerasChosen", "recording"], choose);
   store.on(
