@@ -73,7 +73,8 @@ class Plan:
                 self.end(outcome, self.reference[2])
         elif self.stage == "pressing":
             still = np.linalg.norm(sensed[2][:3]) < e["still_m_s"]
-            if time >= e["pressed_most_s"] or (time >= e["pressed_least_s"] and still):
+            pressed = time >= e["pressed_most_s"] or (time >= e["pressed_least_s"] and still)
+            if time >= e["seating_s"] if self.skill["search"] else pressed:
                 if self.is_in():
                     self.end("contact", np.zeros(6))
                 else:
@@ -125,18 +126,24 @@ class Plan:
     def seek(self, position, orientation, velocity):
         """A reference that the seat can turn, and that circles outwards during a search."""
         q, search = self.sensed[1], self.skill["search"]
-        orientation = turned(q, self.e["seat_giving"] * turn(orientation, q, True))
+        orientation = turned(q, self.e["seat_turning"] * turn(orientation, q, True))
         d = np.array(self.skill["press"]["direction"])
+        first = np.cross(d, np.eye(3)[np.abs(d).argmin()])
+        first = first / np.linalg.norm(first)
         if self.stage == "pressing":
+            t, e = self.in_stage, self.e
+            left = max(0.0, e["seating_s"] - e["rocking_calm_s"] - t)
+            share = min(1.0, t / e["rocking_faded_s"], left / e["rocking_faded_s"])
+            a = 2 * np.pi * e["rocking_hz"] * t
+            axis = np.cos(a) * first + np.sin(a) * np.cross(d, first)
+            orientation = turned(orientation, share * e["rocking_rad"] * axis)
             off = position - self.sensed[0]
             along = off @ d * d
             position = self.sensed[0] + along + self.e["seat_giving"] * (off - along)
         else:
             done = min(2 * self.in_stage / search["duration_s"], 2.0)
             share = (1 - abs(1 - done)) ** 0.5
-            first = np.cross(d, np.eye(3)[np.abs(d).argmin()])
             angle = 2 * np.pi * search["turns"] * (share if done < 1 else 2 - share)
-            first = first / np.linalg.norm(first)
             aside = np.cos(angle) * first + np.sin(angle) * np.cross(d, first)
             position = position + search["radius_m"] * share * aside - self.yielded
             off, felt = (v - v @ d * d for v in (position - self.sensed[0], self.sensed[3]))

@@ -55,11 +55,16 @@ class Search:
         """How far aside (3,) of the press along `direction` (3,) the reference is by now [m]."""
         done = min(2.0 * time_s / self.duration_s, 2.0)
         share = (1.0 - abs(1.0 - done)) ** 0.5
-        first = np.cross(direction, np.eye(3)[int(np.abs(direction).argmin())])
-        first /= np.linalg.norm(first)
+        first, second = across(direction)
         angle = 2.0 * np.pi * self.turns * (share if done < 1.0 else 2.0 - share)
-        second = np.cross(direction, first)
         return self.radius_m * share * (np.cos(angle) * first + np.sin(angle) * second)
+
+
+def across(direction: Array) -> tuple[Array, Array]:
+    """Two unit vectors (3,) at right angles to a direction (3,) and to each other."""
+    first = np.cross(direction, np.eye(3)[int(np.abs(direction).argmin())])
+    first /= np.linalg.norm(first)
+    return first, np.cross(direction, first)
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,7 +17,7 @@ from keyphase.skills.end_monitor import Outcome
 from keyphase.skills.execution.pressing import Pressed, pressed_now, pressing, still
 from keyphase.skills.execution.result import SkillResult, Stage, went_on
 from keyphase.skills.execution.run import UNTURNED, SkillRun, Start
-from keyphase.skills.execution.seeking import Seeking, seeking_of
+from keyphase.skills.execution.seeking import SEATING_S, Seeking, seeking_of
 from keyphase.skills.execution.sensed import Sensed
 from keyphase.skills.execution.shift import shift_after
 from keyphase.skills.skill import Skill
@@ -134,7 +134,7 @@ class Executor:
             return at
         if self.stage == "searching":
             return self._seeking.circling(at, self._sensed, self.in_stage_s)
-        return self._seeking.giving(at, self._sensed)
+        return self._seeking.giving(at, self._sensed, self.in_stage_s)
 
     def _go_on(self, waits: bool) -> None:
         """Enter the next stage where this one is over."""
@@ -188,6 +188,8 @@ class Executor:
             self._end_skill(_AT_REST)
 
     def _has_settled(self, time_s: float) -> bool:
+        if self._seeking is not None:
+            return time_s >= SEATING_S
         least_s, most_s = PRESSED_S
         speed = _length(self._sensed.velocity[:3])
         return time_s >= most_s or (time_s >= least_s and speed < STILL_M_S)

@@ -10,14 +10,29 @@ from keyphase.rotations import quaternions
 from keyphase.skills.changed import changed
 from keyphase.skills.coupling import Reference
 from keyphase.skills.execution.sensed import Sensed
-from keyphase.skills.search import FALL_S, FALL_SHARE, YIELDS, before_touch
+from keyphase.skills.search import FALL_S, FALL_SHARE, YIELDS, across, before_touch
 from keyphase.skills.skill import Skill
 
 GIVING = 0.15
-"""Part of the stiffness, sideways and in rotation, that is left while a part is pressed in.
+"""Part of the stiffness sideways that is left while a part is pressed in.
 
 A seat that lies aside or is turned, and a held part that sits tilted, align the tool themselves.
 """
+
+TURNING = 0.3
+"""The same in rotation: a tool that turns more easily tips over the edge that it touches first."""
+
+SEATING_S = 1.5
+"""How long a part is pressed into a seat: a tilted one goes in at one edge first."""
+
+ROCKING_RAD = np.radians(1.0)
+ROCKING_HZ = 2.0
+"""Meanwhile the tool rocks all around, so that a part that is wedged comes free and goes in."""
+
+CALM_S = 0.15
+"""Before the end the tool is still; it begins and ends to rock within `FADED_S`."""
+
+FADED_S = 0.2
 
 
 class Seeking:
@@ -52,12 +67,25 @@ class Seeking:
         """A search begins, around where the tool is."""
         self._yielded = np.zeros(3)
 
-    def giving(self, reference: Reference, sensed: Sensed) -> Reference:
-        """The reference sideways and in orientation near where the seat has moved the tool."""
+    def giving(self, reference: Reference, sensed: Sensed, time_s: float) -> Reference:
+        """The reference sideways and in orientation near where the seat has moved the tool.
+
+        It rocks, `time_s` after the pressing began.
+        """
         off = reference.position_m - sensed.position_m
         along = float(off.dot(self.press.direction)) * self.press.direction
         position = sensed.position_m + along + GIVING * (off - along)
-        return changed(self.turning(reference, sensed), position_m=position)
+        turned = self.turning(reference, sensed)
+        wxyz = quaternions.product(self._rocked(time_s), turned.orientation_wxyz)
+        return changed(turned, position_m=position, orientation_wxyz=wxyz)
+
+    def _rocked(self, time_s: float) -> Array:
+        """By which rotation (4,) the tool is tilted, about an axis that goes around the press."""
+        share = min(1.0, time_s / FADED_S, max(0.0, SEATING_S - CALM_S - time_s) / FADED_S)
+        first, second = across(self.press.direction)
+        angle = 2.0 * np.pi * ROCKING_HZ * time_s
+        axis = np.cos(angle) * first + np.sin(angle) * second
+        return quaternions.from_rotation_vector(share * ROCKING_RAD * axis)
 
     def turning(self, reference: Reference, sensed: Sensed) -> Reference:
         """The reference with an orientation that the seat can turn."""
@@ -66,7 +94,7 @@ class Seeking:
                 reference.orientation_wxyz, quaternions.conjugate(sensed.orientation_wxyz)
             )
         )
-        turn = quaternions.from_rotation_vector(GIVING * left)
+        turn = quaternions.from_rotation_vector(TURNING * left)
         wxyz = quaternions.product(turn, sensed.orientation_wxyz)
         return changed(reference, orientation_wxyz=wxyz)
 
