@@ -1,6 +1,6 @@
 """Labels that others made: read, compared with what keyphase finds, and taken over."""
 
-from keyphase.auditing.audit import Audited, audit, taken_over
+from keyphase.auditing.audit import Audited, audit, taken_over, taking_over_given
 from keyphase.auditing.given import UNLABELLED, GivenLabels, GivenSegment
 from keyphase.auditing.reading import given_labels
 
@@ -12,4 +12,5 @@ __all__ = [
     "audit",
     "given_labels",
     "taken_over",
+    "taking_over_given",
 ]

@@ -58,7 +58,14 @@ def audit(
 def taken_over(
     segmentation: Segmentation, given: GivenLabels, tolerance_s: float = DEFAULT_TOLERANCE_S
 ) -> Labeling:
-    """The given labels as a person's edits over the segmentation.
+    """The given labels as a person's edits over the segmentation."""
+    return label(segmentation, {0: taking_over_given(segmentation, given, tolerance_s)})
+
+
+def taking_over_given(
+    segmentation: Segmentation, given: GivenLabels, tolerance_s: float = DEFAULT_TOLERANCE_S
+) -> TakeOver:
+    """The one edit that makes given labels the segmentation's.
 
     Whether contact changes at a boundary is what keyphase found near it, since labels do not say.
     """
@@ -74,7 +81,7 @@ def taken_over(
     for one in given.segments:
         middle = 0.5 * (one.start_s + one.end_s)
         edits.append(Label(middle, _plain(one.label), (one.start_s, one.end_s)))
-    return label(segmentation, {0: TakeOver(_plain(given.source), tuple(edits)).checked()})
+    return TakeOver(_plain(given.source), tuple(edits)).checked()
 
 
 def _is_contact_change(segmentation: Segmentation, time_s: float, tolerance_s: float) -> bool:

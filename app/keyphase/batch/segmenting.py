@@ -61,7 +61,8 @@ def segment_all(
     tell = progress or (lambda _done, _total: None)
     tell(len(became), len(tasks))
     with running_on(backend, address):
-        results = _results(todo, _How(recipe, chosen, csv, replace), jobs)
+        how = _How(recipe, chosen, csv, replace)
+        results = _in_groups(todo, how, jobs) if backend == "ray" else _results(todo, how, jobs)
         for task, result in zip(todo, results, strict=True):
             became[task] = result
             manifest.keep(result) if isinstance(result, Written) else manifest.keep_refusal(result)
@@ -99,6 +100,20 @@ def _results(todo: Sequence[Written], how: _How, jobs: int) -> Iterator[Written 
     calls = (delayed(_segment_one)(task, how) for task in todo)
     running: Any = Parallel(n_jobs=jobs, return_as="generator")(calls)
     return iter(running)
+
+
+_RAY_GROUP = 64
+"""So many are in work at once on Ray, which gives back no result before all of them are done."""
+
+
+def _in_groups(todo: Sequence[Written], how: _How, jobs: int) -> Iterator[Written | Refusal]:
+    """The same where results cannot be given back one by one; what is done is kept by groups."""
+    from joblib import Parallel, delayed
+
+    for at in range(0, len(todo), _RAY_GROUP):
+        calls = (delayed(_segment_one)(task, how) for task in todo[at : at + _RAY_GROUP])
+        done: Any = Parallel(n_jobs=jobs)(calls)
+        yield from done
 
 
 def _before(task: Written) -> Written:

@@ -13,6 +13,7 @@ from keyphase.web.protocol import requests as ask
 from keyphase.web.protocol.comparison_content import comparison_message
 from keyphase.web.protocol.control_messages import cameras_message
 from keyphase.web.protocol.export_messages import offers_message
+from keyphase.web.protocol.list_messages import lanes_message
 from keyphase.web.protocol.signals_frame import signals_frame
 from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.parameters import with_parameter
@@ -23,6 +24,7 @@ from keyphase.workbench.leading.cutting import write_cut
 from keyphase.workbench.recordings import Recording
 from keyphase.workbench.replaying.exports import PLAN_KINDS
 from keyphase.workbench.showing.comparing import PROPOSED
+from keyphase.workbench.showing.lanes import lanes_of
 from keyphase.workbench.uploads import copy_of_shipped
 from keyphase.writers import Options, writer_named
 
@@ -84,10 +86,21 @@ def _at_desk(page: "Conversation", desk: Desk, request: ask.EditingRequest) -> N
         case ask.Compare():
             proposal = page.workbench.proposals.of(request.recording)
             page.send(comparison_message(desk.opened(), request.other, proposal))
+        case ask.Lanes():
+            page.view.errands.submit(lambda: _send_lanes(page, desk), "lanes")
         case ask.Spread():
             _spread(page, desk, request)
         case _:
             assert_never(request)
+
+
+def _send_lanes(page: "Conversation", desk: Desk) -> None:
+    """A recording that was closed meanwhile needs none."""
+    if desk.state is None:
+        return
+    listed = page.workbench.recordings.recordings
+    found = lanes_of(desk.state, listed, page.workbench.library)
+    page.send(lanes_message(desk.recording.id, found))
 
 
 def _take_over(page: "Conversation", desk: Desk, request: ask.TakeOver) -> None:

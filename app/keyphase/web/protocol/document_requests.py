@@ -86,6 +86,10 @@ class Compare(OnDocument, tag="compare", frozen=True):
     other: Id | None = msgspec.field(name="with", default=None)
 
 
+class Lanes(OnDocument, tag="lanes", frozen=True):
+    """Tell what the other tools did that were recorded at the same time."""
+
+
 class TakeOver(OnDocument, tag="take_over", frozen=True):
     """Make another segmentation of this recording its own, as one edit."""
 

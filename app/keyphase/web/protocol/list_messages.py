@@ -1,14 +1,17 @@
 """The list of recordings, and what is told beside the document: tasks, notices, uploads."""
 
+from collections.abc import Iterable
 from typing import Any, Literal
 
 from msgspec import UNSET, Struct, UnsetType, field
 
 from keyphase.labeling.assessment import NOTHING_SAID, Assessment
+from keyphase.files.parts import split_part
 from keyphase.workbench.proposals import Proposal
 from keyphase.workbench.recording_list import Listing
 from keyphase.workbench.recordings import Recording, State, folder_name, printable
 from keyphase.workbench.showing.doubts import Piece
+from keyphase.workbench.showing.lanes import Lane
 from keyphase.workbench.spread import Spread, SpreadItem
 
 
@@ -179,6 +182,44 @@ class ComparisonMessage(Struct, frozen=True, tag_field="type", tag="comparison")
     f1: float | None = None
     same_label: float | None = None
     timing_s: float | None = None
+
+
+class LaneSegment(Struct, frozen=True):
+    """What another tool did from one time to another; `color` null: idle or dropped."""
+
+    start_s: float
+    end_s: float
+    label: str
+    color: int | None
+
+
+class LaneMessage(Struct, frozen=True):
+    """Another tool of the same recording, which is a recording of the list by itself."""
+
+    id: str
+    name: str
+    segments: tuple[LaneSegment, ...]
+
+
+class LanesMessage(Struct, frozen=True, tag_field="type", tag="lanes"):
+    """The other tools that were recorded at the same time, as they stand."""
+
+    recording: str
+    lanes: tuple[LaneMessage, ...]
+
+
+def lanes_message(recording: str, lanes: Iterable[Lane]) -> LanesMessage:
+    """What a page draws below the segments."""
+    return LanesMessage(recording, tuple(map(_lane, lanes)))
+
+
+def _lane(lane: Lane) -> LaneMessage:
+    segments = tuple(
+        LaneSegment(one.start_s, one.end_s, one.label, one.color if one.kept else None)
+        for one in lane.labeling.segments
+    )
+    part = split_part(lane.recording.path)[1] or ""
+    return LaneMessage(lane.recording.id, printable(part.rpartition("+")[2]), segments)
 
 
 def recordings_message(listing: Listing, current: str | None, page: str) -> Recordings:

@@ -23,6 +23,7 @@ from keyphase.web.protocol.list_messages import (
     ComparisonMessage,
     Following,
     Hello,
+    LanesMessage,
     Notice,
     Recordings,
     Refused,
@@ -53,6 +54,7 @@ Message = (
     | OffersMessage
     | SpreadMessage
     | ComparisonMessage
+    | LanesMessage
     | UploadReady
     | UploadRefused
     | UploadCancelled

@@ -16,6 +16,7 @@ from keyphase.web.protocol.document_requests import (
     Export,
     ForgetLabel,
     KeepLabels,
+    Lanes,
     Offers,
     Redo,
     Reset,
@@ -71,6 +72,7 @@ EditingRequest = (
     | ForgetLabel
     | Spread
     | Compare
+    | Lanes
     | TakeOver
     | Cut
     | Offers
@@ -118,6 +120,7 @@ LOOKING_REQUESTS = (
     Cameras,
     Latency,
     Compare,
+    Lanes,
 )
 """What a page may ask that was opened by the link for looking."""
 

@@ -47,6 +47,11 @@ class Library:
         self._closed = False
 
     @property
+    def recipe(self) -> Recipe | None:
+        """How tables are read that are not in keyphase's own form, where one was given for all."""
+        return self._recipe
+
+    @property
     def is_free(self) -> bool:
         """Whether no desk has anything to do."""
         with self._lock:

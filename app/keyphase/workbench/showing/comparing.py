@@ -2,8 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
 from statistics import median
 
+from keyphase.auditing import GivenLabels, given_labels, taking_over_given
+from keyphase.demonstration import Demonstration
 from keyphase.errors import KeyphaseError, RequestError
 from keyphase.files.parts import stem_of
 from keyphase.labeling.comparing.comparison import Comparison as ComparisonResult
@@ -22,6 +26,9 @@ AUTOMATIC = "automatic"
 
 PROPOSED = "proposed"
 """Compare with what is proposed from other recordings that are done."""
+
+GIVEN = "given"
+"""Compare with the labels that others left in the recording's own file."""
 
 MAX_FILES = 50
 """So many segment files of a folder are offered."""
@@ -46,14 +53,18 @@ class Comparison:
 def comparison(state: DeskState, other: str | None, proposed: Outline | None = None) -> Comparison:
     """With what the recording can be compared, and how `other` agrees.
 
-    `other` is None, "automatic", "found now" for a recording that is done, "proposed" where
-    something is, or the name of a segment file beside the recording. Raises RequestError for a name
-    that is not offered, SegmentFileError and LabelingError for a file that cannot be compared.
+    `other` is None, "automatic", "found now" for a recording that is done, "given" where its own
+    file holds labels, "proposed" where something is, or the name of a segment file beside the
+    recording. Raises RequestError for a name that is not offered, SegmentFileError and
+    LabelingError for a file that cannot be compared.
     """
     names = _segment_files(state)
     ours = {AUTOMATIC: lambda: _automatic(state)}
     if (now := state.found_now) is not None:
         ours[NOW] = lambda: Outline.of_labeling(now)
+    given = _given(state.recording.path, state.demonstration)
+    if given is not None:
+        ours[GIVEN] = lambda: given.outline
     if proposed is not None:
         ours[PROPOSED] = lambda: proposed
     options = (*ours, *map(printable, names))
@@ -80,11 +91,29 @@ def take_over(opened: OpenRecording, other: str) -> None:
         opened.apply(Reset())
     elif other == NOW:
         opened.mark_done(False)
+    elif other == GIVEN:
+        _take_given(opened)
     elif other in map(printable, names):
         name = next(name for name in names if printable(name) == other)
         opened.apply(taking_over(_filed(opened, name), opened.kept_labeling.segmentation))
     else:
         raise _unknown()
+
+
+def _take_given(opened: OpenRecording) -> None:
+    given = _given(opened.recording.path, opened.demonstration)
+    if given is None:
+        raise _unknown()
+    opened.apply(taking_over_given(opened.kept_labeling.segmentation, given))
+
+
+@lru_cache(maxsize=8)
+def _given(recording: Path, demonstration: Demonstration) -> GivenLabels | None:
+    """The labels in the recording's own file; None where there are none, or none can be read."""
+    try:
+        return given_labels(recording, demonstration)
+    except KeyphaseError:
+        return None
 
 
 def _unknown() -> RequestError:

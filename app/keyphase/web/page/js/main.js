@@ -4,6 +4,7 @@ import { sceneFrames } from "./scene/viser_client.js";
 import { createAddress } from "./actions/address.js";
 import { createActions } from "./actions/actions.js";
 import { createCommands } from "./actions/commands.js";
+import { showOthers } from "./actions/others.js";
 import { boundaryText, createAnnouncer, segmentText } from "./panels/announcer.js";
 import { createReadNotices } from "./panels/overlays/read_notices.js";
 import { createSceneTools } from "./panels/scene_tools.js";
@@ -103,6 +104,7 @@ createTheme(store, send);
 // A comparison is with what is shown now, whatever has been edited since.
 store.later(["document"], ({ comparison }) => comparison?.with && actions.compare(comparison.with));
 store.later(["recording"], () => actions.compare(null));
+showOthers(store, actions);
 showProposals(store, actions);
 const applySize = () =>
   (document.documentElement.dataset.size = store.state.small ? "small" : "large");

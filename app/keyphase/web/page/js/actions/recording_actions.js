@@ -41,6 +41,8 @@ export function createRecordingActions(store, send, actions) {
       if (other === null) store.set({ comparison: null });
       if (doc()) send({ type: "compare", with: other });
     },
+    /** Asks what the other tools did that were recorded at the same time. */
+    askLanes: () => send({ type: "lanes" }),
     toggleCompare: () => own.compare(state.comparison?.with ? null : "automatic"),
     /** Goes to the next boundary that only one of the two has. */
     visitDifference(direction) {

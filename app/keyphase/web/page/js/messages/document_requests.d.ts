@@ -102,6 +102,14 @@ export interface CompareRequest {
   event?: number | null;
 }
 
+/** Tell what the other tools did that were recorded at the same time. */
+export interface LanesRequest {
+  type: "lanes";
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
 /** Make another segmentation of this recording its own, as one edit. */
 export interface TakeOverRequest {
   type: "take_over";

@@ -149,6 +149,28 @@ export interface ComparisonMessage {
   timing_s: number | null;
 }
 
+/** The other tools that were recorded at the same time, as they stand. */
+export interface LanesMessage {
+  type: "lanes";
+  recording: string;
+  lanes: LaneMessage[];
+}
+
+/** Another tool of the same recording, which is a recording of the list by itself. */
+export interface LaneMessage {
+  id: string;
+  name: string;
+  segments: LaneSegment[];
+}
+
+/** What another tool did from one time to another; `color` null: idle or dropped. */
+export interface LaneSegment {
+  start_s: number;
+  end_s: number;
+  label: string;
+  color: number | null;
+}
+
 /** The pieces of the file may come; `name` is what it will be called. */
 export interface UploadReady {
   type: "upload_ready";

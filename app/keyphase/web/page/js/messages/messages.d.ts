@@ -23,6 +23,7 @@ import type {
   ComparisonMessage,
   Following,
   Hello,
+  LanesMessage,
   Notice,
   Recordings,
   Refused,
@@ -54,6 +55,7 @@ export type Message =
   | OffersMessage
   | SpreadMessage
   | ComparisonMessage
+  | LanesMessage
   | UploadReady
   | UploadRefused
   | UploadCancelled

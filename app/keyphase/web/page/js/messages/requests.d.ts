@@ -8,6 +8,7 @@ import type {
   ExportRequest,
   ForgetLabelRequest,
   KeepLabelsRequest,
+  LanesRequest,
   OffersRequest,
   RedoRequest,
   ResetRequest,
@@ -62,6 +63,7 @@ export type Request =
   | ForgetLabelRequest
   | SpreadRequest
   | CompareRequest
+  | LanesRequest
   | TakeOverRequest
   | CutRequest
   | OffersRequest

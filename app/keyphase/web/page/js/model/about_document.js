@@ -13,6 +13,7 @@ const ABOUT = new Set([
   "forget_label",
   "spread",
   "compare",
+  "lanes",
   "take_over",
   "cut",
   "offers",

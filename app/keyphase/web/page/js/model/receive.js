@@ -89,6 +89,9 @@ export function createReceiver(
     comparison(message) {
       if (message.recording === state.recording) store.set({ comparison: message });
     },
+    lanes(message) {
+      if (message.recording === state.recording) store.set({ lanes: message.lanes });
+    },
     ...aboutFiles(store, upload, notices),
     spread: (message) => store.set({ spread: state.lookingOnly ? null : message }),
     replay: (message) => store.set({ replay: message }),
@@ -165,6 +168,7 @@ function fresh(doc) {
     ghost: [],
     renaming: null,
     comparison: null,
+    lanes: [],
     spread: null,
     offers: null,
     cameras: null,

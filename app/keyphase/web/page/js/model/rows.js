@@ -108,6 +108,7 @@ export function layOut(state, room = 0) {
     const isLow = key === "segments" && folded.has(key);
     put(key, isLow ? 24 : small ? low : large, folded.has(key));
   }
+  if (state.lanes.length) put("lanes", state.lanes.length * (small ? 17 : 20));
   if (state.document?.events.length) put("events", small ? 15 : 17);
   if (state.camerasShown && state.cameras?.cameras.length) put("cameras", small ? 32 : 40);
   if (state.comparison?.with) put("comparison", small ? 32 : 36);

@@ -2,6 +2,7 @@
 
 import { el } from "../lib/dom.js";
 import { fold } from "../model/rows.js";
+import { createLaneNames } from "./lanes/arms.js";
 import { createComparisonGutter } from "./lanes/comparison.js";
 import { createGutter } from "./gutter.js";
 
@@ -17,6 +18,7 @@ export function createHeadGutters(pane, store, actions) {
     { key: "ruler", title: "Time, s", foldable: false },
     { key: "boundaries", title: "Boundaries" },
     { key: "segments", title: "Segments" },
+    { key: "lanes", title: "", foldable: false },
     { key: "events", title: "Events", foldable: false },
     { key: "cameras", title: "Camera", foldable: false },
     { key: "comparison", title: "Compared", foldable: false },
@@ -46,6 +48,8 @@ export function createHeadGutters(pane, store, actions) {
     accept.hidden = proposed === 0 || readOnly;
     accept.textContent = `Accept ${proposed} ${proposed === 1 ? "name" : "names"}`;
   };
+  const lanes = gutters.get("lanes");
+  lanes.describe = createLaneNames(lanes, actions);
   const compared = gutters.get("comparison");
   compared.describe = createComparisonGutter(compared, store, actions);
   return gutters;

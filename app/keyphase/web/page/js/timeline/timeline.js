@@ -77,6 +77,7 @@ function arrangeOn(pane, content, store, stage, tracks) {
       "comparison",
       "cameras",
       "camerasShown",
+      "lanes",
     ],
     (state) => {
       if (!state.document) return;
@@ -134,6 +135,7 @@ function drawOn(store, stage, tracks) {
   };
   on(["recording", ...PLACE], (state) => head.drawView(stage, state));
   on(["recording", ...PLACE], (state) => head.drawLogged(stage, state));
+  on(["lanes", ...PLACE], (state) => head.drawArms(stage, state));
   on(["comparison", ...PLACE], (state) => head.drawOther(stage, state));
   on(["document", "cameras", "camerasShown", "camerasChosen", ...PLACE], stage.film);
   on(["recording", "layout", "plotWidth", "whole"], (state) => head.drawWhole(stage, state));

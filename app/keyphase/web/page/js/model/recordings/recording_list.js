@@ -138,6 +138,9 @@ export function byFolder(items) {
 /** Its name among the segmentations to compare with. */
 export const PROPOSED = "proposed";
 
+/** The comparison with labels that others left in the recording's own file. */
+export const GIVEN = "given";
+
 /**
  * The line of the recording that is shown, where something is proposed and nobody has touched it.
  * @param {import("../../lib/store.js").State} state

@@ -3,7 +3,11 @@
 /** @typedef {import("./menu.js").Item} Item */
 
 /** What the server's own comparisons are called here. */
-const OWN_NAMES = { automatic: "What the program found", "found now": "As it would be found now" };
+const OWN_NAMES = {
+  automatic: "What the program found",
+  "found now": "As it would be found now",
+  given: "Labels in the recording’s own file",
+};
 
 /**
  * @param {import("../../lib/store.js").Store} store

@@ -5,7 +5,7 @@
 
 import { segmentFill } from "../../lib/colors.js";
 import { el, icon, svg } from "../../lib/dom.js";
-import { namesOf, PROPOSED, proposedHere } from "../../model/recordings/recording_list.js";
+import { GIVEN, namesOf, PROPOSED, proposedHere } from "../../model/recordings/recording_list.js";
 import { textWidth } from "../../lib/text_width.js";
 
 /** Height between the bands, for the links. */
@@ -114,6 +114,7 @@ function missing(scale, time, y) {
 export function nameOf(other) {
   if (other === "found now") return "Found now";
   if (other === PROPOSED) return "Proposed";
+  if (other === GIVEN) return "Labels given";
   return other === "automatic" ? "Program’s own" : other.replace(/\.segments\.json$/, "");
 }
 

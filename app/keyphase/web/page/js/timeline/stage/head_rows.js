@@ -5,6 +5,7 @@ import { drawBand } from "../band.js";
 import { drawBoundaries, drawGhosts, drawIntervals } from "../boundaries.js";
 import { drawBreaks } from "../breaks.js";
 import { drawComparison } from "../lanes/comparison.js";
+import { drawLanes } from "../lanes/arms.js";
 import { drawEvents } from "../lanes/events.js";
 import { drawOverviewCurve, drawOverviewStrip, drawWindow } from "../overview.js";
 import { drawRuler } from "../ruler.js";
@@ -37,6 +38,13 @@ export function drawView({ groups, scale }, state) {
   groups.overviewWindow.replaceChildren(
     ...drawWindow(state, rows.get("overview"), state.plotWidth),
   );
+}
+
+/** @param {Stage} stage @param {State} state */
+export function drawArms({ groups, gutters, scale }, { lanes, layout }) {
+  const row = layout.rows.get("lanes");
+  groups.lanes.replaceChildren(...(row ? drawLanes(lanes, scale(), row) : []));
+  if (row) gutters.get("lanes").describe(lanes);
 }
 
 /** @param {Stage} stage @param {State} state */
