@@ -25,6 +25,8 @@ SOUND = {
     "wrench": 'frame = "base"\nsign = 1\n',
     "gripper": 'columns = "g*"\nunit = "m"\n',
     "joints": 'columns = "j*"\nunit = "rad"\n',
+    "joint_torques": 'columns = "t*"\nunit = "Nm"\nsign = 1\n',
+    "robot": 'urdf = "arm.urdf"\ntool_frame = "tool0"\n',
     "events": 'column = "w"\n',
 }
 ANY_NAME = ["channels"]

@@ -6,7 +6,7 @@ import pytest
 
 from keyphase.errors import RobotError
 from keyphase.robot.mesh_files import MeshFiles
-from keyphase.robot.urdf import refuse_bad_urdf
+from keyphase.urdf.checking import refuse_bad_urdf
 
 ROBOT = '<robot name="r"><link name="a"/></robot>'
 

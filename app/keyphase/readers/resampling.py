@@ -14,6 +14,7 @@ SMOOTH = (
     "force_N",
     "torque_Nm",
     "joints_rad",
+    "joint_torques_Nm",
     "gripper",
 )
 """Anything else may be a button, between whose values there is nothing: its last one holds."""

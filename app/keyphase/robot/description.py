@@ -14,7 +14,7 @@ from yourdfpy import URDF
 from keyphase.demonstration import Array
 from keyphase.errors import RobotError
 from keyphase.robot.shapes import LinkShape, read_display, shapes_of
-from keyphase.robot.urdf import MOVING, refuse_bad_urdf
+from keyphase.urdf.checking import MOVING, refuse_bad_urdf
 
 
 @dataclass(frozen=True)

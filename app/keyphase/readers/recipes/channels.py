@@ -43,6 +43,9 @@ from keyphase.readers.timing import refuse_not_increasing
 Channels = dict[str, Array]
 """Channels by their names in Demonstration, time included."""
 
+JOINT_TORQUES = "joint_torques_Nm"
+"""A channel on the way only: of it the wrench is worked out."""
+
 SECTIONS = {
     "pose": ("position_m", "orientation_wxyz"),
     "position": ("position_m",),
@@ -50,6 +53,7 @@ SECTIONS = {
     "force": ("force_N",),
     "torque": ("torque_Nm",),
     "joints": ("joints_rad",),
+    "joint_torques": (JOINT_TORQUES,),
     "gripper": ("gripper",),
 }
 """Sections of a recipe and the channels they make."""
@@ -90,6 +94,8 @@ def channels_of(table: Columned, recipe: Recipe) -> Noted:
     if recipe.orientation:
         channels["orientation_wxyz"], more = _orientation(table, recipe.orientation)
         notices += more
+    if recipe.joint_torques:
+        channels[JOINT_TORQUES] = _scaled(table, recipe.joint_torques)
     for name, form in _loads_and_joints(recipe).items():
         channels[name] = _scaled(table, form)
     if recipe.gripper:

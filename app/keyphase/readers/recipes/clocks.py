@@ -16,6 +16,9 @@ from keyphase.readers.resampling import interpolate
 _STEERING = ("position_m", "orientation_wxyz", "force_N", "torque_Nm")
 """Whose clock all others follow: one of what is segmented by."""
 
+_BY_JOINTS = ("joints_rad", "joint_torques_Nm")
+"""The same where it is by its joints that is known where the tool was."""
+
 
 def on_one_clock(
     channels: Mapping[str, Array], clocks: Mapping[str, Array], recipe: str
@@ -31,8 +34,9 @@ def on_one_clock(
                 f"{recipe}: {channel} has {len(values)} values but its clock "
                 f"{len(clocks[channel])}; name its own with time = in its section."
             )
+    steering = _STEERING if "position_m" in channels else (*_STEERING, *_BY_JOINTS)
     leading = min(
-        (channel for channel in _STEERING if channel in channels),
+        (channel for channel in steering if channel in channels),
         key=lambda channel: float(np.median(np.diff(clocks[channel]))),
     )
     lead = clocks[leading]

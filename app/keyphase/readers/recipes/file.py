@@ -16,10 +16,12 @@ from keyphase.readers.recipes.presets import merged, preset_values
 from keyphase.readers.recipes.recipe import Recipe
 from keyphase.readers.recipes.sections import (
     events_of,
+    joint_torques_of,
     load_of,
     named_of,
     orientation_of,
     pose_of,
+    robot_of,
     rows_of,
     scaled_of,
     split_of,
@@ -32,7 +34,9 @@ _MAX_RECIPE_BYTES = 64 * 1024
 _TOO_DEEP = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){12}""")
 _MAX_JOINTS = 100
 _MAX_PARTS = 100
-_CHANNELS = ("pose", "position", "orientation", "force", "torque", "joints", "gripper")
+_CHANNELS = (
+    *("pose", "position", "orientation", "force", "torque", "joints", "joint_torques", "gripper"),
+)
 
 
 def load_recipe(path: Path | str) -> Recipe:
@@ -135,6 +139,8 @@ def _one(values: Mapping[str, Any], name: str) -> Recipe:
         torque=load_of(sections["torque"], "torque"),
         wrench=wrench_of(keys.section("wrench")),
         joints=scaled_of(sections["joints"], range(1, _MAX_JOINTS + 1), "angle"),
+        robot=robot_of(keys.section("robot"), Path(name).parent),
+        joint_torques=joint_torques_of(sections["joint_torques"], range(1, _MAX_JOINTS + 1)),
         gripper=scaled_of(sections["gripper"], (1, 2), "opening"),
         named={name: column for name, (column, _) in named.items()},
         events=events_of(keys.section("events")),
@@ -147,13 +153,7 @@ def _one(values: Mapping[str, Any], name: str) -> Recipe:
 
 
 def _refuse_contradictions(recipe: Recipe) -> None:
-    if recipe.pose is None and recipe.position is None:
-        joints = recipe.joints is not None
-        raise RecipeError(
-            f"{recipe.name}: [position] or [pose] is missing: keyphase needs the place of the tool"
-            + (", which joint angles alone do not say; log it with them, or compute it by your "
-               "robot's forward kinematics." if joints else "; add one of them.")
-        )  # fmt: skip
+    _refuse_without_place(recipe)
     if recipe.pose is not None and recipe.position is not None:
         raise RecipeError(f"{recipe.name}: expected either [position] or [pose]; keep one of them.")
     if recipe.pose and recipe.orientation:
@@ -174,4 +174,32 @@ def _refuse_contradictions(recipe: Recipe) -> None:
     if recipe.table.decimal == recipe.table.separator:
         raise RecipeError(
             f"{recipe.name}: the comma cannot be both separator and decimal; change one of them."
+        )
+
+
+def _refuse_without_place(recipe: Recipe) -> None:
+    placed = recipe.pose is not None or recipe.position is not None
+    if not placed and recipe.robot is None:
+        told = "; add one of them."
+        if recipe.joints is not None:
+            told = (
+                ", which joint angles alone do not say; log it with them, or name your robot in "
+                '[robot] urdf = "arm.urdf", tool_frame = "tool0".'
+            )
+        raise RecipeError(
+            f"{recipe.name}: [position] or [pose] is missing: keyphase needs the place of the "
+            f"tool{told}"
+        )
+    if recipe.robot is not None and recipe.joints is None:
+        raise RecipeError(f"{recipe.name}: [robot] says where the tool is by [joints]; add them.")
+    if not placed and recipe.orientation is not None:
+        raise RecipeError(
+            f"{recipe.name}: [robot] gives the orientation already; leave [orientation] out."
+        )
+    if recipe.joint_torques is None:
+        return
+    if recipe.robot is None or recipe.force is not None or recipe.torque is not None:
+        raise RecipeError(
+            f"{recipe.name}: [joint_torques] become a wrench by [robot], where none was measured; "
+            "add [robot], or leave out either the torques or [force] and [torque]."
         )

@@ -16,6 +16,7 @@ from keyphase.notices import Caution
 from keyphase.readers.build import build
 from keyphase.readers.held import find_hold
 from keyphase.readers.recipes.bad_rows import without_bad_rows
+from keyphase.readers.recipes.by_joints import by_joints
 from keyphase.readers.recipes.channels import (
     Channels,
     Noted,
@@ -69,6 +70,8 @@ def demonstration_of(
     channels, notices = channels_of(table, recipe)
     notices = told + notices
     events = _events(table, recipe)
+    channels, more = by_joints(channels, recipe)
+    notices += more
     channels, more = without_bad_rows(channels, recipe.rows, table.line)
     notices += more
     channels, more = _distinct(channels, recipe, table)
@@ -85,7 +88,8 @@ def demonstration_of(
     read = replace(file, source=source)
     own, named = without_named(channels)
     told = (f"Read with the recipe {recipe.name}.", *notices)
-    return build(read, own, named=named, events=events, notices=told)
+    estimated = recipe.joint_torques is not None
+    return build(read, own, named=named, events=events, wrench_estimated=estimated, notices=told)
 
 
 def _events(table: Columned, recipe: Recipe) -> tuple[Event, ...]:

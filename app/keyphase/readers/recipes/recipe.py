@@ -6,6 +6,7 @@ said. `docs/recipes.md` describes every word of the file a recipe is written in.
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Literal
 
 from keyphase.readers.orientation import MatrixLayout, QuaternionOrder
@@ -118,6 +119,21 @@ class Load(Scaled):
 
 
 @dataclass(frozen=True)
+class RobotForm:
+    """The robot whose joints were logged: its description and the link that is the tool."""
+
+    urdf: Path
+    tool_frame: str
+
+
+@dataclass(frozen=True)
+class JointTorques(Scaled):
+    """External joint torques, of which the wrench is worked out; sign -1: what the tool exerts."""
+
+    sign: Literal[1, -1]
+
+
+@dataclass(frozen=True)
 class WrenchForm:
     """The frame of force and torque; sign -1 where they are what the tool exerts."""
 
@@ -164,6 +180,8 @@ class Recipe:
     wrench: WrenchForm | None
     joints: Scaled | None
     gripper: Scaled | None = None
+    robot: RobotForm | None = None
+    joint_torques: JointTorques | None = None
     clocks: Mapping[str, Columns] = field(default_factory=dict)
     """Clocks of their own, by the section they stand in, in the unit of [time]."""
     named: Mapping[str, Columns] = field(default_factory=dict)

@@ -2,6 +2,7 @@
 
 import re
 from datetime import datetime
+from pathlib import Path
 from typing import Literal
 
 from keyphase.errors import RecipeError
@@ -12,6 +13,7 @@ from keyphase.readers.recipes.keys import Keys
 from keyphase.readers.recipes.recipe import (
     ISO,
     Euler,
+    JointTorques,
     Load,
     Matrix,
     NumberTime,
@@ -19,6 +21,7 @@ from keyphase.readers.recipes.recipe import (
     Pose,
     Quaternion,
     RateTime,
+    RobotForm,
     RotationVector,
     Rows,
     Scaled,
@@ -239,6 +242,24 @@ def events_of(keys: Keys | None) -> Columns | None:
         raise RecipeError(f"{keys.where}: the key 'column' is missing; add it.")
     keys.finish()
     return column
+
+
+def robot_of(keys: Keys | None, folder: Path) -> RobotForm | None:
+    """The robot description, its path relative to the recipe's folder."""
+    if keys is None:
+        return None
+    robot = RobotForm(folder / keys.text("urdf"), keys.text("tool_frame"))
+    keys.finish()
+    return robot
+
+
+def joint_torques_of(keys: Keys | None, counts: range) -> JointTorques | None:
+    """External joint torques."""
+    if keys is None:
+        return None
+    torques = JointTorques(keys.columns(counts), keys.unit("torque"), keys.sign())
+    keys.finish()
+    return torques
 
 
 def wrench_of(keys: Keys | None) -> WrenchForm | None:

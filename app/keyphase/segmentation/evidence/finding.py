@@ -1,6 +1,7 @@
 """Boundaries with one probability each, under changing lines."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -25,6 +26,10 @@ from keyphase.segmentation.motion import Motion
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.recent import Recent
 from keyphase.segmentation.segmentation import Boundary, Change, EvidenceTrack, Gaussian
+
+ESTIMATED_STEP_N = 1.5
+"""The least step of a wrench that was worked out of joint torques: friction of the joints alone
+makes steps of about a newton at the tool. The parameter least_step_N goes before it."""
 
 _RESULTS_KEPT = 4
 
@@ -82,7 +87,10 @@ class EvidenceMethod:
     @cached_property
     def evidence(self) -> Evidence:
         """All that is known before a line is drawn."""
-        return evidence_of(self._demonstration, self._motion(), self._weights)
+        found = evidence_of(self._demonstration, self._motion(), self._weights)
+        if not self._demonstration.wrench_estimated:
+            return found
+        return replace(found, least_step_N=max(found.least_step_N, ESTIMATED_STEP_N))
 
     @cached_property
     def _gaussians(self) -> SegmentGaussians:

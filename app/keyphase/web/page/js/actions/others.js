@@ -8,6 +8,8 @@ import { GIVEN } from "../model/recordings/recording_list.js";
  */
 export function showOthers(store, actions) {
   let seen = "";
+  /** @type {string|null} */
+  let offered = null;
   store.later(["recording"], ({ document: doc }) => doc && actions.askLanes());
   // Another tool whose line of the list changed was worked on.
   store.later(["recordings"], ({ recordings, lanes }) => {
@@ -20,9 +22,9 @@ export function showOthers(store, actions) {
     if (isNews) actions.askLanes();
   });
   // Labels that others made are shown once; whoever closes them has seen them.
-  store.later(["comparison"], ({ comparison, recording, labelsOffered, document: doc }) => {
-    if (!comparison || !doc || labelsOffered === recording) return;
-    store.set({ labelsOffered: recording });
+  store.later(["comparison"], ({ comparison, recording, document: doc }) => {
+    if (!comparison || !doc || offered === recording) return;
+    offered = recording;
     if (comparison.with === null && comparison.options.includes(GIVEN) && doc.edits === 0)
       actions.compare(GIVEN);
   });

@@ -23,8 +23,7 @@ export function createLayers(pane) {
     ghosts: svg("g"),
     overviewCurve: svg("g"),
     overviewWindow: svg("g"),
-    lanes: svg("g", { class: "lanes" }),
-    events: svg("g", { class: "events" }),
+    ...laneGroups(),
     comparison: svg("g", { class: "comparison" }),
     pointer: svg("path", { class: "pointer-line" }),
     playhead: svg("g", { class: "playhead" }),
@@ -53,6 +52,12 @@ export function createLayers(pane) {
   pane.append(below, scroller, above, surface);
   return { groups, scroller, content, surface };
 }
+
+/** What stands below the segments. */
+const laneGroups = () => ({
+  lanes: svg("g", { class: "lanes" }),
+  events: svg("g", { class: "events" }),
+});
 
 /** @param {string} name */
 function layer(name) {

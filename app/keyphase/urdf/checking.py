@@ -12,7 +12,7 @@ import numpy as np
 
 from keyphase.errors import RobotError
 from keyphase.files.reading import read_regular
-from keyphase.robot.urdf_numbers import refuse_bad_numbers
+from keyphase.urdf.numbers import refuse_bad_numbers
 
 _MAX_BYTES = 4 * 1024**2
 _MAX_LINKS = 500

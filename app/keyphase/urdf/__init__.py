@@ -1,0 +1,1 @@
+"""Robot descriptions as files from anywhere: checked before any library parses them."""
