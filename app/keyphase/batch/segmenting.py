@@ -54,15 +54,14 @@ def segment_all(
     tasks = shard_of(_found(paths, output, recipe), shard)
     chosen = checked_for_variant(parameters or Parameters())
     manifest = Manifest(output, settings_hash(chosen, recipe, csv))
-    became: dict[Written, Written | Refusal] = {}
-    if not again:
-        became |= {task: _before(task) for task in tasks if manifest.holds(task)}
+    kept = [] if again else [task for task in tasks if manifest.holds(task)]
+    became: dict[Written, Written | Refusal] = {task: _before(task) for task in kept}
     todo = [task for task in tasks if task not in became]
     tell = progress or (lambda _done, _total: None)
     tell(len(became), len(tasks))
     with running_on(backend, address):
-        how = _How(recipe, chosen, csv, replace)
-        results = _in_groups(todo, how, jobs) if backend == "ray" else _results(todo, how, jobs)
+        work = _in_groups if backend == "ray" else _results
+        results = work(todo, _How(recipe, chosen, csv, replace), jobs)
         for task, result in zip(todo, results, strict=True):
             became[task] = result
             manifest.keep(result) if isinstance(result, Written) else manifest.keep_refusal(result)
