@@ -5,8 +5,8 @@ from typing import Any, Literal
 
 from msgspec import UNSET, Struct, UnsetType, field
 
-from keyphase.labeling.assessment import NOTHING_SAID, Assessment
 from keyphase.files.parts import split_part
+from keyphase.labeling.assessment import NOTHING_SAID, Assessment
 from keyphase.workbench.proposals import Proposal
 from keyphase.workbench.recording_list import Listing
 from keyphase.workbench.recordings import Recording, State, folder_name, printable
