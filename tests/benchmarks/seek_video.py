@@ -24,7 +24,7 @@ from footage import cameras, frames_at_random, name_beside, seek_frame  # noqa: 
 
 from keyphase.files.shipped import shipped  # noqa: E402
 from keyphase.web.server import PageServer  # noqa: E402
-from numbered_videos import H264, LIKE_LEROBOT, write_video  # noqa: E402
+from numbered_videos import H264, LIKE_LEROBOT, numbers_in, write_video  # noqa: E402
 
 CODECS = {"av1": LIKE_LEROBOT, "h264": H264}
 MOST_MS = 300.0
@@ -52,7 +52,10 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder, chromium_browser() as browser:
         recording = Path(shutil.copy(shipped("data") / "setup1.npz", folder))
         for name, codec in CODECS.items():
-            write_video(name_beside(recording, name), chosen.frames, codec=codec, size=(640, 360))
+            path = name_beside(recording, name)
+            write_video(path, chosen.frames, codec=codec, size=(640, 360))
+            if numbers_in(path) != list(range(chosen.frames)):
+                sys.exit(f"The encoder of {name} lost frames: nothing can be told of the page.")
         server = PageServer([recording], folder=Path(folder))
         page = KeyphasePage(browser.new_page(viewport={"width": 1440, "height": 900}))
         page.page.goto(server.link)
