@@ -2,7 +2,7 @@
 
 import { byId, el } from "../../lib/dom.js";
 
-const MOST = 60;
+const MOST = 120;
 
 /**
  * @param {import("../../lib/store.js").Store} store
