@@ -30,11 +30,11 @@ def every_jump(demonstration: Demonstration) -> list[Oddity]:
     """Places faster left than any arm can, and back where it comes back."""
     time, steps = demonstration.time_s, np.diff(demonstration.time_s)
     travel, rows = _leaps(demonstration)
-    back = dict(dropouts(demonstration))
+    back: dict[int, int] = dict(dropouts(demonstration))
     gone = {float(start) for start, _ in demonstration.gaps_s}
     found: list[Oddity] = []
     last = -2
-    for row in rows.tolist():
+    for row in map(int, rows):
         if time[row] in gone or row <= last + 1:
             last = max(last, row)
             continue

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.segmentation import Boundary, GripperChange, Reason
@@ -141,7 +142,7 @@ def _strokes(time: Array, opening: Array, moving: float) -> Iterator[tuple[float
         yield float(grid[first]), float(grid[last])
 
 
-def _with_rebounds(strokes: Sequence[Array], level: Array) -> list[tuple[int, int]]:
+def _with_rebounds(strokes: Sequence[NDArray[np.intp]], level: Array) -> list[tuple[int, int]]:
     """Strokes (first, last), a spring back that follows at once being the end of its stroke."""
     joined: list[tuple[int, int]] = []
     for first, last in strokes:

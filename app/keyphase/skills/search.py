@@ -62,9 +62,10 @@ class Search:
 
 def across(direction: Array) -> tuple[Array, Array]:
     """Two unit vectors (3,) at right angles to a direction (3,) and to each other."""
-    first = np.cross(direction, np.eye(3)[int(np.abs(direction).argmin())])
-    first /= np.linalg.norm(first)
-    return first, np.cross(direction, first)
+    beside = np.eye(3)[int(np.abs(direction).argmin())]
+    first = np.asarray(np.cross(direction, beside), dtype=np.float64)
+    first = first / np.linalg.norm(first)
+    return first, np.asarray(np.cross(direction, first), dtype=np.float64)
 
 
 @dataclass(frozen=True, eq=False)

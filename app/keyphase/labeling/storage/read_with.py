@@ -28,5 +28,6 @@ def _called(recipe: Mapping[str, Any]) -> str:
     if not recipe.get("sha256"):
         return "no recipe"
     name = recipe.get("name")
-    known = isinstance(name, str) and name.isprintable()
-    return f"the recipe {name[:200]}" if known else "a recipe"
+    if isinstance(name, str) and name.isprintable():
+        return f"the recipe {name[:200]}"
+    return "a recipe"
