@@ -14,16 +14,7 @@ from keyphase.labeling.storage.journal import Journal
 from keyphase.readers import arms_beside, read
 from keyphase.segmentation import segment
 from keyphase.segmentation.parameters import Parameters
-
-RECIPE = """
-time = {column = "t", unit = "s"}
-[[demonstration]]
-name = "left"
-position = {columns = "l?", unit = "m"}
-[[demonstration]]
-name = "right"
-position = {columns = "r?", unit = "m"}
-"""
+from two_arms import RECIPE
 
 
 @pytest.fixture

@@ -10,16 +10,7 @@ from two_pages import TalkingPage
 
 from keyphase.readers import find_recordings
 from keyphase.workbench.workbench import Settings, Workbench
-
-RECIPE = """
-time = {column = "t", unit = "s"}
-[[demonstration]]
-name = "left"
-position = {columns = "l?", unit = "m"}
-[[demonstration]]
-name = "right"
-position = {columns = "r?", unit = "m"}
-"""
+from two_arms import RECIPE
 
 
 def opened(folder: Path) -> Workbench:
