@@ -18,8 +18,9 @@ demo: $(VENV)/ready-to-run
 	$(BIN)/keyphase open data/setup1.npz
 
 # No server, no browser, no simulation: what a change to the domain is tried with, over and over.
+# Ten examples of each property here, as many as each asks for in `make test`.
 quick: $(VENV)/ready-to-test
-	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 -m "not browser and not slow" tests/readers tests/segmentation tests/labeling tests/skills tests/test_*.py
+	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --hypothesis-profile quick -m "not browser and not slow" tests/readers tests/segmentation tests/labeling tests/skills tests/test_*.py
 
 # Processes are killed and a browser drawing in software is driven here: what a busy machine
 # upsets is tried again, and the summary says so. What is broken stays broken.

@@ -12,6 +12,8 @@ from keyphase.labeling.segment_file import read_segment_file
 from keyphase.readers import save_npz
 from keyphase.segmentation.parameters import Parameters
 
+pytestmark = pytest.mark.slow
+
 
 def record(path):
     """A tool that moves forward for two seconds and then up for two."""

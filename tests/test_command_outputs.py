@@ -8,6 +8,8 @@ import pytest
 from keyphase.cli import main
 from keyphase.files.shipped import shipped
 
+pytestmark = pytest.mark.slow
+
 THEIRS = b"written by somebody else"
 
 

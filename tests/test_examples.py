@@ -10,6 +10,9 @@ import pytest
 
 from keyphase.files.shipped import shipped
 
+# Each in a process of its own, two with a replay whole.
+pytestmark = pytest.mark.slow
+
 EXAMPLES = Path(__file__).parents[1] / "examples"
 
 
@@ -42,13 +45,10 @@ def test_an_own_method_segments(tmp_path: Path) -> None:
     assert run("own_method.py", cwd=tmp_path).count(" s  ") > 2
 
 
-# A replay whole, in a process of its own.
-@pytest.mark.slow
 def test_an_own_workcell_is_replayed(tmp_path: Path) -> None:
     assert "success" in run("own_workcell.py", cwd=tmp_path)
 
 
-@pytest.mark.slow
 def test_skills_drive_a_robot_to_their_ends(tmp_path: Path) -> None:
     ended = run("skills_to_a_robot.py", cwd=tmp_path).splitlines()
     assert len(ended) > 2

@@ -11,6 +11,8 @@ from keyphase.files.shipped import shipped
 from keyphase.readers import read
 from keyphase.skills.exports.skill_file import read_skills
 
+pytestmark = pytest.mark.slow
+
 
 def keyphase(*arguments: object) -> int:
     """The exit status of the command."""

@@ -20,8 +20,6 @@ from keyphase.readers import read, save_csv
 ROWS = 12
 
 fuzz = settings(
-    max_examples=100,
-    deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
 

@@ -6,6 +6,8 @@ import pytest
 
 BENCHMARKS = Path(__file__).parents[1] / "benchmarks"
 
+pytestmark = pytest.mark.slow
+
 
 def test_two_thousand_mutated_files_are_read_as_others_do_or_refused_in_a_line(
     monkeypatch: pytest.MonkeyPatch,

@@ -34,9 +34,7 @@ def archive(tmp_path: Path) -> Archive:
     return write
 
 
-@settings(
-    max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(demonstration=demonstrations())
 def test_what_is_saved_is_read_back(tmp_path: Path, demonstration: Demonstration) -> None:
     save_npz(demonstration, tmp_path / "recording.npz")
@@ -58,9 +56,7 @@ def test_what_is_saved_is_read_back(tmp_path: Path, demonstration: Demonstration
         np.testing.assert_array_equal(back.channels[name], values)
 
 
-@settings(
-    max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+@settings(max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(demonstration=demonstrations())
 def test_the_same_demonstration_gives_the_same_bytes(
     tmp_path: Path, demonstration: Demonstration

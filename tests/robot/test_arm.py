@@ -11,7 +11,7 @@ from keyphase.errors import RobotError
 STEP = 1e-6
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(shares=st.lists(st.floats(0.01, 0.99), min_size=7, max_size=7))
 def test_the_jacobian_is_what_small_steps_of_the_joints_do(robot, arm, shares):
     joints = robot.lower_rad + np.array(shares) * (robot.upper_rad - robot.lower_rad)

@@ -11,7 +11,6 @@ from keyphase.robot.inverse import inverse
 from keyphase.robot.pose import TOOL_DOWN_WXYZ, matrix
 
 
-@settings(max_examples=80, deadline=None)
 @given(shares=st.lists(st.floats(0, 1), min_size=7, max_size=7))
 def test_every_pose_the_arm_can_take_is_found_within_two_micrometres(robot, arm, shares):
     joints = robot.lower_rad + np.array(shares) * (robot.upper_rad - robot.lower_rad)
@@ -25,7 +24,7 @@ def test_every_pose_the_arm_can_take_is_found_within_two_micrometres(robot, arm,
     assert reached[:3, :3] == pytest.approx(target[:3, :3], abs=2e-5)
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(position=st.tuples(st.floats(-1, 1.5), st.floats(-1.5, 1), st.floats(-0.5, 1.5)))
 def test_limits_hold_wherever_the_target_is(robot, arm, position):
     solution = inverse(arm, matrix(position, TOOL_DOWN_WXYZ))

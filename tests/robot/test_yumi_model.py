@@ -4,7 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 import trimesh
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from yourdfpy import URDF
 
@@ -54,7 +54,6 @@ ANGLES = st.fixed_dictionaries(
 )
 
 
-@settings(max_examples=60, deadline=None)
 @given(angles=ANGLES)
 def test_every_link_is_at_one_place_in_all_three_libraries(robot, in_mujoco, in_yourdfpy, angles):
     frames = link_frames(robot, others=angles)

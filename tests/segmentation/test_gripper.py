@@ -71,6 +71,7 @@ def test_boundaries_of_motion_give_way_and_contact_changes_become_the_grasp() ->
     assert joined[-1].position_s == 7.1
 
 
+@pytest.mark.slow
 def test_of_a_simulated_pick_and_place_grasp_and_release_are_found_named_and_kept() -> None:
     made = make_simulated("simulated-pick-and-place", 3)
     segmentation = segment(made.demonstration)

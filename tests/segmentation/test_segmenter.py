@@ -53,13 +53,12 @@ def demonstrations(draw) -> Demonstration:
 
 
 @pytest.mark.filterwarnings("error::RuntimeWarning")
-@settings(max_examples=150, deadline=None)
 @given(demonstrations())
 def test_any_valid_demonstration_is_segmented(recording):
     assert_well_formed(segment(recording))
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(
     demonstrations(),
     st.builds(

@@ -27,7 +27,7 @@ def positions(path: HandPath) -> np.ndarray:
     return np.array([reference.position_m for reference in path.references()])
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(
     goal=st.tuples(*[st.floats(-0.3, 0.3)] * 3).filter(lambda g: np.linalg.norm(g) > 0.01),
     duration=st.floats(0.3, 3.0),

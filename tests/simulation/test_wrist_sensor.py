@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
@@ -105,7 +105,6 @@ def test_the_load_is_estimated_not_looked_up() -> None:
     assert simulation.load.weight_N != pytest.approx(weight, rel=1e-6)
 
 
-@settings(max_examples=50, deadline=None)
 @given(
     weight=st.floats(0.5, 20.0),
     centre=st.tuples(*[st.floats(-0.1, 0.1)] * 3),

@@ -36,7 +36,7 @@ def test_it_can_be_forgotten(tmp_path: Path) -> None:
     assert saved_placement(tmp_path / "a.npz", "yumi") is None
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(content=st.one_of(st.binary(max_size=60), st.just(b'{"version": 1, "robots": {"r": {}}}')))
 def test_a_damaged_file_is_told_of_and_can_be_replaced(
     tmp_path_factory: pytest.TempPathFactory, content: bytes
