@@ -5,6 +5,7 @@ import { test } from "node:test";
 import {
   clampView,
   createScale,
+  axisStep,
   multiples,
   tickStep,
   zoomView,
@@ -53,4 +54,16 @@ test("ticks are 1, 2 or 5 times a power of ten and not too many", () => {
 
 test("multiples of a step have no rounding tails", () => {
   assert.deepEqual(multiples(-0.1, 0.3, 0.1), [-0.1, 0, 0.1, 0.2, 0.3]);
+});
+
+test("an axis has two ticks at least, however low it is", () => {
+  for (const [low, high] of [
+    [-470, 380],
+    [0, 12.3],
+    [0.95, 1.04],
+    [-0.4, 0.9],
+  ]) {
+    const step = axisStep(low, high, 1.5);
+    assert.ok(multiples(low, high, step).length > 1);
+  }
 });

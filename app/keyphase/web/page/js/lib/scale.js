@@ -63,6 +63,16 @@ export function tickStep(span, count) {
   return step * power;
 }
 
+/** The same for an axis from `low` to `high`, finer where one tick alone would give no size. */
+export function axisStep(low, high, count) {
+  let step = tickStep(high - low, count);
+  if (!(high > low)) return step;
+  for (let more = 2 * Math.max(count, 1); multiples(low, high, step).length < 2; more *= 2) {
+    step = tickStep(high - low, more);
+  }
+  return step;
+}
+
 /** All multiples of `step` from `low` to `high`. */
 export function multiples(low, high, step) {
   const values = [];

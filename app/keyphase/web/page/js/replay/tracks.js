@@ -8,7 +8,7 @@ import { el, svg } from "../lib/dom.js";
 import { signed } from "../lib/format.js";
 import { createCurves, normOf } from "../timeline/curves.js";
 import { createReadout } from "../timeline/gutter.js";
-import { multiples, tickStep } from "../lib/scale.js";
+import { axisStep, multiples } from "../lib/scale.js";
 import { tickLabels } from "../timeline/tracks.js";
 import { indexAt, liveSeries } from "./samples.js";
 
@@ -162,7 +162,7 @@ function rangeOf(series, more, height, least, key) {
   return {
     low: bottom,
     high: top,
-    ticks: multiples(bottom, top, tickStep(top - bottom, Math.max(1, height / TICK_EVERY_PX))),
+    ticks: multiples(bottom, top, axisStep(bottom, top, height / TICK_EVERY_PX)),
     map: identity,
   };
 }

@@ -2,7 +2,7 @@
 
 import { svg } from "../lib/dom.js";
 import { time as timeText } from "../lib/format.js";
-import { multiples, tickStep } from "../lib/scale.js";
+import { axisStep, multiples } from "../lib/scale.js";
 
 const TICK_EVERY_PX = 110;
 const FLAG_WIDTH = 50;
@@ -12,7 +12,7 @@ const FLAG_WIDTH = 50;
  * @param {import("../model/rows.js").Row} row
  */
 export function drawRuler(scale, { y, height }) {
-  const step = tickStep(scale.to - scale.from, scale.width / TICK_EVERY_PX);
+  const step = axisStep(scale.from, scale.to, scale.width / TICK_EVERY_PX);
   const digits = Math.max(1, Math.ceil(-Math.log10(step) - 1e-9));
   const bottom = y + height;
   const nodes = [];

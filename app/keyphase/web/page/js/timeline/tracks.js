@@ -6,7 +6,7 @@ import { curvesOf, valueAt } from "../model/signals.js";
 import { createCurves, extent, normOf } from "./curves.js";
 import { createReadout } from "./gutter.js";
 import { textWidth } from "../lib/text_width.js";
-import { multiples, tickStep } from "../lib/scale.js";
+import { axisStep, multiples } from "../lib/scale.js";
 
 const AXES = [
   { key: "x", color: "--axis-x" },
@@ -110,8 +110,8 @@ function rangeOf(series, height) {
   const air = Math.max(0.06 * (high - low), 1e-9 + 1e-6 * Math.abs(high));
   const bottom = low - air;
   const top = high + air;
-  const step = tickStep(top - bottom, Math.max(1, height / TICK_EVERY_PX));
-  return { low: bottom, high: top, ticks: multiples(bottom, top, step), map: identity };
+  const ticks = multiples(bottom, top, axisStep(bottom, top, height / TICK_EVERY_PX));
+  return { low: bottom, high: top, ticks, map: identity };
 }
 
 /**
