@@ -2,7 +2,65 @@
 
 from pathlib import Path
 
-from driver import KeyphasePage, Serve, Visit
+import numpy as np
+from driver import KeyphasePage, Picture, Serve, Visit
+
+OWN = """() => {
+  const { document: doc, selected, current, view, clock, dark, hidden, folded } = keyphase.state;
+  const own = { doc, selected, current, view, clock, dark, hidden: [...hidden] };
+  return JSON.stringify({ ...own, folded: [...folded] });
+}"""
+"""What a page shows of its own."""
+
+
+def test_what_is_done_in_one_moves_nothing_in_another_with_another_recording(
+    folder: Path, serve: Serve, visit: Visit
+) -> None:
+    server = serve(folder / "setup1.npz", folder / "synthetic_setup1.npz")
+    one, other = visit(server, (1280, 720)), visit(server, (1280, 720), dark=True)
+    for page in (one, other):
+        page.wait_for_document()
+    other.press("PageDown")
+    other.until("keyphase.state.document.name.startsWith('synthetic')")
+    other.wait_for_document()
+    for page in (one, other):
+        page.wait_for_scene()
+        page.settle()
+    seen = _still(other, "other_before")
+    shown, scene = other.page.evaluate(OWN), other.box("#scene")
+    mine = one.page.evaluate(OWN)
+
+    _go_about(one)
+
+    assert one.page.evaluate(OWN) != mine
+    other.wait_for_scene()
+    after = _still(other, "other_after")
+    assert other.page.evaluate(OWN) == shown
+    changed = np.abs(after.pixels - seen.pixels).max(axis=2) > 24
+    left, top = int(scene.x), int(scene.y)
+    within = changed[top : top + int(scene.height), left : left + int(scene.width)]
+    assert within.mean() < 0.001
+    journals = [path.name for path in folder.glob(".keyphase/*.journal")]
+    assert [name.startswith("setup1") for name in journals] == [True]
+
+
+def _go_about(page: KeyphasePage) -> None:
+    """Chooses, zooms, names, drops, turns to the other theme, plays and hides the robot."""
+    page.change(lambda: page.press("x"))
+    for key in ("]", "]", "+", "+", "End", "n"):
+        page.press(key)
+    page.page.locator("#theme").click()
+    page.until("document.documentElement.dataset.theme === 'dark'")
+    page.page.get_by_role("checkbox", name="Robot").uncheck()
+    page.set_parameter("force_threshold", 0.9)
+    page.wait_for_scene()
+    page.settle()
+
+
+def _still(page: KeyphasePage, name: str) -> Picture:
+    page.page.mouse.move(0, 0)
+    page.settle()
+    return page.picture(name)
 
 
 def test_two_windows_see_the_same_document_at_once(
