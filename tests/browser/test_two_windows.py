@@ -58,9 +58,18 @@ def _go_about(page: KeyphasePage) -> None:
 
 
 def _still(page: KeyphasePage, name: str) -> Picture:
+    """The picture that does not change any more."""
     page.page.mouse.move(0, 0)
     page.settle()
-    return page.picture(name)
+    last = page.picture(name)
+
+    def stands(now: Picture) -> bool:
+        nonlocal last
+        same, last = bool((now.pixels == last.pixels).all()), now
+        return same
+
+    page.page.wait_for_timeout(1500)
+    return page.until_seen(name, stands)
 
 
 def test_two_windows_see_the_same_document_at_once(

@@ -1,9 +1,12 @@
 /** viser's client in its frame, and what lies over it. */
 
-import { sceneFrames } from "./viser_client.js";
+import { isDressed, sceneFrames } from "./viser_client.js";
 import { createCalmScene } from "./calm_scene.js";
 import { byId, el, svg } from "../lib/dom.js";
 import { moment } from "../lib/format.js";
+
+/** How often we look whether viser has drawn the first of ours. */
+const LOOK_MS = 100;
 
 /**
  * @param {import("../lib/store.js").Store} store
@@ -25,6 +28,7 @@ export function createScene(store, page) {
   frame.addEventListener("load", () => {
     const inside = frame.contentWindow;
     calm.watch(inside);
+    showOnceDressed(frame);
   });
   frame.src = `/viser/${page}/`;
 
@@ -44,6 +48,16 @@ export function createScene(store, page) {
     byId("legend").replaceChildren(...(doc ? legend(doc) : [])),
   );
   return frame;
+}
+
+/** @param {HTMLIFrameElement} frame */
+function showOnceDressed(frame) {
+  frame.classList.remove("dressed");
+  const look = setInterval(() => {
+    if (!isDressed(frame.contentWindow)) return;
+    clearInterval(look);
+    frame.classList.add("dressed");
+  }, LOOK_MS);
 }
 
 /** So many Gaussians the server draws at most (MOST_ELLIPSOIDS of path_geometry.py). */

@@ -17,6 +17,11 @@ export function viserIn(inside) {
   return viser?.camera && viser.canvas ? viser : undefined;
 }
 
+/** Whether the scene has the light and the colours of this page: before, it is white. */
+export function isDressed(inside) {
+  return Boolean(viserIn(inside)?.nodeRefFromName["/lights/sun"]);
+}
+
 /** How many messages the client has yet to draw. @param {Window} inside */
 export function waitingMessages(inside) {
   return /** @type {any} */ (inside).__viserMutable?.messageQueue?.length ?? 0;
