@@ -34,7 +34,32 @@ def within(v, reach):
     return (v * reach / np.linalg.norm(v) if far else v), far
 
 
-def kept_at(skill, fraction, touching=True, felt=None, firmer=1.0):
+def eased(share):
+    return 0.5 - 0.5 * np.cos(np.pi * share)
+
+
+def stroke_of(squaring, d, q, time):
+    """How far a part that is squared is lifted and moved from side to side by now."""
+    stroke = time / squaring["stroke_s"] - 1
+    lift = -squaring["lift_m"] * eased(max(min(stroke + 1, 9 - stroke, 1), 0)) * d
+    if not 0 < stroke < 8:
+        return lift
+    axes = [times(times(q, np.r_[0, e]), q * [1, -1, -1, -1])[1:] for e in np.eye(3)[:2]]
+    along = min(axes, key=lambda axis: abs(axis @ d))
+    along = along - along @ d * d
+    along = along / np.linalg.norm(along)
+    beside = np.cross(d, along)
+    if stroke >= 4:
+        along, beside, stroke = beside, along, stroke - 4
+    fade = eased(min(2 * stroke, 2 * (4 - stroke), 1))
+    shake = fade * squaring["shake_m"] * np.sin(2 * np.pi * squaring["shake_hz"] * time)
+    places = 0, squaring["reach_m"], -squaring["reach_m"], squaring["last_m"], 0
+    i = int(stroke)
+    place = places[i] + eased(stroke - i) * (places[i + 1] - places[i])
+    return lift + place * along + shake * beside
+
+
+def kept_at(skill, fraction, touching=True, felt=None, firmer=1.0, below=1.0):
     """Directions and forces to press with at a fraction of the demonstrated time."""
     for kept in skill["kept"]:
         place = min(max(fraction, 0.0), 1.0) * (len(kept["force_N"]) - 1)
@@ -42,8 +67,9 @@ def kept_at(skill, fraction, touching=True, felt=None, firmer=1.0):
             force = np.interp(place, np.arange(len(kept["force_N"])), kept["force_N"])
             d = np.array(kept["direction"][int(place + 0.5)])
             if felt is not None and kept["carries"]:
-                needed = np.linalg.norm(felt - felt @ d * d) / kept["carries"]
-                force = max(force, min(needed, firmer * force))
+                drags = np.linalg.norm(felt - felt @ d * d)
+                left = np.sqrt(max((below * skill["force_limit_N"]) ** 2 - drags**2, 0))
+                force = max(force, min(drags / kept["carries"], firmer * force, left))
             yield d, force
 
 
@@ -65,8 +91,7 @@ class Plan:
             outcome = self.outcome(self.skill)
             if outcome == "contact" and self.skill["press"]:
                 press = self.skill["press"]
-                firmly = self.skill["search"]["press_N"] if self.skill["search"] else 0.0
-                firmly = max(press["force_N"], firmly)
+                firmly = max(press["force_N"], self.seat["press_N"] if self.seat else 0.0)
                 self.pressed = [*self.kept(1.0), (np.array(press["direction"]), firmly)]
                 self.enter("pressing")
             elif outcome:
@@ -74,16 +99,16 @@ class Plan:
         elif self.stage == "pressing":
             still = np.linalg.norm(sensed[2][:3]) < e["still_m_s"]
             pressed = time >= e["pressed_most_s"] or (time >= e["pressed_least_s"] and still)
-            if time >= e["seating_s"] if self.skill["search"] else pressed:
+            if time >= e["seating_s"] if self.seat else pressed:
                 if self.is_in():
                     self.end("contact", np.zeros(6))
                 else:
-                    self.yielded = np.zeros(3)
+                    self.yielded, self.strokes_from = np.zeros(3), sensed[0]
                     self.enter("searching")
         elif self.stage == "searching" and self.is_in():
             self.reference, self.searched = (*self.sensed[:2], np.zeros(6)), True
             self.enter("pressing")
-        elif self.stage == "searching" and time >= self.skill["search"]["duration_s"]:
+        elif self.stage == "searching" and self.skill["search"] and time >= self.seat["duration_s"]:
             self.end("timeout", np.zeros(6))
         elif self.stage == "loading" and (time >= e["pressed_most_s"] or self.loaded()):
             self.move(np.zeros(6))
@@ -94,7 +119,8 @@ class Plan:
     def kept(self, fraction):
         felt, e = self.sensed[3], self.e
         touching = np.linalg.norm(felt) > e["touching_N"]
-        return list(kept_at(self.skill, fraction, touching, felt, e["gripped_firmer"]))
+        firmer, below = e["gripped_firmer"], e["gripped_below"]
+        return list(kept_at(self.skill, fraction, touching, felt, firmer, below))
 
     def enter(self, stage):
         self.stage, self.in_stage, self.still = stage, 0.0, (*self.reference[:2], np.zeros(6))
@@ -117,17 +143,25 @@ class Plan:
             self.fell |= at @ d - min(recent) >= e["seat_fall"] * search["depth_m"]
 
     def is_in(self):
-        if not self.skill["search"]:
+        if not self.seat:
             return True
+        if self.skill["squaring"]:
+            return self.squared >= 10 * self.seat["stroke_s"]
         place = self.sensed[0] @ np.array(self.skill["press"]["direction"])
         deep = place - min(self.places, default=place)
         return self.fell and deep >= self.skill["search"]["depth_m"]
 
     def seek(self, position, orientation, velocity):
         """A reference that the seat can turn, and that circles outwards during a search."""
-        q, search = self.sensed[1], self.skill["search"]
-        orientation = turned(q, self.e["seat_turning"] * turn(orientation, q, True))
+        q, search, h = self.sensed[1], self.skill["search"], self.h
         d = np.array(self.skill["press"]["direction"])
+        if self.stage == "searching" and not search:
+            self.squared = self.in_stage
+            away = stroke_of(self.seat, d, orientation, self.squared)
+            then = stroke_of(self.seat, d, orientation, self.squared + h)
+            return self.strokes_from + away, orientation, np.r_[(then - away) / h, 0, 0, 0]
+        easily = self.e["seat_turning" if search else "squared_turning"]
+        orientation = turned(q, easily * turn(orientation, q, True))
         first = np.cross(d, np.eye(3)[np.abs(d).argmin()])
         first = first / np.linalg.norm(first)
         if self.stage == "pressing":
@@ -157,6 +191,7 @@ class Plan:
         self.skill, self.searched = self.skills[len(self.outcomes)], False
         if self.skill["connecting"]:
             self.shift, self.rotated = 0 * self.shift, np.array([1.0, 0, 0, 0])
+        self.seat, self.squared = self.skill["search"] or self.skill["squaring"], 0.0
         if self.skill["search"]:
             self.places, self.fell = [], False
             self.felt = self.free = -self.sensed[3] @ np.array(self.skill["press"]["direction"])
@@ -214,7 +249,7 @@ class Plan:
             d = np.array(press["direction"])
             missing = (ended - self.shift - press["position_m"]) @ d
             self.shift = self.shift + d * missing * (abs(missing) > skill["shift_beyond_m"])
-        if outcome == "contact" and skill["search"]:
+        if outcome == "contact" and self.seat:
             self.rotated = times(
                 self.sensed[1], np.array(skill["end_orientation_wxyz"]) * [1, -1, -1, -1]
             )
@@ -234,7 +269,7 @@ class Plan:
         """The reference for the next tick."""
         if self.stage != "moving":
             at = self.press(*self.still)
-            seeks = self.skill["search"] and self.stage in ("pressing", "searching")
+            seeks = self.seat and self.stage in ("pressing", "searching")
             return self.seek(*at) if seeks else at
         c, h, (at, wxyz, speed, _) = self.skill["primitive"]["constants"], self.h, self.sensed
         self.slow(self.skill["guard"], c)

@@ -13,6 +13,7 @@ from keyphase.segmentation import segment
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
 from keyphase.simulation import Disturbance, workcell
 from keyphase.simulation.replay.replay import Replay, run
+from keyphase.skills.execution.seeking import SEATING_S
 from keyphase.skills.library import skills_of
 
 MOVED_S = 0.1
@@ -143,6 +144,9 @@ def test_every_tick_says_which_skill_runs_and_what_is_repeated(name) -> None:
 def test_it_takes_about_as_long_as_the_kept_segments() -> None:
     result = nominal("setup2")
     demonstrated = sum(each.end_s - each.start_s for each in plan("setup2"))
+    squared = [skill.squaring.strokes_s for skill in result.skills if skill.squaring]
+    assert len(squared) == 1
+    demonstrated += sum(squared) + 2.0 * SEATING_S
     assert demonstrated < result.duration_s < demonstrated + 3.0
 
 

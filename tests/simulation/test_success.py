@@ -9,6 +9,8 @@ from replaying import NAMES, bundled, plan
 from keyphase.simulation import NOMINAL, Disturbance, Simulation, workcell
 from keyphase.simulation.replay.replay import run
 from keyphase.simulation.replay.result import ReplayResult
+from keyphase.simulation.workcells.seating import lie_of
+from keyphase.simulation.workcells.setup2 import FITS
 from keyphase.skills.library import skills_of
 
 
@@ -107,3 +109,11 @@ def test_a_cap_that_meets_the_rim_is_sought_in(aside_m) -> None:
 def test_a_turned_housing_turns_the_cap() -> None:
     result, _ = replayed("setup1", plan("setup1"), Disturbance(part_turn_rad=np.radians(5.0)))
     assert result.succeeded, result.outcome()
+
+
+@pytest.mark.parametrize("turn_deg", [-5.0, 5.0])
+def test_a_housing_with_play_is_squared_before_it_is_carried_along(turn_deg) -> None:
+    world = Disturbance(part_turn_rad=np.radians(turn_deg), part_offset_m=(0.003, 0.002))
+    result, simulation = replayed("setup2", plan("setup2"), world)
+    assert result.succeeded, result.outcome()
+    assert np.degrees(lie_of(simulation, FITS).angle_rad) < 2.0

@@ -28,6 +28,7 @@ from keyphase.skills.precondition import HeldContact, Precondition
 from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.primitive import Constants, Primitive
 from keyphase.skills.skill import Skill
+from keyphase.skills.squaring import Squaring
 
 finite = st.floats(-1e6, 1e6, allow_nan=False)
 positive = st.floats(1e-6, 1e6)
@@ -86,6 +87,7 @@ skills = st.builds(
     shift_beyond_m=st.none() | st.floats(0.0, 1.0),
     precondition=st.none()
     | st.builds(Precondition, arrays3, st.none() | wxyz, positive, positive, held),
+    squaring=st.none() | st.builds(Squaring, positive, positive),
     agrees=st.none() | st.booleans(),
 )
 

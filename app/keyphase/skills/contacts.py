@@ -20,6 +20,7 @@ from keyphase.skills.precondition import precondition_of
 from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.search import Search, search_for
 from keyphase.skills.skill import Skill
+from keyphase.skills.squaring import Squaring
 
 MIN_FORCE_N = 0.5
 """A demonstration that presses less than this keeps no contact."""
@@ -54,6 +55,7 @@ GRID = 51
 """Forces are kept at so many moments of a skill."""
 
 _AGAINST_FORCE = 0.5
+_ALIKE = 0.9
 _HALF_STEP_S = 0.1
 
 
@@ -85,7 +87,23 @@ def with_contacts(demonstration: Demonstration, skills: Sequence[Skill]) -> tupl
                 search=_search(demonstration, skill, press),
             )
         )
-    return tuple(done)
+    return tuple(_squared(skill, done[place + 1 :]) for place, skill in enumerate(done))
+
+
+def _squared(skill: Skill, following: Sequence[Skill]) -> Skill:
+    """The skill with a squaring, if it puts a part on what a later one carries along.
+
+    A seat that is told by its depth has no play.
+    """
+    if skill.press is None or skill.search is not None or skill.kept:
+        return skill
+    for later in following:
+        alike = [k for k in later.kept if k.direction[0] @ skill.press.direction > _ALIKE]
+        if any(kept.carries is not None for kept in alike):
+            return replace(skill, squaring=Squaring())
+        if not alike:
+            break
+    return skill
 
 
 def _search(demonstration: Demonstration, skill: Skill, press: Press | None) -> Search | None:

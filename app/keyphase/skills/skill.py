@@ -12,6 +12,7 @@ from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.primitive import Primitive
 from keyphase.skills.rollout import Rollout, rollout
 from keyphase.skills.search import Search
+from keyphase.skills.squaring import Squaring
 
 DISAGREES = "its own demonstration does not end so"
 """What a skill says whose condition was fed its demonstration and did not end it."""
@@ -39,6 +40,7 @@ class Skill:
     shift_beyond_m        how much must be missing for its contact to shift what follows, None: none
     precondition          what must hold before it runs
     search                how a contact that gave way is told from a rim, and sought, if at all
+    squaring              how a part put on what it then carries along is squared there, if at all
     agrees                whether its own demonstration ends it as planned, within 0.25 s of where
                           it did; None where there was nothing to ask
     """
@@ -61,6 +63,7 @@ class Skill:
     shift_beyond_m: float | None = 0.0
     precondition: Precondition | None = None
     search: Search | None = None
+    squaring: Squaring | None = None
     agrees: bool | None = None
 
     @property

@@ -69,6 +69,7 @@ class RecordedWorld:
         self.furthest_m = 0.0
         self._ticks, self._pushed = 0, (np.zeros(3), np.zeros(3))
         self._moment: float | None = float(start)
+        self._on_path = True
         self._planes = self._standing()
         self._force = self._contact()[0]
         self._passed = self._force
@@ -78,8 +79,9 @@ class RecordedWorld:
         """The moment of the demonstration that is being repeated; None: nothing of it is.
 
         `span_s` is the stretch that the skill repeats: what was met in it is to be met again.
+        None while a skill seeks, or squares a part, and so is on no recorded path.
         """
-        self._moment = moment_s
+        self._moment, self._on_path = moment_s, span_s is not None
         if moment_s is None or span_s is None:
             return
         for index, surface in enumerate(self.workcell.surfaces):
@@ -192,8 +194,9 @@ class RecordedWorld:
         for index, pressed in self._contact()[1].items():
             if pressed > TOUCHED_N:
                 self.touched.setdefault(index, self._ticks / RATE_HZ)
-        if self._moment is not None and self._ticks % _MEASURED_EVERY == 0:
-            away = self.workcell.off_path(self.body.position_m, self._moment)
+        on_path = self._moment is not None and self._on_path
+        if on_path and self._ticks % _MEASURED_EVERY == 0:
+            away = self.workcell.off_path(self.body.position_m, self._moment or 0.0)
             self.furthest_m = max(self.furthest_m, away)
 
     def _sample(self) -> Sample:

@@ -99,7 +99,9 @@ class Replay:
         reference = self._executor.reference
         self._hand.act()
         run = self._executor.run
-        self.simulation.be_at(self._moment(), None if run is None else run.skill.demonstrated_s)
+        # A search repeats no path.
+        repeats = run is not None and self._executor.stage != "searching"
+        self.simulation.be_at(self._moment(), run.skill.demonstrated_s if repeats else None)
         followed = _followed(reference)
         sample = self.simulation.step(followed)
         self._course.watch(self.simulation)

@@ -17,9 +17,10 @@ from keyphase.skills.end_monitor import Outcome
 from keyphase.skills.execution.pressing import Pressed, pressed_now, pressing, still
 from keyphase.skills.execution.result import SkillResult, Stage, went_on
 from keyphase.skills.execution.run import UNTURNED, SkillRun, Start
-from keyphase.skills.execution.seeking import SEATING_S, Seeking, seeking_of
+from keyphase.skills.execution.seeking import SEATING_S, Seeking, giving, seeking_of, turned_by
 from keyphase.skills.execution.sensed import Sensed
 from keyphase.skills.execution.shift import shift_after
+from keyphase.skills.execution.squared import Squared
 from keyphase.skills.skill import Skill
 
 STEP_S = 0.004
@@ -85,7 +86,7 @@ class Executor:
         self.in_stage_s = self._skill_start_s = self._peak_N = 0.0
         self._outcome: Outcome | None = None
         self._pressed: Sequence[Pressed] = ()
-        self._seeking: Seeking | None = None
+        self._seeking: Seeking | Squared | None = None
         self._turn = UNTURNED
         self.reference = still(sensed.position_m, sensed.orientation_wxyz)
         self._begin(_AT_REST)
@@ -133,8 +134,8 @@ class Executor:
         if self._seeking is None or self.stage not in ("pressing", "searching"):
             return at
         if self.stage == "searching":
-            return self._seeking.circling(at, self._sensed, self.in_stage_s)
-        return self._seeking.giving(at, self._sensed, self.in_stage_s)
+            return self._seeking.moving(at, self._sensed, self.in_stage_s)
+        return giving(at, self._sensed, self._seeking, self.in_stage_s)
 
     def _go_on(self, waits: bool) -> None:
         """Enter the next stage where this one is over."""
@@ -163,17 +164,17 @@ class Executor:
         if skill.press is None:
             self._end_skill(self.reference.velocity)
             return
-        kept = pressed_now(skill.kept, 1.0, self._sensed.force_N)
+        kept = pressed_now(skill, 1.0, self._sensed.force_N)
         firmly = 0.0 if self._seeking is None else self._seeking.search.press_N
         self._pressed = [*kept, (skill.press.direction, max(skill.press.force_N, firmly))]
         self._enter("pressing")
 
     def _settled(self) -> None:
-        """A contact is made: that is all, or the part has to have gone in, too."""
+        """A contact is made: that is all, or the part has to go in, or to be squared, too."""
         if self._seeking is None or self._seeking.is_in(self._sensed):
             self._end_skill(_AT_REST)
         else:
-            self._seeking.again()
+            self._seeking.again(self._sensed)
             self._enter("searching")
 
     def _search_on(self, time_s: float) -> None:
@@ -208,7 +209,7 @@ class Executor:
         if self._outcome == "contact":
             self._shift = shift_after(skill, self._sensed.position_m, self._shift)
             if self._seeking is not None:
-                self._turn = self._seeking.turned_by(self._sensed)
+                self._turn = turned_by(self._sensed, skill.end_orientation_wxyz)
                 if self._seeking.searched:
                     self._shift = self._sensed.position_m - self._seeking.press.position_m
         self._note_result(self._outcome)
@@ -218,7 +219,7 @@ class Executor:
             self._rest(())
         elif len(self.results) == len(self.skills):
             pressed = self._pressed if self.stage == "pressing" else ()
-            self._rest(pressed or pressed_now(skill.kept, 1.0, self._sensed.force_N))
+            self._rest(pressed or pressed_now(skill, 1.0, self._sensed.force_N))
         else:
             self._begin(velocity)
 

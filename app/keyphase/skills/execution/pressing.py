@@ -14,6 +14,7 @@ from keyphase.demonstration import Array
 from keyphase.skills.changed import changed
 from keyphase.skills.coupling import Measured, Reference, State
 from keyphase.skills.pressed import KeptForce
+from keyphase.skills.skill import Skill
 
 MAX_DISTANCE_M = 0.01
 """How far beyond the skill's own path a contact is followed."""
@@ -24,25 +25,33 @@ TOUCHING_N = 0.5
 FIRMER = 3.0
 """What is carried along is gripped at most so many times as hard as demonstrated."""
 
+GRIPPED_BELOW = 0.85
+"""Part of a skill's force limit up to which gripping harder may bring the whole force."""
+
 Pressed = tuple[Array, float]
 """Direction (3,) and force [N]."""
 
 
-def pressed_now(kept: Sequence[KeptForce], fraction: float, force_N: Array) -> list[Pressed]:
+def pressed_now(skill: Skill, fraction: float, force_N: Array) -> list[Pressed]:
     """What is to be pressed at a fraction of the demonstrated time, under a measured force (3,)."""
     touching = float(force_N.dot(force_N)) > TOUCHING_N**2
-    now = ((each, each.at(fraction)) for each in kept if each.met or touching)
-    return [_gripped(each, one, force_N) for each, one in now if one is not None]
+    now = ((each, each.at(fraction)) for each in skill.kept if each.met or touching)
+    most_N = GRIPPED_BELOW * skill.force_limit_N
+    return [_gripped(each, one, force_N, most_N) for each, one in now if one is not None]
 
 
-def _gripped(kept: KeptForce, now: Pressed, force_N: Array) -> Pressed:
-    """What is pressed, as much harder as what is carried drags more than demonstrated."""
+def _gripped(kept: KeptForce, now: Pressed, force_N: Array, most_N: float) -> Pressed:
+    """What is pressed, as much harder as what is carried drags more than demonstrated.
+
+    Not so hard that the whole force would come to more than `most_N`.
+    """
     if kept.carries is None:
         return now
     direction, pressed = now
     aside = force_N - float(force_N.dot(direction)) * direction
-    needed = sqrt(aside.dot(aside)) / kept.carries
-    return direction, max(pressed, min(needed, FIRMER * pressed))
+    drags = float(aside.dot(aside))
+    left = sqrt(max(most_N**2 - drags, 0.0))
+    return direction, max(pressed, min(sqrt(drags) / kept.carries, FIRMER * pressed, left))
 
 
 def given_way(measured: Measured, state: State, pressed: Sequence[Pressed]) -> Measured:

@@ -56,7 +56,7 @@ class SkillRun:
         )
         self._guard = guard_of(skill, begin.shift_m)
         self._monitor = start_monitor(skill, begin.sensed.force_N, begin.shift_m)
-        self._pressed = pressed_now(skill.kept, 0.0, begin.sensed.force_N)
+        self._pressed = pressed_now(skill, 0.0, begin.sensed.force_N)
         self.fraction = 0.0
         """How much of the motion is done, in the primitive's own time: 0 to 1 and beyond."""
 
@@ -90,7 +90,7 @@ class SkillRun:
         self.fraction = progress(self._primitive, float(self._state.phase))
         if not self.skill.kept:
             return wanted
-        self._pressed = pressed_now(self.skill.kept, self.demonstrated_fraction, sensed.force_N)
+        self._pressed = pressed_now(self.skill, self.demonstrated_fraction, sensed.force_N)
         return pressing(wanted, sensed.position_m, self._pressed, self._stiffness_N_m)
 
     def outcome(self, sensed: Sensed, h: float, waits: bool) -> Outcome | None:

@@ -10,6 +10,7 @@ from keyphase.rotations import quaternions
 from keyphase.skills.changed import changed
 from keyphase.skills.coupling import Reference
 from keyphase.skills.execution.sensed import Sensed
+from keyphase.skills.execution.squared import Squared
 from keyphase.skills.search import FALL_S, FALL_SHARE, YIELDS, across, before_touch
 from keyphase.skills.skill import Skill
 
@@ -38,12 +39,13 @@ FADED_S = 0.2
 class Seeking:
     """Of one skill that has a search; `watch` is told every tick."""
 
+    turning = TURNING
+
     def __init__(self, skill: Skill, sensed: Sensed, step_s: float) -> None:
         assert skill.search is not None
         assert skill.press is not None
         self.search, self.press = skill.search, skill.press
         self.searched, self._fell = False, False
-        self._end_wxyz = skill.end_orientation_wxyz
         self._touch = before_touch(self.press.direction, sensed.force_N)
         self._places: deque[float] = deque(maxlen=max(1, round(FALL_S / step_s)))
         self._yielded = np.zeros(3)
@@ -63,50 +65,20 @@ class Seeking:
         """Whether the part went in at once, and as deep as the demonstration after its touch."""
         return self._fell and self._touch.depth_m(sensed.position_m) >= self.search.depth_m
 
-    def again(self) -> None:
+    def again(self, _sensed: Sensed) -> None:
         """A search begins, around where the tool is."""
         self._yielded = np.zeros(3)
 
-    def giving(self, reference: Reference, sensed: Sensed, time_s: float) -> Reference:
-        """The reference sideways and in orientation near where the seat has moved the tool.
-
-        It rocks, `time_s` after the pressing began.
-        """
-        off = reference.position_m - sensed.position_m
-        along = float(off.dot(self.press.direction)) * self.press.direction
-        position = sensed.position_m + along + GIVING * (off - along)
-        turned = self.turning(reference, sensed)
-        wxyz = quaternions.product(self._rocked(time_s), turned.orientation_wxyz)
-        return changed(turned, position_m=position, orientation_wxyz=wxyz)
-
-    def _rocked(self, time_s: float) -> Array:
-        """By which rotation (4,) the tool is tilted, about an axis that goes around the press."""
-        share = min(1.0, time_s / FADED_S, max(0.0, SEATING_S - CALM_S - time_s) / FADED_S)
-        first, second = across(self.press.direction)
-        angle = 2.0 * np.pi * ROCKING_HZ * time_s
-        axis = np.cos(angle) * first + np.sin(angle) * second
-        return quaternions.from_rotation_vector(share * ROCKING_RAD * axis)
-
-    def turning(self, reference: Reference, sensed: Sensed) -> Reference:
-        """The reference with an orientation that the seat can turn."""
-        left = quaternions.shortest_rotation_vector(
-            quaternions.product(
-                reference.orientation_wxyz, quaternions.conjugate(sensed.orientation_wxyz)
-            )
-        )
-        turn = quaternions.from_rotation_vector(TURNING * left)
-        wxyz = quaternions.product(turn, sensed.orientation_wxyz)
-        return changed(reference, orientation_wxyz=wxyz)
-
-    def circling(self, reference: Reference, sensed: Sensed, time_s: float) -> Reference:
+    def moving(self, reference: Reference, sensed: Sensed, time_s: float) -> Reference:
         """The reference on its spiral, `time_s` after the search began.
 
         A part that is caught is not torn along: the spiral's middle gives way to it.
         """
-        reference = self.turning(reference, sensed)
-        aside = self.search.aside(self.press.direction, time_s) - self._yielded
+        reference = turned_easily(reference, sensed, TURNING)
+        direction = self.press.direction
+        aside = self.search.aside(direction, time_s) - self._yielded
         wanted = reference.position_m + aside
-        off, felt = (self._aside(v) for v in (wanted - sensed.position_m, sensed.force_N))
+        off, felt = (_aside(v, direction) for v in (wanted - sensed.position_m, sensed.force_N))
         size, most = sqrt(felt.dot(felt)), YIELDS * self.search.press_N
         if size > most:
             beyond = (1.0 - most / size) * off
@@ -114,18 +86,58 @@ class Seeking:
             wanted = wanted - beyond
         return changed(reference, position_m=wanted)
 
-    def _aside(self, vector: Array) -> Array:
-        """The part of a vector (3,) at right angles to the press."""
-        return vector - float(vector.dot(self.press.direction)) * self.press.direction
 
-    def turned_by(self, sensed: Sensed) -> Array:
-        """How the seat turned the tool against the demonstration, as a quaternion (4,)."""
-        turn = quaternions.product(sensed.orientation_wxyz, quaternions.conjugate(self._end_wxyz))
-        return turn / np.linalg.norm(turn)
+def giving(
+    reference: Reference, sensed: Sensed, seeking: Seeking | Squared, time_s: float
+) -> Reference:
+    """The reference sideways and in orientation near where the seat has moved the tool.
+
+    It rocks, `time_s` after the pressing began.
+    """
+    direction, off = seeking.press.direction, reference.position_m - sensed.position_m
+    along = float(off.dot(direction)) * direction
+    position = sensed.position_m + along + GIVING * (off - along)
+    turned = turned_easily(reference, sensed, seeking.turning)
+    wxyz = quaternions.product(_rocked(direction, time_s), turned.orientation_wxyz)
+    return changed(turned, position_m=position, orientation_wxyz=wxyz)
 
 
-def seeking_of(skill: Skill, sensed: Sensed, step_s: float) -> Seeking | None:
-    """What watches a skill; None for a skill that has no search."""
-    if skill.search is None or skill.press is None:
+def _rocked(direction: Array, time_s: float) -> Array:
+    """By which rotation (4,) the tool is tilted, about an axis that goes around the press."""
+    share = min(1.0, time_s / FADED_S, max(0.0, SEATING_S - CALM_S - time_s) / FADED_S)
+    first, second = across(direction)
+    angle = 2.0 * np.pi * ROCKING_HZ * time_s
+    axis = np.cos(angle) * first + np.sin(angle) * second
+    return quaternions.from_rotation_vector(share * ROCKING_RAD * axis)
+
+
+def turned_easily(reference: Reference, sensed: Sensed, left: float) -> Reference:
+    """The reference with an orientation that the seat can turn: a part of the stiffness is left."""
+    back = quaternions.conjugate(sensed.orientation_wxyz)
+    way = quaternions.shortest_rotation_vector(
+        quaternions.product(reference.orientation_wxyz, back)
+    )
+    turn = quaternions.from_rotation_vector(left * way)
+    wxyz = quaternions.product(turn, sensed.orientation_wxyz)
+    return changed(reference, orientation_wxyz=wxyz)
+
+
+def turned_by(sensed: Sensed, demonstrated_wxyz: Array) -> Array:
+    """How the seat turned the tool against the demonstrated orientation, as a quaternion (4,)."""
+    back = quaternions.conjugate(demonstrated_wxyz)
+    turn = quaternions.product(sensed.orientation_wxyz, back)
+    return turn / np.linalg.norm(turn)
+
+
+def _aside(vector: Array, direction: Array) -> Array:
+    """The part of a vector (3,) at right angles to a direction (3,)."""
+    return vector - float(vector.dot(direction)) * direction
+
+
+def seeking_of(skill: Skill, sensed: Sensed, step_s: float) -> Seeking | Squared | None:
+    """What watches a skill; None for one that neither seeks nor squares."""
+    if skill.press is None:
         return None
-    return Seeking(skill, sensed, step_s)
+    if skill.search is not None:
+        return Seeking(skill, sensed, step_s)
+    return None if skill.squaring is None else Squared(skill.squaring, skill.press, step_s)

@@ -16,6 +16,7 @@ from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.primitive import Constants, Primitive
 from keyphase.skills.search import Search
 from keyphase.skills.skill import Skill
+from keyphase.skills.squaring import Squaring
 
 Values = Mapping[str, Any]
 
@@ -35,7 +36,7 @@ def library_of_values(content: Values) -> SkillLibrary:
 def _skill(values: Values) -> Skill:
     stretch, direction = values["demonstrated_s"], values["travel_direction"]
     press, arming, beyond = values["press"], values["arming"], values["shift_beyond_m"]
-    seek = values["search"]
+    seek, squaring = values["search"], values.get("squaring")
     return Skill(
         label=values["label"],
         connecting=values["connecting"],
@@ -49,12 +50,13 @@ def _skill(values: Values) -> Skill:
         timeout_s=float(values["timeout_s"]),
         force_limit_N=float(values["force_limit_N"]),
         demonstrated_s=None if stretch is None else (float(stretch[0]), float(stretch[1])),
-        arming=None if arming is None else Arming(**{k: float(v) for k, v in arming.items()}),
+        arming=None if arming is None else Arming(**_floats(arming)),
         press=None if press is None else _press(press),
         kept=tuple(map(_kept, values["kept"])),
         shift_beyond_m=None if beyond is None else float(beyond),
         precondition=_precondition(values["precondition"]),
-        search=None if seek is None else Search(**{k: float(v) for k, v in seek.items()}),
+        search=None if seek is None else Search(**_floats(seek)),
+        squaring=None if squaring is None else Squaring(**_floats(squaring)),
         agrees=values["agrees"],
     )
 
@@ -119,8 +121,12 @@ def _primitive(values: Values) -> Primitive:
         weights=_numbers(values["weights"]),
         scaled=np.array(values["scaled"], dtype=bool),
         oriented=values["oriented"],
-        constants=Constants(**{k: float(v) for k, v in values["constants"].items()}),
+        constants=Constants(**_floats(values["constants"])),
     )
+
+
+def _floats(values: Values) -> dict[str, float]:
+    return {key: float(value) for key, value in values.items()}
 
 
 def _numbers(values: Any) -> Array:

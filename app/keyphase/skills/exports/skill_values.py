@@ -8,7 +8,7 @@ from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.skills import search
 from keyphase.skills.coupling import MAX_STEP, REFERENCE_REACH
 from keyphase.skills.end_monitor import PROGRESS_FRACTION, PROGRESS_M, REACHED_AFTER
-from keyphase.skills.execution import executor, guard, pressing, seeking
+from keyphase.skills.execution import executor, guard, pressing, seeking, squared
 from keyphase.skills.exports.skill_library import SkillLibrary
 from keyphase.skills.precondition import Precondition
 from keyphase.skills.pressed import KeptForce
@@ -46,10 +46,12 @@ def execution_values() -> dict[str, float]:
         "followed_beyond_m": pressing.MAX_DISTANCE_M,
         "touching_N": pressing.TOUCHING_N,
         "gripped_firmer": pressing.FIRMER,
+        "gripped_below": pressing.GRIPPED_BELOW,
         "touch_N": search.TOUCH_N,
         "touch_smoothed": search.SMOOTHED,
         "seat_giving": seeking.GIVING,
         "seat_turning": seeking.TURNING,
+        "squared_turning": squared.FLATTENING,
         "seating_s": seeking.SEATING_S,
         "rocking_rad": seeking.ROCKING_RAD,
         "rocking_hz": seeking.ROCKING_HZ,
@@ -91,6 +93,7 @@ def _skill(skill: Skill) -> dict[str, Any]:
         "kept": [_kept(force) for force in skill.kept],
         "shift_beyond_m": skill.shift_beyond_m,
         "search": None if skill.search is None else asdict(skill.search),
+        "squaring": None if skill.squaring is None else asdict(skill.squaring),
         "primitive": _primitive(skill.primitive),
     }
 

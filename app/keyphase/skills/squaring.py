@@ -1,0 +1,96 @@
+"""A part that is put on what it then carries along: how it is squared on it first.
+
+A place with play takes a part in turned, and no force tells so. But what has sides turns flush with
+the side that pushes it, whichever of the two gives way (Mason, Mechanics and planning of
+manipulator pushing operations, 1986). So the part is lifted a little, moved from side to side, and
+put down again.
+"""
+
+from dataclasses import dataclass
+from math import cos, pi, sin
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.rotations import quaternions
+
+_STROKES = 8
+"""Four along either axis; lifting and putting down take as long as one each."""
+
+
+@dataclass(frozen=True)
+class Squaring:
+    """How a part is squared.
+
+    press_N   what it is pressed with, at the least, before and after
+    lift_m    how far it is lifted meanwhile
+    reach_m   how far it is moved to either side, along both axes of the tool across the press
+    last_m    the same of the last stroke, which leaves it away from the sides
+    stroke_s  how long a stroke takes, of four along each axis
+    shake_m, shake_hz  meanwhile it is shaken along the side it is moved to: friction there would
+              drag the other part along, one that slides to and fro drags it nowhere
+    """
+
+    press_N: float = 6.0
+    lift_m: float = 0.003
+    reach_m: float = 0.010
+    last_m: float = 0.008
+    stroke_s: float = 0.6
+    shake_m: float = 0.0015
+    shake_hz: float = 5.5
+
+    @property
+    def strokes_s(self) -> float:
+        """How long it takes, lifting and putting down included."""
+        return (_STROKES + 2.0) * self.stroke_s
+
+    @property
+    def duration_s(self) -> float:
+        """After which it is given up."""
+        return self.strokes_s + self.stroke_s
+
+    def away(self, direction: Array, wxyz: Array, time_s: float) -> Array:
+        """How far (3,) a part pressed along `direction` (3,) is to be moved by now [m].
+
+        `wxyz` (4,) is the tool's orientation.
+        """
+        stroke, end = time_s / self.stroke_s - 1.0, _STROKES + 1.0
+        left = max(min(stroke + 1.0, end - stroke, 1.0), 0.0)
+        lifted = -self.lift_m * _eased(left) * direction
+        if not 0.0 < stroke < _STROKES:
+            return lifted
+        along, beside = tool_axes(direction, wxyz)
+        if stroke >= _STROKES / 2:
+            along, beside, stroke = beside, along, stroke - _STROKES / 2
+        fade = _eased(min(2.0 * stroke, 2.0 * (_STROKES / 2 - stroke), 1.0))
+        shaken = fade * self.shake_m * sin(2.0 * pi * self.shake_hz * time_s)
+        return lifted + self._place(stroke) * along + shaken * beside
+
+    def _place(self, stroke: float) -> float:
+        """How far along its axis the part is by a number of strokes, 0 to 4 [m]."""
+        places = 0.0, self.reach_m, -self.reach_m, self.last_m, 0.0
+        at = int(stroke)
+        return places[at] + _eased(stroke - at) * (places[at + 1] - places[at])
+
+
+def tool_axes(direction: Array, wxyz: Array) -> tuple[Array, Array]:
+    """Two unit vectors (3,) across a direction (3,): parts are gripped square to the tool.
+
+    The first is of the tool's x and y axes, in the orientation `wxyz` (4,), the one that lies less
+    along the direction.
+    """
+    axes = (_turned(wxyz, axis) for axis in np.eye(3)[:2])
+    beside = min(axes, key=lambda axis: abs(float(axis.dot(direction))))
+    first = beside - float(beside.dot(direction)) * direction
+    first = first / np.linalg.norm(first)
+    return first, np.asarray(np.cross(direction, first), dtype=np.float64)
+
+
+def _turned(wxyz: Array, vector: Array) -> Array:
+    turned = quaternions.product(wxyz, np.concatenate([[0.0], vector]))
+    return quaternions.product(turned, quaternions.conjugate(wxyz))[1:]
+
+
+def _eased(share: float) -> float:
+    """From 0 to 1 as `share` goes from 0 to 1, at rest at both ends."""
+    return 0.5 - 0.5 * cos(pi * share)

@@ -1,0 +1,62 @@
+"""A part that is put on what it then carries along is squared there, by strokes to its sides."""
+
+import numpy as np
+import pytest
+
+from keyphase.files.shipped import shipped
+from keyphase.readers import read
+from keyphase.segmentation import segment
+from keyphase.skills.library import skills_of
+from keyphase.skills.squaring import Squaring, tool_axes
+
+DOWN, UPRIGHT = np.array([0.0, 0.0, -1.0]), np.array([0.0, 1.0, 0.0, 0.0])
+SQUARING = Squaring()
+
+
+def way(wxyz=UPRIGHT) -> np.ndarray:
+    """All of it, at 250 Hz."""
+    times = np.arange(0.0, SQUARING.strokes_s, 0.004)
+    return np.array([SQUARING.away(DOWN, wxyz, time) for time in times])
+
+
+def test_it_begins_and_ends_where_it_was_put_down() -> None:
+    assert np.linalg.norm(way()[0]) == 0.0
+    assert np.linalg.norm(SQUARING.away(DOWN, UPRIGHT, SQUARING.strokes_s)) < 1e-12
+
+
+def test_it_is_lifted_before_it_moves_aside_and_until_it_is_back() -> None:
+    aside = np.linalg.norm(way()[:, :2], axis=1)
+    assert aside.max() == pytest.approx(SQUARING.reach_m, rel=0.02)
+    assert way()[aside > 1e-6, 2].min() == pytest.approx(SQUARING.lift_m)
+
+
+def test_it_goes_to_both_sides_of_both_axes() -> None:
+    for axis in range(2):
+        assert way()[:, axis].max() > 0.99 * SQUARING.reach_m
+        assert way()[:, axis].min() < -0.99 * SQUARING.reach_m
+
+
+def test_nothing_jumps() -> None:
+    speed = np.linalg.norm(np.diff(way(), axis=0), axis=1) / 0.004
+    assert speed.max() < 0.15
+    assert np.abs(np.diff(speed)).max() < 0.02
+
+
+def test_the_sides_are_those_of_the_tool() -> None:
+    turn = np.radians(30.0)
+    wxyz = np.array([0.0, np.cos(turn / 2), np.sin(turn / 2), 0.0])
+    first, second = tool_axes(DOWN, wxyz)
+    beside = min(abs(first @ axis) for axis in np.eye(3)[:2])
+    assert beside == pytest.approx(0.5)
+    assert abs(first @ DOWN) < 1e-12
+    assert abs(first @ second) < 1e-12
+
+
+def test_of_the_bundled_recordings_only_what_carries_is_squared() -> None:
+    squared = {}
+    for name in ("setup1", "setup2"):
+        demonstration = read(shipped("data") / f"{name}.npz")
+        kept = [one for one in segment(demonstration).segments if not one.idle]
+        squared[name] = [s.squaring is not None for s in skills_of(demonstration, kept)]
+    assert not any(squared["setup1"])
+    assert squared["setup2"] == [False, True, False, False]
