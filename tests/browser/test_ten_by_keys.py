@@ -10,54 +10,13 @@ from typing import Any
 import numpy as np
 from driver import KeyphasePage, Serve, Visit
 from numpy.typing import NDArray
+from ten_recordings import NAMES, paced, ten_recordings
 
-from keyphase.demonstration import Demonstration
 from keyphase.files.shipped import shipped
-from keyphase.readers import read, save_npz
+from keyphase.readers import read
 
-NAMES = ("Reach", "Lower", "Slide")
-COUNT = 10
 MOST_PRESSES = 4
-TURNED = (1, 5)
-"""These have the other sign of force, so that they are less like what was taught."""
-
 TOLERANCE_S = 0.15
-_RATE_HZ = 125.0
-
-
-def _paced(
-    pace: float, uneven_s: float, time_s: NDArray[np.float64], whole_s: float
-) -> NDArray[np.float64]:
-    """When it happens at this pace, which is not the same all the way."""
-    return pace * time_s + uneven_s * np.sin(2 * np.pi * time_s / whole_s)
-
-
-def _ten(folder: Path) -> list[tuple[float, float]]:
-    """Ten recordings; the pace of each and how uneven it is."""
-    random = np.random.default_rng(4)
-    base = read(shipped("data") / "setup1.npz")
-    assert base.force_N is not None
-    began = base.time_s - base.time_s[0]
-    paces = [
-        (1.0, 0.0),
-        *((random.uniform(0.8, 1.3), random.uniform(-0.2, 0.2)) for _ in "123456789"),
-    ]
-    for number, (pace, uneven) in enumerate(paces):
-        paced = _paced(pace, uneven, began, began[-1])
-        time = np.arange(0.0, paced[-1], 1 / _RATE_HZ)
-        position, force = (
-            np.stack([np.interp(time, paced, column) for column in values.T], axis=1)
-            for values in (base.position_m, base.force_N)
-        )
-        force = (-1 if number in TURNED else 1) * random.uniform(0.3, 1.2) * force
-        recording = Demonstration(
-            f"{number:02d}",
-            time,
-            position + random.normal(0.0, 0.02, 3),
-            force_N=force + random.normal(0.0, 0.02, force.shape),
-        )
-        save_npz(recording, folder / f"take_{number:02d}.npz")
-    return paces
 
 
 _COUNTS = """() => {
@@ -100,7 +59,7 @@ def _settle(page: KeyphasePage, truth: NDArray[np.float64]) -> tuple[int, dict[s
 def test_ten_recordings_of_a_task_take_four_keys_each_after_the_first(
     tmp_path: Path, serve: Serve, visit: Visit
 ) -> None:
-    paces = _ten(tmp_path)
+    paces = ten_recordings(tmp_path)
     page = visit(serve(tmp_path), size=(1280, 720), scene=False)
     page.wait_for_document()
     page.page.evaluate(_COUNTS)
@@ -112,7 +71,7 @@ def test_ten_recordings_of_a_task_take_four_keys_each_after_the_first(
     presses = []
     for number, (pace, uneven) in enumerate(paces[1:], start=1):
         page.until(f"keyphase.state.document.name === 'take_{number:02d}'")
-        truth = _paced(pace, uneven, ends, whole_s)
+        truth = paced(pace, uneven, ends, whole_s)
         pressed, settled = _settle(page, truth)
         presses.append(pressed)
         found = np.array([one["time_s"] for one in settled["boundaries"]])

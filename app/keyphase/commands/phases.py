@@ -30,12 +30,15 @@ class Phases:
             change_folder_settings,
             read_folder_settings,
         )
+        from keyphase.labeling.tasks.task import with_task
 
         if not self.folder.is_dir():
             raise LabelingError(f"Expected a folder of recordings, but {self.folder} is none.")
         if self.write:
             task = self._typed()
-            settings = change_folder_settings(self.folder, lambda now: _with(now, task))
+            settings = change_folder_settings(
+                self.folder, lambda now: replace(now, tasks=with_task(now.tasks, task))
+            )
         else:
             settings = read_folder_settings(self.folder)
         _tell(settings)
@@ -47,12 +50,6 @@ class Phases:
 
         phases = tuple(typed_phase(text, number) for number, text in enumerate(self.write))
         return Task(self.task or self.folder.resolve().name or "task", phases)
-
-
-def _with(settings: "FolderSettings", task: "Task") -> "FolderSettings":
-    """With this task in the place of one of its name."""
-    others = tuple(each for each in settings.tasks if each.name != task.name)
-    return replace(settings, tasks=(*others, task))
 
 
 def _tell(settings: "FolderSettings") -> None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from keyphase.errors import LabelingError
-from keyphase.labeling.edits import Edit
+from keyphase.labeling.edits import DropPhase, Edit, PhaseInAll, RenamePhase
 
 
 @dataclass(frozen=True)
@@ -38,9 +38,11 @@ class Step:
     change: Edit | ParameterChange
 
 
-def folder_change_of(step: Step | None) -> FolderChange | None:
+def folder_change_of(step: Step | None) -> FolderChange | PhaseInAll | None:
     """What a step did to the whole folder; None where it was about its recording alone."""
     change = step.change if step else None
+    if isinstance(change, RenamePhase | DropPhase):
+        return change
     return change.folder if isinstance(change, ParameterChange) else None
 
 

@@ -1,6 +1,7 @@
 """The labels people use in a folder, each with its colour."""
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -62,6 +63,19 @@ class Vocabulary:
     def without_label(self, name: str) -> "Vocabulary":
         """Without a label; segments that have it keep it."""
         return replace(self, labels=tuple(label for label in self.labels if label.name != name))
+
+    def renamed(self, name: str, to: str) -> "Vocabulary":
+        """With a label called otherwise in its place; the same where that name is taken."""
+        if self.color(name) is None or self.color(to) is not None:
+            return self
+        labels = (replace(one, name=to) if one.name == name else one for one in self.labels)
+        return replace(self, labels=tuple(labels))
+
+    def led_by(self, first: Iterable[VocabularyLabel]) -> "Vocabulary":
+        """With these labels before all others, in their colours."""
+        leading = {label.name: label for label in first}
+        others = (label for label in self.labels if label.name not in leading)
+        return Vocabulary((*leading.values(), *others)[:MAX_LABELS])
 
     def as_json(self) -> list[dict[str, Any]]:
         """As JSON values."""

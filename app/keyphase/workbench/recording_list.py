@@ -1,9 +1,10 @@
 """The list of recordings of one workbench, and who is at which."""
 
 import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Literal
 
 from keyphase.errors import RequestError
 from keyphase.workbench.proposals import Proposal
@@ -56,6 +57,15 @@ class RecordingList:
             if recording.id == recording_id:
                 return recording
         raise RequestError("There is no such recording in this list; choose one that is.")
+
+    def chosen(
+        self, scope: Literal["picked", "done", "all"], picked: Collection[str]
+    ) -> list[Recording]:
+        """Those of a scope: with the ids `picked`, those that are done, or all."""
+        lines = self.recordings
+        if scope == "done":
+            return [one for one in lines if one.state == "done"]
+        return [one for one in lines if scope == "all" or one.id in picked]
 
     def first_to_do(self) -> Recording | None:
         """The first recording that is not done, so that work goes on where it was left."""

@@ -11,6 +11,7 @@ from keyphase.errors import KeyphaseError
 from keyphase.files.parts import stem_of
 from keyphase.labeling.assessment import NOTHING_SAID, Assessment
 from keyphase.labeling.storage.summary import summarize
+from keyphase.workbench.grid.stretches import Stretch, frozen_stretches
 from keyphase.workbench.showing.doubts import Piece
 
 State = Literal["automatic", "touched", "done"]
@@ -22,6 +23,7 @@ class Recording:
 
     state, confidence, unsure, strip   what its segmentation has come to; empty until looked at
     assessment                         what a person thinks of it as a whole
+    stretches                          its segments with names; empty until they are known
     error                              why it cannot be opened
     """
 
@@ -33,6 +35,7 @@ class Recording:
     strip: tuple[Piece, ...] = ()
     error: str | None = None
     assessment: Assessment = NOTHING_SAID
+    stretches: tuple[Stretch, ...] = ()
 
     @property
     def name(self) -> str:
@@ -53,7 +56,8 @@ def recording_at(path: Path) -> Recording:
     except Exception as error:
         return replace(line, error=defect(path, error))
     state = "done" if said.done else "touched" if said.touched else "automatic"
-    return replace(line, state=state, assessment=said.assessment)
+    seen = frozen_stretches(said.frozen) if said.frozen else ()
+    return replace(line, state=state, assessment=said.assessment, stretches=seen)
 
 
 def defect(path: Path, error: Exception) -> str:

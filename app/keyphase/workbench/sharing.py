@@ -1,4 +1,4 @@
-"""Parameters for all recordings of a folder: given, taken back and given again, as one step.
+"""What changes all recordings of a folder: made, taken back and made again, as one step.
 
 What is done is left alone, unless it is to be opened again with the step.
 """
@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from keyphase.labeling.document import FOR_ALL
+from keyphase.labeling.edits import PhaseInAll
 from keyphase.labeling.history import FolderChange
 from keyphase.labeling.storage.summary import summarize
 from keyphase.segmentation import Parameters
@@ -15,6 +16,7 @@ from keyphase.workbench.desks.asked import Asked
 from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.library import Library
 from keyphase.workbench.desks.open_recording import OpenRecording
+from keyphase.workbench.grid.for_all import ForAll
 from keyphase.workbench.recording_list import RecordingList
 from keyphase.workbench.recordings import Recording
 from keyphase.workbench.spread import beside
@@ -27,6 +29,7 @@ class Sharing:
 
     library: Library
     recordings: RecordingList
+    for_all: ForAll
 
     def share(self, desk: Desk, asked: Asked, view: View, *, include_done: bool) -> threading.Event:
         """Give the folder of a recording the parameters it has; its others follow.
@@ -63,18 +66,22 @@ class Sharing:
     def undo(self, desk: Desk, asked: Asked, view: View) -> threading.Event:
         """Take the last step of a recording back, and what it did to its folder."""
 
-        def told(change: FolderChange | None) -> None:
-            if change is not None:
+        def told(change: FolderChange | PhaseInAll | None) -> None:
+            if isinstance(change, FolderChange):
                 view.errands.submit(lambda: self._close_again(desk, change, asked, view))
+            elif change is not None:
+                self.for_all.take_back(desk, change, asked, view)
 
         return desk.undo(asked, told)
 
     def redo(self, desk: Desk, asked: Asked, view: View) -> threading.Event:
         """Make the next step again, likewise."""
 
-        def told(change: FolderChange | None) -> None:
-            if change is not None:
+        def told(change: FolderChange | PhaseInAll | None) -> None:
+            if isinstance(change, FolderChange):
                 view.errands.submit(lambda: self._reopen(desk, change, asked))
+            elif change is not None:
+                self.for_all.make_again(desk, change, asked, view)
 
         return desk.redo(asked, told)
 

@@ -103,6 +103,9 @@ class Watcher:
     def show_recordings(self, listing: Listing, current: str | None) -> None:
         """The list has changed."""
 
+    def show_grid(self) -> None:
+        """What is known of all recordings of a folder together has changed."""
+
     def show_spread(self, spread: Spread) -> None:
         """What parameters would do to the recordings of a folder, as far as that is known."""
 

@@ -15,6 +15,7 @@ from keyphase.workbench.exporting.all_recordings import export_all
 from keyphase.workbench.exporting.beside import InTheWay, require_own_names
 from keyphase.workbench.exporting.formats import write_in
 from keyphase.workbench.footage import FootageShelf
+from keyphase.workbench.grid.for_all import ForAll
 from keyphase.workbench.leading.takes import Takes
 from keyphase.workbench.looking import Looking
 from keyphase.workbench.playback import Clock
@@ -75,7 +76,9 @@ class Workbench:
         self.arms = self.settings.arms
         self.looking = Looking(self.recordings, self.library)
         self.library.on_parameters = self.looking.begin
-        self.sharing = Sharing(self.library, self.recordings)
+        self.for_all = ForAll(self.library, self.recordings)
+        self.for_all.taught = self.proposals.begin
+        self.sharing = Sharing(self.library, self.recordings, self.for_all)
         self._clock = Clock(self._step)
 
     def close(self) -> None:

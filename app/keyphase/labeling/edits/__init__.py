@@ -20,6 +20,7 @@ from keyphase.labeling.edits.remove import Remove
 from keyphase.labeling.edits.reset import Reset
 from keyphase.labeling.edits.set_end import SetEnd
 from keyphase.labeling.edits.take_over import TakeOver
+from keyphase.labeling.edits.together.phases import DropPhase, PhaseInAll, RenamePhase
 
 __all__ = [
     "MAX_LABEL_LENGTH",
@@ -33,14 +34,17 @@ __all__ = [
     "Contact",
     "Done",
     "DropIdle",
+    "DropPhase",
     "Edit",
     "Forget",
     "Keep",
     "Label",
     "Merge",
     "Move",
+    "PhaseInAll",
     "Plan",
     "Remove",
+    "RenamePhase",
     "Reopen",
     "Reset",
     "SetEnd",

@@ -24,6 +24,7 @@ from keyphase.labeling.edits.remove import Remove
 from keyphase.labeling.edits.reset import Reset
 from keyphase.labeling.edits.set_end import SetEnd
 from keyphase.labeling.edits.take_over import TakeOver
+from keyphase.labeling.edits.together.phases import DropPhase, RenamePhase
 
 Edit = (
     Add
@@ -46,6 +47,8 @@ Edit = (
     | SetEnd
     | CameraOffset
     | Assess
+    | RenamePhase
+    | DropPhase
 )
 """Everything a person can do; msgspec tells the kinds apart by their field `kind`."""
 

@@ -6,9 +6,12 @@ from pathlib import Path
 
 from keyphase.errors import KeyphaseError
 from keyphase.labeling.assessment import NOTHING_SAID, Assessment
+from keyphase.labeling.edits import Done, DropPhase, RenamePhase
 from keyphase.labeling.edits.base import BaseEdit
 from keyphase.labeling.edits.beside.assess import assessment_of
 from keyphase.labeling.finished import is_done, needs_freezing
+from keyphase.labeling.frozen import Frozen
+from keyphase.labeling.history import History
 from keyphase.labeling.storage.readings import longest_journal
 from keyphase.labeling.storage.state_folder import journal_path, state_folder
 
@@ -19,12 +22,16 @@ class JournalSummary:
 
     unfrozen    it was finished by a version that did not keep what was seen
     assessment  what a person thinks of the recording as a whole
+    together    steps that were made in other recordings of the folder, too, in force or taken back
+    frozen      what was seen when it was done, where nothing was edited since
     """
 
     touched: bool
     done: bool
     unfrozen: bool = False
     assessment: Assessment = NOTHING_SAID
+    together: frozenset[str] = frozenset()
+    frozen: Frozen | None = None
 
 
 def summarize(recording: Path) -> JournalSummary:
@@ -43,4 +50,20 @@ def summarize(recording: Path) -> JournalSummary:
     unfrozen = needs_freezing(state.history, done_before=state.done_before)
     edits = {step.number: step.change for step in state.history.done}
     said = assessment_of({n: edit for n, edit in edits.items() if isinstance(edit, BaseEdit)})
-    return JournalSummary(bool(state.history.done), done, unfrozen, said)
+    return JournalSummary(
+        bool(state.history.done),
+        done,
+        unfrozen,
+        said,
+        frozenset(
+            step.change.step
+            for step in state.history.steps
+            if isinstance(step.change, RenamePhase | DropPhase)
+        ),
+        _as_seen(state.history),
+    )
+
+
+def _as_seen(history: History) -> Frozen | None:
+    last = history.last_done
+    return last.change.frozen if last and isinstance(last.change, Done) else None

@@ -66,6 +66,14 @@ class Task:
             return replace(self, phases=phases)
         return replace(self, phases=(*self.phases, phase))
 
+    def renamed(self, name: str, to: str) -> "Task":
+        """With a phase called otherwise; the same where it is not there, or that name is taken."""
+        names = {phase.name for phase in self.phases}
+        if name not in names or to in names:
+            return self
+        phases = (replace(one, name=to) if one.name == name else one for one in self.phases)
+        return replace(self, phases=tuple(phases))
+
     def as_json(self) -> list[dict[str, Any]]:
         """One flat object for each phase, so that damage costs only itself."""
         return [
@@ -102,6 +110,29 @@ def plain_or(name: str, otherwise: str) -> str:
         return Task(name, ()).name
     except LabelingError:
         return otherwise
+
+
+def numbered_labels(tasks: Iterable[Task]) -> tuple[VocabularyLabel, ...]:
+    """The phases as labels, in the order in which number keys give them."""
+    found: dict[str, VocabularyLabel] = {}
+    for task in tasks:
+        for phase in task.phases:
+            found.setdefault(phase.name, VocabularyLabel(phase.name, phase.color))
+    return tuple(found.values())
+
+
+def with_task(tasks: tuple[Task, ...], task: Task) -> tuple[Task, ...]:
+    """With this task in the place of the one of its name, or after the others.
+
+    Raises LabelingError where these are more phases than a folder keeps.
+    """
+    known = named_task(tasks, task.name) is not None
+    changed = tuple(task if each.name == task.name else each for each in tasks)
+    changed = changed if known else (*tasks, task)
+    count = sum(len(each.phases) for each in changed)
+    if count > MAX_PHASES:
+        raise LabelingError(f"A folder keeps at most {MAX_PHASES} phases, but these are {count}.")
+    return changed
 
 
 def named_task(tasks: Iterable[Task], name: str) -> Task | None:

@@ -12,7 +12,7 @@ from keyphase.web.protocol import list_messages as say
 from keyphase.web.protocol import requests as ask
 from keyphase.web.protocol.describing import Describing
 from keyphase.web.protocol.dispatch import do
-from keyphase.web.protocol.voice import Send, Voice
+from keyphase.web.protocol.voice import GridVoice, Send, Voice
 from keyphase.workbench.desks.asked import Asked
 from keyphase.workbench.exporting.beside import InTheWay
 from keyphase.workbench.telling import in_words
@@ -45,7 +45,8 @@ class Conversation:
         self.send(_hello(page, looking))
         self.view = workbench.enter(page)
         self._describing = Describing(workbench, self.view, send)
-        self._voice = Voice(send, page, lambda: self.view.selected)
+        self.grid = GridVoice(send, workbench, self.view)
+        self._voice = Voice(send, page, lambda: self.view.selected, self.grid)
         self.view.watch(self._voice)
 
     def end(self) -> None:

@@ -1,5 +1,6 @@
 """What a page's requests do: those about a document to its desk, the rest to the page's view."""
 
+import threading
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, assert_never
@@ -10,10 +11,9 @@ from msgspec import UNSET
 from keyphase.errors import RequestError
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web.protocol import requests as ask
-from keyphase.web.protocol.comparison_content import comparison_message
+from keyphase.web.protocol.comparison_messages import comparison_message, lanes_message
 from keyphase.web.protocol.control_messages import cameras_message
 from keyphase.web.protocol.export_messages import offers_message
-from keyphase.web.protocol.list_messages import lanes_message
 from keyphase.web.protocol.signals_frame import signals_frame
 from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.parameters import with_parameter
@@ -21,7 +21,6 @@ from keyphase.workbench.exporting.beside import Beside
 from keyphase.workbench.exporting.formats import offered
 from keyphase.workbench.exporting.segment_files import ENDINGS
 from keyphase.workbench.leading.cutting import write_cut
-from keyphase.workbench.recordings import Recording
 from keyphase.workbench.replaying.exports import PLAN_KINDS
 from keyphase.workbench.showing.comparing import PROPOSED
 from keyphase.workbench.showing.lanes import lanes_of
@@ -50,7 +49,7 @@ def do(page: "Conversation", request: ask.DispatchedRequest) -> None:
         case ask.Trials() | ask.TrialsCancel() | ask.Margin():
             _beside_replay(page, request)
         case ask.Record():
-            _record(page, request)
+            page.view.lead.do(request.do, request.workcell)
         case _:
             _look(page, request)
 
@@ -90,6 +89,8 @@ def _at_desk(page: "Conversation", desk: Desk, request: ask.EditingRequest) -> N
             page.view.errands.submit(lambda: _send_lanes(page, desk), "lanes")
         case ask.Spread():
             _spread(page, desk, request)
+        case ask.PhaseForAll() | ask.PhaseUndo() | ask.Phases():
+            page.wait_for(_phases(page, desk, request))
         case _:
             assert_never(request)
 
@@ -121,19 +122,6 @@ def _set(page: "Conversation", desk: Desk, request: ask.Set) -> None:
     desk.set_parameters(change, page.asked(request), held=request.held)
 
 
-def _chosen(page: "Conversation", request: ask.Export) -> list[Recording]:
-    listed = page.workbench.recordings.recordings
-    match request.scope:
-        case "done":
-            return [one for one in listed if one.state == "done"]
-        case "picked":
-            return [one for one in listed if one.id in request.picked]
-        case "all" | "this":
-            return list(listed)
-        case _:
-            assert_never(request.scope)
-
-
 def _cut(desk: Desk, request: ask.Cut) -> Path:
     demonstration = desk.opened().demonstration
     return write_cut(demonstration, desk.recording.path, request.from_s, request.to_s)
@@ -160,7 +148,7 @@ def _write(page: "Conversation", desk: Desk, request: ask.Export) -> None:
     view, kind, scope = page.view, request.kind, request.scope
     options = Options(request.trim_idle, request.if_there)
     if scope != "this":
-        chosen = _chosen(page, request)
+        chosen = page.workbench.recordings.chosen(scope, request.picked)
         view.errands.submit(lambda: page.workbench.export_all(view, chosen, kind, options))
         return
     page.workbench.require_own_names(desk.recording)
@@ -192,6 +180,24 @@ def _spread(page: "Conversation", desk: Desk, request: ask.Spread) -> None:
             workbench.leave_spread(page.view)
         case _:
             assert_never(request.step)
+
+
+def _phases(
+    page: "Conversation", desk: Desk, request: ask.PhaseForAll | ask.PhaseUndo | ask.Phases
+) -> threading.Event:
+    for_all, asked, view = page.workbench.for_all, page.asked(request), page.view
+    match request:
+        case ask.Phases():
+            task = request.task()
+            return desk.change(lambda opened: opened.folder.write_task(task), asked)
+        case ask.PhaseUndo():
+            return for_all.undo(desk, asked, view)
+        case ask.PhaseForAll(label=label, to=None, include_done=done):
+            return for_all.drop(desk, label, asked, view, include_done=done)
+        case ask.PhaseForAll(label=label, to=to, include_done=done):
+            return for_all.rename(desk, label, to, asked, view, include_done=done)
+        case _:
+            assert_never(request)
 
 
 def _find_cameras(page: "Conversation", request: ask.Cameras) -> None:
@@ -235,6 +241,8 @@ def _look(page: "Conversation", request: ask.LookRequest) -> None:
             view.scene.choose_robot(arm=request.arm, moving=request.moving)
             if request.place is not None:
                 view.scene.place_robot()
+        case ask.Grid():
+            page.grid.show(request.shown)
         case ask.Latency():
             page.latency(request.milliseconds)
         case _:
@@ -271,30 +279,3 @@ def _beside_replay(page: "Conversation", request: ask.BesideReplayRequest) -> No
             replay.cancel_margin()
         case _:
             assert_never(request)
-
-
-def _record(page: "Conversation", request: ask.Record) -> None:
-    lead = page.view.lead
-    match request.do:
-        case "open":
-            lead.open(_named(request))
-        case "start":
-            lead.record(_named(request))
-        case "close":
-            lead.close()
-        case "stop":
-            lead.stop()
-        case "reset":
-            lead.reset()
-        case "undo_take":
-            lead.undo_take()
-        case "redo_take":
-            lead.redo_take()
-        case _:
-            assert_never(request.do)
-
-
-def _named(request: ask.Record) -> str:
-    if request.workcell is None:
-        raise RequestError(f"A request to {request.do} recording must name a workcell.")
-    return request.workcell

@@ -7,6 +7,7 @@ from msgspec import Meta
 
 from keyphase.labeling import edits as labeling
 from keyphase.labeling.storage.written_files import IfThere
+from keyphase.labeling.tasks.task import MAX_PHASES, PhaseEnd, Task, TaskPhase
 from keyphase.web.protocol.request_kinds import (
     Counter,
     Id,
@@ -78,6 +79,50 @@ class Spread(OnDocument, tag="spread", frozen=True):
 
     step: Literal["look", "apply", "leave"]
     include_done: bool = False
+
+
+Text = Annotated[str, Meta(max_length=labeling.MAX_LABEL_LENGTH)]
+
+
+class PhaseForAll(OnDocument, tag="phase_for_all", frozen=True):
+    """Call a phase `to` in all recordings of the folder that have it; null: drop it in all.
+
+    Those that are done stay as they are, unless `include_done`; they stay done then, too.
+    """
+
+    label: Text
+    to: Text | None = None
+    include_done: bool = False
+
+
+class PhaseUndo(OnDocument, tag="phase_undo", frozen=True):
+    """Take back what was done last to a phase in all recordings of the folder."""
+
+
+class PhaseOfTask(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A phase of a task: its name, colour (`#rrggbb`), what it ends with.
+
+    optional  not every recording has it
+    repeated  a recording may have it several times
+    """
+
+    name: Text
+    color: Annotated[str, Meta(max_length=7)]
+    end: PhaseEnd
+    optional: bool = False
+    repeated: bool = False
+
+
+class Phases(OnDocument, tag="phases", frozen=True):
+    """Keep these as the phases of the folder's task, in this order; none: it has no task."""
+
+    name: Text
+    phases: Annotated[tuple[PhaseOfTask, ...], Meta(max_length=MAX_PHASES)]
+
+    def task(self) -> Task:
+        """The task. Raises LabelingError for what is none."""
+        parts = map(msgspec.structs.asdict, self.phases)
+        return Task(self.name, tuple(TaskPhase(**part) for part in parts))
 
 
 class Compare(OnDocument, tag="compare", frozen=True):

@@ -1,17 +1,17 @@
 """The list of recordings, and what is told beside the document: tasks, notices, uploads."""
 
-from collections.abc import Iterable
 from typing import Any, Literal
 
-from msgspec import UNSET, Struct, UnsetType, field
+from msgspec import UNSET, Struct, UnsetType
 
-from keyphase.files.parts import split_part
 from keyphase.labeling.assessment import NOTHING_SAID, Assessment
+from keyphase.labeling.tasks.task import TaskPhase
+from keyphase.workbench.grid.rows import GridRow, Standing
+from keyphase.workbench.grid.stretches import Stretch
 from keyphase.workbench.proposals import Proposal
 from keyphase.workbench.recording_list import Listing
 from keyphase.workbench.recordings import Recording, State, folder_name, printable
 from keyphase.workbench.showing.doubts import Piece
-from keyphase.workbench.showing.lanes import Lane
 from keyphase.workbench.spread import Spread, SpreadItem
 
 
@@ -163,63 +163,56 @@ class SpreadMessage(Struct, frozen=True, tag_field="type", tag="spread"):
     items: tuple[SpreadLine, ...]
 
 
-class ComparisonMessage(Struct, frozen=True, tag_field="type", tag="comparison"):
-    """With what a recording can be compared, and where `with` is not null how that agrees.
+class GridLine(Struct, frozen=True):
+    """A recording in the grid.
 
-    shared                       (shown, other) times of boundaries both have
-    only_first_s, only_second_s  boundaries of what is shown alone, of the other alone
-    timing_s                     median distance of shared boundaries
+    standing       as it is sorted and marked
+    stretches      its segments, or what is proposed for it
+    unsure         how many of its boundaries a person should look at
+    proposed_from  from which recordings `stretches` are proposed; empty: they are its own
     """
-
-    recording: str
-    options: tuple[str, ...]
-    other: str | None = field(name="with", default=None)
-    boundaries_s: tuple[float, ...] = ()
-    labels: tuple[str, ...] = ()
-    shared: tuple[tuple[float, float], ...] = ()
-    only_first_s: tuple[float, ...] = ()
-    only_second_s: tuple[float, ...] = ()
-    f1: float | None = None
-    same_label: float | None = None
-    timing_s: float | None = None
-
-
-class LaneSegment(Struct, frozen=True):
-    """What another tool did from one time to another; `color` null: idle or dropped."""
-
-    start_s: float
-    end_s: float
-    label: str
-    color: int | None
-
-
-class LaneMessage(Struct, frozen=True):
-    """Another tool of the same recording, which is a recording of the list by itself."""
 
     id: str
     name: str
-    segments: tuple[LaneSegment, ...]
+    state: State
+    standing: Standing
+    stretches: tuple[Stretch, ...]
+    unsure: int
+    proposed_from: tuple[str, ...]
+    error: str | None
 
 
-class LanesMessage(Struct, frozen=True, tag_field="type", tag="lanes"):
-    """The other tools that were recorded at the same time, as they stand."""
+class GridMessage(Struct, frozen=True, tag_field="type", tag="grid"):
+    """All recordings of a folder and the phases of its task, again whenever any of it changes.
 
-    recording: str
-    lanes: tuple[LaneMessage, ...]
+    ids    of all of them, in the order of the list
+    rows   those that have changed since the message before; in the first one all
+    task   name of the folder's task
+    undo   what can be taken back in all recordings; null where nothing can
+    """
+
+    folder: str
+    ids: tuple[str, ...]
+    rows: tuple[GridLine, ...]
+    task: str
+    phases: tuple[TaskPhase, ...]
+    undo: str | None
 
 
-def lanes_message(recording: str, lanes: Iterable[Lane]) -> LanesMessage:
-    """What a page draws below the segments."""
-    return LanesMessage(recording, tuple(map(_lane, lanes)))
-
-
-def _lane(lane: Lane) -> LaneMessage:
-    segments = tuple(
-        LaneSegment(one.start_s, one.end_s, one.label, one.color if one.kept else None)
-        for one in lane.labeling.segments
+def grid_line(row: GridRow) -> GridLine:
+    """A row as a page is told of it."""
+    line = row.recording
+    unsure = 0 if line.state == "done" else line.unsure
+    return GridLine(
+        line.id,
+        line.name,
+        line.state,
+        row.standing,
+        row.stretches,
+        unsure,
+        row.teachers,
+        line.error,
     )
-    part = split_part(lane.recording.path)[1] or ""
-    return LaneMessage(lane.recording.id, printable(part.rpartition("+")[2]), segments)
 
 
 def recordings_message(listing: Listing, current: str | None, page: str) -> Recordings:

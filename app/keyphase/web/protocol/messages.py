@@ -1,5 +1,6 @@
 """Everything the server says to a page; docs/protocol.md and the page's types are made of this."""
 
+from keyphase.web.protocol.comparison_messages import ComparisonMessage, LanesMessage
 from keyphase.web.protocol.control_messages import (
     CamerasMessage,
     MarginMessage,
@@ -20,10 +21,9 @@ from keyphase.web.protocol.document_messages import (
 from keyphase.web.protocol.export_messages import InTheWayMessage, OffersMessage, Saved
 from keyphase.web.protocol.import_messages import TableDone, TableProposal
 from keyphase.web.protocol.list_messages import (
-    ComparisonMessage,
     Following,
+    GridMessage,
     Hello,
-    LanesMessage,
     Notice,
     Recordings,
     Refused,
@@ -53,6 +53,7 @@ Message = (
     | InTheWayMessage
     | OffersMessage
     | SpreadMessage
+    | GridMessage
     | ComparisonMessage
     | LanesMessage
     | UploadReady

@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from msgspec import UNSET, Meta, UnsetType
 
 from keyphase.web.protocol.request_kinds import Name, PageRequest, Value
+from keyphase.workbench.leading.session import LeadAction
 from keyphase.workbench.replaying.settings import SPEEDS, Action, EndBy
 
 
@@ -56,5 +57,5 @@ class Record(PageRequest, tag="record", frozen=True):
     `open` and `start` name the workcell.
     """
 
-    do: Literal["open", "close", "start", "stop", "reset", "undo_take", "redo_take"]
+    do: LeadAction
     workcell: Name | None = None

@@ -18,6 +18,9 @@ from keyphase.web.protocol.document_requests import (
     KeepLabels,
     Lanes,
     Offers,
+    PhaseForAll,
+    Phases,
+    PhaseUndo,
     Redo,
     Reset,
     Select,
@@ -47,6 +50,7 @@ from keyphase.web.protocol.request_kinds import OnDocument as OnDocument
 from keyphase.web.protocol.view_requests import (
     Cameras,
     Follow,
+    Grid,
     Latency,
     Open,
     OpenDemonstration,
@@ -71,6 +75,9 @@ EditingRequest = (
     | TakeJournal
     | ForgetLabel
     | Spread
+    | PhaseForAll
+    | PhaseUndo
+    | Phases
     | Compare
     | Lanes
     | TakeOver
@@ -81,7 +88,17 @@ EditingRequest = (
 """What changes, compares or writes one document."""
 
 LookRequest = (
-    Open | OpenDemonstration | Follow | Seek | Play | PlayAround | Show | Theme | Robot | Latency
+    Open
+    | OpenDemonstration
+    | Follow
+    | Seek
+    | Play
+    | PlayAround
+    | Show
+    | Grid
+    | Theme
+    | Robot
+    | Latency
 )
 """What concerns only what a page looks at."""
 
@@ -115,6 +132,7 @@ LOOKING_REQUESTS = (
     Play,
     PlayAround,
     Show,
+    Grid,
     Theme,
     Signals,
     Cameras,

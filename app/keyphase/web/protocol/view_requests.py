@@ -69,6 +69,12 @@ class Show(PageRequest, tag="show", frozen=True):
     visible: bool
 
 
+class Grid(PageRequest, tag="grid", frozen=True):
+    """Tell how all recordings of the folder stand, now and whenever one changes; or no more."""
+
+    shown: bool
+
+
 class Theme(PageRequest, tag="theme", frozen=True):
     """The page has become light or dark."""
 

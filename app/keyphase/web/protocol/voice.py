@@ -8,6 +8,7 @@ from typing import Protocol
 
 import msgspec
 
+from keyphase.labeling.tasks.task import plain_or
 from keyphase.simulation.part_shapes import Shape
 from keyphase.web.protocol import control_messages as controls
 from keyphase.web.protocol import document_messages as documents
@@ -17,11 +18,14 @@ from keyphase.web.protocol.document_content import document_message, ghosts
 from keyphase.web.protocol.messages import Message
 from keyphase.web.protocol.replay_messages import ReplayClosed, Streamed, replay_message
 from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.desks.folder import FIRST_TASK
 from keyphase.workbench.exporting.beside import InTheWay
+from keyphase.workbench.grid.rows import GridRow, grid_rows
 from keyphase.workbench.leading.status import LeadThroughStatus
 from keyphase.workbench.placing.robot_choice import RobotChoice
 from keyphase.workbench.playback import Playhead
 from keyphase.workbench.recording_list import Listing
+from keyphase.workbench.recordings import printable
 from keyphase.workbench.replaying.margin import MarginRun
 from keyphase.workbench.replaying.run import Tick
 from keyphase.workbench.replaying.running import Running
@@ -31,7 +35,9 @@ from keyphase.workbench.scene_choices import PARTS
 from keyphase.workbench.spread import Spread
 from keyphase.workbench.tasks import TaskState
 from keyphase.workbench.telling import Level
+from keyphase.workbench.view import View
 from keyphase.workbench.watcher import Watcher
+from keyphase.workbench.workbench import Workbench
 
 TOLD_EVERY_S = 0.1
 """Numbers of a recording by hand are told so often."""
@@ -45,11 +51,64 @@ class Send(Protocol):
         ...
 
 
+class GridVoice:
+    """Tells one page of all recordings of the folder it looks at, while it shows the grid.
+
+    What it knows already is not told again: of two hundred recordings one changes at a time.
+    """
+
+    def __init__(self, send: Send, workbench: Workbench, view: View) -> None:
+        self._send, self._workbench, self._view = send, workbench, view
+        self._lock = threading.Lock()
+        self._shown = False
+        self._rows: dict[str, GridRow] = {}
+        self._told: lists.GridMessage | None = None
+
+    def show(self, shown: bool) -> None:
+        """The page shows the grid, or does no more."""
+        with self._lock:
+            self._shown, self._rows, self._told = shown, {}, None
+        self.tell()
+
+    def tell(self) -> None:
+        """What has changed."""
+        with self._lock:
+            if self._shown:
+                self._tell()
+
+    def _tell(self) -> None:
+        listing, state = self._workbench.recordings.listing, self._view.state
+        line = state.recording if state else next(iter(listing.recordings), None)
+        if line is None:
+            return
+        folder = line.path.parent
+        rows = {row.recording.id: row for row in grid_rows(listing, folder)}
+        changed = [row for id, row in rows.items() if row != self._rows.get(id)]
+        settings, made = (
+            self._workbench.library.settings_of(folder),
+            self._workbench.for_all.last(folder),
+        )
+        task = next(iter(settings.tasks), None)
+        message = lists.GridMessage(
+            printable(folder.name),
+            tuple(rows),
+            tuple(map(lists.grid_line, changed)),
+            task.name if task else plain_or(folder.name, FIRST_TASK),
+            task.phases if task else (),
+            made.name if made else None,
+        )
+        if changed or self._told != msgspec.structs.replace(message, rows=()):
+            self._send(message)
+        self._rows, self._told = rows, msgspec.structs.replace(message, rows=())
+
+
 class Voice(Watcher):
     """Tells one page of its view; `selected` is what that has selected."""
 
-    def __init__(self, send: Send, page: str, selected: Callable[[], int | None]) -> None:
-        self._send, self._page, self._selected = send, page, selected
+    def __init__(
+        self, send: Send, page: str, selected: Callable[[], int | None], grid: GridVoice
+    ) -> None:
+        self._send, self._page, self._selected, self._grid = send, page, selected, grid
         self._lock = threading.Lock()
         self._ghosts: tuple[documents.Ghost, ...] = ()
         self._streamed: Streamed | None = None
@@ -66,6 +125,7 @@ class Voice(Watcher):
         if coming != self._ghosts:
             self._ghosts = coming
             self._send(documents.GhostMessage(coming))
+        self._grid.tell()
 
     def show_nothing(self) -> None:
         """No recording is left to look at."""
@@ -166,6 +226,11 @@ class Voice(Watcher):
     def show_recordings(self, listing: Listing, current: str | None) -> None:
         """The list, with who else is at which recording."""
         self._send(lists.recordings_message(listing, current, self._page))
+        self._grid.tell()
+
+    def show_grid(self) -> None:
+        """What is known of the folder."""
+        self._grid.tell()
 
     def show_spread(self, spread: Spread) -> None:
         """What is known of a look at the folder."""

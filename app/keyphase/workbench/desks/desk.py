@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from keyphase.errors import KeyphaseError, RequestError
-from keyphase.labeling.edits import Edit
+from keyphase.labeling.edits import Edit, PhaseInAll
 from keyphase.labeling.history import FolderChange
 from keyphase.labeling.storage.written_files import IfThere
 from keyphase.segmentation import Parameters
@@ -28,11 +28,11 @@ from keyphase.workbench.worker import Worker
 
 Opens = Callable[[Recording, Task], OpenRecording]
 
-ToldOfFolder = Callable[[FolderChange | None], None]
+ToldOfFolder = Callable[[FolderChange | PhaseInAll | None], None]
 """Told what a step that was taken back or made again does to the whole folder."""
 
 
-def _nobody(_change: FolderChange | None) -> None:
+def _nobody(_change: FolderChange | PhaseInAll | None) -> None:
     return
 
 

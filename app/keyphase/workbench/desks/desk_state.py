@@ -8,6 +8,7 @@ from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.storage.elsewhere import Elsewhere
 from keyphase.labeling.vocabulary import Vocabulary
 from keyphase.segmentation import Parameters
+from keyphase.workbench.grid.stretches import stretches
 from keyphase.workbench.recordings import Recording
 from keyphase.workbench.recordings import State as RecordingState
 from keyphase.workbench.showing.doubts import least_confidence, strip, unsure_count
@@ -73,4 +74,5 @@ class DeskState:
             strip=strip(self.kept_labeling),
             error=None,
             assessment=self.kept_labeling.assessment,
+            stretches=stretches(self.kept_labeling),
         )

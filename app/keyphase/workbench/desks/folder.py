@@ -12,7 +12,7 @@ from keyphase.labeling.storage.folder_settings import (
     change_folder_settings,
     read_folder_settings,
 )
-from keyphase.labeling.tasks.task import plain_or, task_of
+from keyphase.labeling.tasks.task import Task, numbered_labels, plain_or, task_of, with_task
 from keyphase.labeling.vocabulary import Vocabulary
 from keyphase.segmentation import Parameters
 
@@ -33,6 +33,12 @@ class Folder:
         """What its recordings share."""
         return self._settings
 
+    @property
+    def vocabulary(self) -> Vocabulary:
+        """The labels in the order of their number keys: the phases of its tasks first."""
+        settings = self._settings
+        return settings.vocabulary.led_by(numbered_labels(settings.tasks))
+
     def learn(self, label: str, color: int) -> None:
         """Put a label into the vocabulary, if it can be in the colour its segment has.
 
@@ -50,6 +56,31 @@ class Folder:
         shown = task_of(name, labeling)
         if shown.phases and not (self._settings.tasks or self._settings.later):
             self._change(lambda each: each if each.tasks else replace(each, tasks=(shown,)))
+
+    def write_task(self, task: Task) -> None:
+        """Keep these phases as those of the task of that name; an empty one is no task any more.
+
+        Raises LabelingError for too many, JournalError where they cannot be kept.
+        """
+        if not task.phases:
+            kept = tuple(each for each in self._settings.tasks if each.name != task.name)
+            self._change(lambda each: replace(each, tasks=kept))
+            return
+        with_task(self._settings.tasks, task)
+        self._change(lambda each: replace(each, tasks=with_task(each.tasks, task)))
+
+    def rename_phase(self, label: str, to: str) -> None:
+        """Call a phase of its tasks, and a label of its vocabulary, otherwise."""
+
+        def renamed(each: FolderSettings) -> FolderSettings:
+            return replace(
+                each,
+                tasks=tuple(task.renamed(label, to) for task in each.tasks),
+                vocabulary=each.vocabulary.renamed(label, to),
+            )
+
+        if renamed(self._settings) != self._settings:
+            self._change(renamed)
 
     def forget(self, label: str) -> None:
         """Take a label out of the vocabulary; segments that have it keep it."""
@@ -75,7 +106,7 @@ class Folder:
         """The labeling with segments named by the vocabulary in the colours of their names."""
         colors = {
             label.name: SEGMENT_COLORS.index(label.color.upper())
-            for label in self._settings.vocabulary.labels
+            for label in self.vocabulary.labels
             if label.color.upper() in SEGMENT_COLORS
         }
         segments = tuple(

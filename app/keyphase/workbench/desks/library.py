@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from keyphase.errors import RequestError
+from keyphase.labeling.storage.folder_settings import FolderSettings, read_folder_settings
 from keyphase.labeling.storage.journal import Journal
 from keyphase.readers import Recipe, load_recipe, read
 from keyphase.workbench.desks.desk import Desk
@@ -106,6 +107,11 @@ class Library:
                 for one in self._desks.values()
                 if one is not desk and one.recording.path.parent == folder
             )
+
+    def settings_of(self, path: Path) -> FolderSettings:
+        """What the recordings of a folder share; takes no lock, so that any thread may ask."""
+        known = self._folders.get(path)
+        return known.settings if known else read_folder_settings(path)
 
     def look(self, recording: Recording) -> OpenRecording:
         """The recording as it stands on disk, which is not kept open; close it after use."""

@@ -7,7 +7,7 @@ from typing import Any
 from keyphase.demonstration import Demonstration
 from keyphase.errors import JournalError, LabelingError
 from keyphase.labeling.document import Document
-from keyphase.labeling.edits import Done, Edit, Label, Reopen
+from keyphase.labeling.edits import Done, Edit, Label, PhaseInAll, Reopen
 from keyphase.labeling.history import FolderChange, folder_change_of
 from keyphase.labeling.label import label
 from keyphase.labeling.labeling import LabeledSegment, Labeling
@@ -127,23 +127,23 @@ class OpenRecording:
         self.folder.share(self.parameters)
         self._keep(self.document.with_shared(before).share_parameters(reopened))
 
-    def undo(self) -> FolderChange | None:
+    def undo(self) -> FolderChange | PhaseInAll | None:
         """Take the last step back; what that did to the whole folder is taken back with it.
 
         Raises LabelingError where there is none.
         """
         change = folder_change_of(self.document.history.last_done)
         document = self.document.undo()
-        if change is not None:
+        if isinstance(change, FolderChange):
             self._swap_parameters(change.after, change.before)
         self._keep(document.with_shared(self.folder.settings.parameters))
         return change
 
-    def redo(self) -> FolderChange | None:
+    def redo(self) -> FolderChange | PhaseInAll | None:
         """Make the next step again, likewise. Raises LabelingError where there is none."""
         change = folder_change_of(self.document.history.next_undone)
         document = self.document.redo()
-        if change is not None:
+        if isinstance(change, FolderChange):
             self._swap_parameters(change.before, change.after)
         self._keep(document.with_shared(self.folder.settings.parameters))
         return change
@@ -200,7 +200,7 @@ class OpenRecording:
             labeling=self.labeling,
             kept_labeling=self.kept_labeling,
             tracks=self.tracks,
-            vocabulary=self.folder.settings.vocabulary,
+            vocabulary=self.folder.vocabulary,
             notices=(*self._cautions(), *self._told_of_now()),
             state=self._state(),
             locked=self.journal.read_only,

@@ -7,10 +7,10 @@ second. What is recorded is on the disk while it is recorded, whatever becomes o
 import threading
 from collections.abc import Callable
 from pathlib import Path
-from typing import Protocol
+from typing import Literal, Protocol
 
 from keyphase.demonstration import Array
-from keyphase.errors import SimulationError
+from keyphase.errors import RequestError, SimulationError
 from keyphase.simulation.demonstrating.follower import MAX_AHEAD_M
 from keyphase.simulation.demonstrating.lead_through import LeadThrough
 from keyphase.simulation.workcells.registry import workcell
@@ -21,6 +21,9 @@ from keyphase.workbench.watcher import Watcher
 
 SHOWN_HZ = 40.0
 """How often the workcell is shown."""
+
+
+LeadAction = Literal["open", "close", "start", "stop", "reset", "undo_take", "redo_take"]
 
 
 class Places(Protocol):
@@ -76,6 +79,21 @@ class LeadThroughSession:
                 self._takes.can_undo,
                 self._takes.can_redo,
             )
+
+    def do(self, what: LeadAction, name: str | None) -> None:
+        """What a page asks, by its name in the protocol; `open` and `start` name a workcell."""
+        if what in ("open", "start"):
+            if name is None:
+                raise RequestError(f"A request to {what} recording must name a workcell.")
+            (self.open if what == "open" else self.record)(name)
+            return
+        {
+            "close": self.close,
+            "stop": self.stop,
+            "reset": self.reset,
+            "undo_take": self.undo_take,
+            "redo_take": self.redo_take,
+        }[what]()
 
     def open(self, name: str) -> None:
         """Build a workcell, arm and parts at their start, and let it run.

@@ -12,6 +12,7 @@ import { createExportActions } from "./export_actions.js";
 import { createPanelActions } from "./panel_actions.js";
 import { createPlanActions } from "./plan_actions.js";
 import { createDoubtActions } from "./doubt_actions.js";
+import { createGridActions } from "./grid_actions.js";
 import { createViewActions } from "./view_actions.js";
 import { createRecordingActions } from "./recording_actions.js";
 import { createParameterActions, refuses } from "./parameter_actions.js";
@@ -70,6 +71,7 @@ export function createActions(store, send, latency, own) {
     createViewActions(store),
     createParameterActions(store, send, latency, own),
     createRecordingActions(store, send, actions),
+    createGridActions(store, send, actions),
     createPanelActions(store, send),
     createExportActions(store, send),
     createCameraActions(store, edit, actions),

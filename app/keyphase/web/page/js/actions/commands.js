@@ -122,6 +122,7 @@ const viewCommands = (actions, store) => [
 
 /** @type {(actions: any, dialogs: Dialogs) => Row[]} */
 const recordingsCommands = (actions, dialogs) => [
+  ["All recordings beside each other", ["Shift G"], actions.toggleGrid, true],
   ["Previous recording", ["PageUp"], () => actions.nextRecording(-1), true],
   ["Next recording", ["PageDown"], () => actions.nextRecording(1), true],
   ["Least certain recording", ["U"], actions.leastCertain, true],

@@ -52,6 +52,7 @@ export const ICONS = {
   loop: [line("M4 5h7a2.5 2.5 0 0 1 0 6H5M6 3 4 5l2 2M5 9l-2 2 2 2")],
   layers: [line("m8 2.5 6 3-6 3-6-3zM2 9l6 3 6-3")],
   folder: [line("M2 4.5h4.5L8 6h6v7H2z")],
+  strips: [line("M2.5 3h5M9.5 3h4M2.5 8h3M7.5 8h6M2.5 13h7M11.5 13h2")],
   plus: [line("M8 4v8M4 8h8")],
   minus: [line("M4 8h8")],
   contact: [line("M2.5 13.5h11M8 2v7.5M5 7l3 3 3-3")],

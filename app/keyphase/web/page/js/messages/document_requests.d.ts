@@ -93,6 +93,51 @@ export interface SpreadRequest {
   event?: number | null;
 }
 
+/**
+ * Call a phase `to` in all recordings of the folder that have it; null: drop it in all. Those that
+ * are done stay as they are, unless `include_done`; they stay done then, too.
+ */
+export interface PhaseForAllRequest {
+  type: "phase_for_all";
+  label: string;
+  to?: string | null;
+  include_done?: boolean;
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** Take back what was done last to a phase in all recordings of the folder. */
+export interface PhaseUndoRequest {
+  type: "phase_undo";
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/** Keep these as the phases of the folder's task, in this order; none: it has no task. */
+export interface PhasesRequest {
+  type: "phases";
+  name: string;
+  phases: PhaseOfTask[];
+  recording: string;
+  revision: number;
+  event?: number | null;
+}
+
+/**
+ * A phase of a task: its name, colour (`#rrggbb`), what it ends with.
+ * - optional: not every recording has it
+ * - repeated: a recording may have it several times
+ */
+export interface PhaseOfTask {
+  name: string;
+  color: string;
+  end: "configuration" | "contact" | "gripper" | "release";
+  optional: boolean;
+  repeated: boolean;
+}
+
 /** Compare with another segmentation of this recording; null: tell with which one can. */
 export interface CompareRequest {
   type: "compare";

@@ -194,6 +194,27 @@ export interface AssessEdit {
   note?: string;
 }
 
+/**
+ * Name every segment that is called `label` `to` instead.
+ * - step: the same in all recordings in which it was done together
+ * - labels: the segments it is about; None in what a person asks for
+ */
+export interface RenamePhaseEdit {
+  kind: "rename_phase";
+  label: string;
+  to: string;
+  step: string;
+  labels?: LabelEdit[] | null;
+}
+
+/** Drop every segment that is called `label`; `step` and `drops` as in RenamePhase. */
+export interface DropPhaseEdit {
+  kind: "drop_phase";
+  label: string;
+  step: string;
+  drops?: KeepEdit[] | null;
+}
+
 export type Edit =
   | AddEdit
   | RemoveEdit
@@ -214,4 +235,6 @@ export type Edit =
   | ReopenEdit
   | SetEndEdit
   | CameraOffsetEdit
-  | AssessEdit;
+  | AssessEdit
+  | RenamePhaseEdit
+  | DropPhaseEdit;

@@ -129,46 +129,63 @@ export interface SpreadLine {
 }
 
 /**
- * With what a recording can be compared, and where `with` is not null how that agrees.
- * - shared: (shown, other) times of boundaries both have
- * - only_first_s, only_second_s: boundaries of what is shown alone, of the other alone
- * - timing_s: median distance of shared boundaries
+ * All recordings of a folder and the phases of its task, again whenever any of it changes.
+ * - ids: of all of them, in the order of the list
+ * - rows: those that have changed since the message before; in the first one all
+ * - task: name of the folder's task
+ * - undo: what can be taken back in all recordings; null where nothing can
  */
-export interface ComparisonMessage {
-  type: "comparison";
-  recording: string;
-  options: string[];
-  with: string | null;
-  boundaries_s: number[];
-  labels: string[];
-  shared: [number, number][];
-  only_first_s: number[];
-  only_second_s: number[];
-  f1: number | null;
-  same_label: number | null;
-  timing_s: number | null;
+export interface GridMessage {
+  type: "grid";
+  folder: string;
+  ids: string[];
+  rows: GridLine[];
+  task: string;
+  phases: TaskPhase[];
+  undo: string | null;
 }
 
-/** The other tools that were recorded at the same time, as they stand. */
-export interface LanesMessage {
-  type: "lanes";
-  recording: string;
-  lanes: LaneMessage[];
-}
-
-/** Another tool of the same recording, which is a recording of the list by itself. */
-export interface LaneMessage {
+/**
+ * A recording in the grid.
+ * - standing: as it is sorted and marked
+ * - stretches: its segments, or what is proposed for it
+ * - unsure: how many of its boundaries a person should look at
+ * - proposed_from: from which recordings `stretches` are proposed; empty: they are its own
+ */
+export interface GridLine {
   id: string;
   name: string;
-  segments: LaneSegment[];
+  state: "automatic" | "done" | "touched";
+  standing: "automatic" | "broken" | "done" | "outlier" | "proposed" | "touched" | "unsure" | "waiting";
+  stretches: Stretch[];
+  unsure: number;
+  proposed_from: string[];
+  error: string | null;
 }
 
-/** What another tool did from one time to another; `color` null: idle or dropped. */
-export interface LaneSegment {
+/**
+ * A segment from one time to another [s]; `color` None: idle or dropped.
+ * - proposed: nobody has given or accepted the name
+ */
+export interface Stretch {
   start_s: number;
   end_s: number;
   label: string;
   color: number | null;
+  proposed: boolean;
+}
+
+/**
+ * A phase of a task: its name, colour (`#rrggbb`) and kind of end.
+ * - optional: not every recording has it
+ * - repeated: a recording may have it several times, one after another
+ */
+export interface TaskPhase {
+  name: string;
+  color: string;
+  end: "configuration" | "contact" | "gripper" | "release";
+  optional: boolean;
+  repeated: boolean;
 }
 
 /** The pieces of the file may come; `name` is what it will be called. */

@@ -1,5 +1,6 @@
 // Made by `make protocol` from the structs in app/keyphase: change those.
 
+import type { ComparisonMessage, LanesMessage } from "./comparison_messages";
 import type {
   CamerasMessage,
   MarginMessage,
@@ -20,10 +21,9 @@ import type {
 import type { InTheWayMessage, OffersMessage, Saved } from "./export_messages";
 import type { TableDone, TableProposal } from "./import_messages";
 import type {
-  ComparisonMessage,
   Following,
+  GridMessage,
   Hello,
-  LanesMessage,
   Notice,
   Recordings,
   Refused,
@@ -54,6 +54,7 @@ export type Message =
   | InTheWayMessage
   | OffersMessage
   | SpreadMessage
+  | GridMessage
   | ComparisonMessage
   | LanesMessage
   | UploadReady

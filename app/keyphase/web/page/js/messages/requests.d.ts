@@ -10,6 +10,9 @@ import type {
   KeepLabelsRequest,
   LanesRequest,
   OffersRequest,
+  PhaseForAllRequest,
+  PhaseUndoRequest,
+  PhasesRequest,
   RedoRequest,
   ResetRequest,
   SelectRequest,
@@ -38,6 +41,7 @@ import type {
 import type {
   CamerasRequest,
   FollowRequest,
+  GridRequest,
   LatencyRequest,
   OpenDemonstrationRequest,
   OpenRequest,
@@ -62,6 +66,9 @@ export type Request =
   | TakeJournalRequest
   | ForgetLabelRequest
   | SpreadRequest
+  | PhaseForAllRequest
+  | PhaseUndoRequest
+  | PhasesRequest
   | CompareRequest
   | LanesRequest
   | TakeOverRequest
@@ -78,6 +85,7 @@ export type Request =
   | PlayRequest
   | PlayAroundRequest
   | ShowRequest
+  | GridRequest
   | ThemeRequest
   | RobotRequest
   | LatencyRequest

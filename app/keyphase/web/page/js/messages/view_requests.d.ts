@@ -50,6 +50,12 @@ export interface ShowRequest {
   visible: boolean;
 }
 
+/** Tell how all recordings of the folder stand, now and whenever one changes; or no more. */
+export interface GridRequest {
+  type: "grid";
+  shown: boolean;
+}
+
 /** The page has become light or dark. */
 export interface ThemeRequest {
   type: "theme";

@@ -1,5 +1,6 @@
 /** What the server says, put into the page's state. */
 
+import { withGrid } from "./recordings/grid.js";
 import { takeWith } from "./recordings/take.js";
 
 /**
@@ -93,6 +94,7 @@ export function createReceiver(
       if (message.recording === state.recording) store.set({ lanes: message.lanes });
     },
     ...aboutFiles(store, upload, notices),
+    grid: (message) => state.gridShown && store.set({ grid: withGrid(state.grid, message) }),
     spread: (message) => store.set({ spread: state.lookingOnly ? null : message }),
     replay: (message) => store.set({ replay: message }),
     replay_closed: () => store.set({ replay: null, samples: null, replayView: null }),

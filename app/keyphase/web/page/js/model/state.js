@@ -10,7 +10,7 @@ import { firstChoice } from "./rows.js";
  * @typedef {import("../messages/control_messages").RobotMessage} Robot
  * @typedef {import("../messages/control_messages").TrialsMessage} Trials
  * @typedef {import("../messages/list_messages").TaskMessage} Task
- * @typedef {import("../messages/list_messages").ComparisonMessage} Comparison
+ * @typedef {import("../messages/comparison_messages").ComparisonMessage} Comparison
  * @typedef {import("../messages/list_messages").SpreadMessage} Spread
  * @typedef {import("./types.js").Signals} Signals
  * @typedef {{path: string, lines: string, recording: string|null}} Saved
@@ -26,7 +26,7 @@ import { firstChoice } from "./rows.js";
  *   progress: Task|null, sending: ?{name: string, fraction: number, more: number},
  *   tables: import("../messages/import_messages").TableProposal[],
  *   notice: Notice|null, comparison: Comparison|null, spread: Spread|null,
- *   lanes: import("../messages/list_messages").LaneMessage[],
+ *   lanes: import("../messages/comparison_messages").LaneMessage[],
  *   replay: import("./types.js").Replay|null,
  *   samples: import("../replay/samples.js").Samples|null, replayShown: boolean,
  *   defaults: Object<string, *>, record: RecordMessage|null,
@@ -58,13 +58,27 @@ import { firstChoice } from "./rows.js";
  *   plotWidth: number, paneHeight: number, paneWidth: number,
  *   layout: import("./rows.js").Layout|null}} Seen
  *
- * @typedef {Told & Seen} State
+ * All recordings of the folder beside each other; `goTo` is where one goes on from there
+ * @typedef {{grid: import("./recordings/grid.js").Grid|null, gridShown: boolean, gridAlign: string,
+ *   gridChange: import("./recordings/grid.js").Change|null,
+ *   goTo: {id: string, time_s: number}|null}} Beside
+ *
+ * @typedef {Told & Seen & Beside} State
  */
 
 /** Before anything was told. @param {boolean} small @returns {State} */
 export function firstState(small) {
-  return { ...nothingTold(), ...nothingSeen(small) };
+  return { ...nothingTold(), ...nothingSeen(small), ...nothingBeside() };
 }
+
+/** @returns {Beside} */
+const nothingBeside = () => ({
+  grid: null,
+  gridShown: false,
+  gridAlign: "start",
+  gridChange: null,
+  goTo: null,
+});
 
 /** @returns {Told} */
 function nothingTold() {

@@ -4,7 +4,7 @@ import { segmentFill } from "../../lib/colors.js";
 import { el, svg } from "../../lib/dom.js";
 import { textWidth } from "../../lib/text_width.js";
 
-/** @typedef {import("../../messages/list_messages").LaneMessage} Lane */
+/** @typedef {import("../../messages/comparison_messages").LaneMessage} Lane */
 
 /**
  * @param {Lane[]} lanes

@@ -150,7 +150,7 @@ export function createComparisonGutter({ node, body }, store, actions) {
     icon("close", "small"),
   );
   node.replaceChildren(el("div", { class: "other-head" }, name, take, close), score, body);
-  /** @param {import("../../messages/list_messages").ComparisonMessage} comparison */
+  /** @param {import("../../messages/comparison_messages").ComparisonMessage} comparison */
   const show = ({
     with: other,
     f1,

@@ -1,0 +1,1 @@
+"""Edits that are made in many recordings of a folder together, and taken back together."""
