@@ -15,6 +15,7 @@ from keyphase.labeling.label import label
 from keyphase.labeling.storage.journal import Journal
 from keyphase.readers import read, save_npz
 from keyphase.segmentation import Segmenter
+from keyphase.workbench.desks.folder import Folder
 
 NAMES = ("Reach", "Lower", "Slide")
 TURNED = (1, 5)
@@ -67,4 +68,6 @@ def finish(path: Path) -> None:
     for edit in (*names, DropIdle(), Done()):
         document = with_journal.document
         with_journal.save(document.apply(edit, label(segmentation, document.edits)))
+    document = with_journal.document
+    Folder(path.parent).show_task(label(segmentation, document.edits))
     with_journal.close()

@@ -8,6 +8,7 @@ from driver import KeyphasePage, Serve, Visit
 from ten_recordings import finish, ten_recordings
 
 from keyphase.files.shipped import shipped
+from keyphase.labeling.storage.folder_settings import read_folder_settings
 
 AXE = Path(__file__).parents[2] / "node_modules" / "axe-core" / "axe.min.js"
 
@@ -54,23 +55,83 @@ def page(tmp_path: Path, serve: Serve, visit: Visit) -> KeyphasePage:
     return page
 
 
-def _names(page: KeyphasePage, row: str) -> list[str]:
-    return page.page.locator(
-        f"[data-recording]:has(.grid-name:text-is('{row}')) i"
-    ).all_inner_texts()
+def _names(page: KeyphasePage, name: str) -> list[str]:
+    """What stands on the strip of a recording, or on the last of two."""
+    row = page.page.locator(".grid-row", has=page.page.locator(f".grid-name:text-is('{name}')"))
+    found = row.locator(".grid-strip").last.locator("i:not(.dropped)").all_inner_texts()
+    return [text.strip() for text in found]
 
 
-def test_the_grid_is_seen_aligned_and_changed_in_all(page: KeyphasePage, tmp_path: Path) -> None:
-    rows = page.page.locator(".grid-row")
-    assert rows.count() == 11
-    assert "outlier" in rows.first.inner_text()
+def _begins(page: KeyphasePage, phase: str) -> set[int]:
+    """Where a phase begins on the strips [px]."""
+    boxes = page.page.locator(f".grid-strip i:text-is('{phase}')").all()
+    return {round(box["x"]) for one in boxes if (box := one.bounding_box())}
+
+
+def _look(page: KeyphasePage, name: str, dark: bool) -> None:
+    """In a theme: nothing for axe to find, nothing that overlaps in any size; pictures are kept."""
+    page.page.evaluate("dark => keyphase.store.set({ dark })", dark)
+    page.settle()
+    assert page.page.evaluate(_FOUND) == []
+    for width, height in ((1280, 720), (390, 844), (1440, 900)):
+        page.resize(width, height)
+        page.picture(f"grid_{name}_{width}_{'dark' if dark else 'light'}")
+        assert page.page.evaluate(_OVERLAPS) == []
+
+
+def test_all_are_seen_aligned_changed_and_opened_there(page: KeyphasePage, tmp_path: Path) -> None:
+    assert AXE.exists(), "axe-core is missing; `make page-scripts` installs it"
     page.page.evaluate(AXE.read_text())
-    for dark in (False, True):
-        page.page.evaluate("dark => keyphase.store.set({ dark })", dark)
+    standings = page.page.locator(".grid-standing").all_inner_texts()
+    assert standings == ["outlier", "unsure", "unsure", "done", *7 * ["proposed"]]
+    _look(page, "start", dark=False)
+    align = page.page.get_by_label("Aligned at")
+    assert len(_begins(page, "Slide")) > 5
+    for how in ("at:Slide", "equal"):
+        align.select_option(how)
+        page.until("document.querySelectorAll('.grid-row').length === 11")
         page.settle()
-        assert page.page.evaluate(_FOUND) == []
-        for width, height in ((1440, 900), (1280, 720), (390, 844)):
-            page.resize(width, height)
-            page.picture(f"grid_{width}_{'dark' if dark else 'light'}")
-            assert page.page.evaluate(_OVERLAPS) == []
-    page.resize(1440, 900)
+        assert len(_begins(page, "Slide")) == 1
+
+    phases = page.page.locator(".phases input[type=text]")
+    assert [one.input_value() for one in phases.all()] == ["Reach", "Lower", "Slide"]
+    phases.first.fill("Approach")
+    phases.first.press("Enter")
+    change = page.page.locator(".grid-change")
+    change.wait_for()
+    assert "0 recordings of 11 would change" in change.inner_text()
+    change.get_by_role("checkbox").check()
+    assert "1 recording of 11 would change" in change.inner_text()
+    assert _names(page, "take_00") == ["Approach", "Lower", "Slide"]
+    _look(page, "change", dark=True)
+    change.get_by_role("button", name="Apply to all").click()
+    page.until("keyphase.state.grid.undo")
+    page.until("keyphase.state.grid.phases[0].name === 'Approach'")
+    page.page.get_by_role("button", name="Undo: Rename").click()
+    page.until("keyphase.state.grid.phases[0].name === 'Reach'")
+    page.settle()
+    assert _names(page, "take_00") == ["Reach", "Lower", "Slide"]
+
+    page.page.get_by_label("What Lower ends with").select_option("gripper")
+    page.page.get_by_role("button", name="Later: Reach").click()
+    page.until("keyphase.state.grid.phases[1].name === 'Reach'")
+    kept = read_folder_settings(tmp_path).tasks[0].phases
+    assert [(one.name, one.end) for one in kept][:1] == [("Lower", "gripper")]
+
+    page.page.get_by_role("listbox", name="Recordings").last.focus()
+    for key in ("Home", "ArrowDown", "ArrowDown", "ArrowDown", "ArrowRight"):
+        page.press(key)
+    page.press("Enter")
+    page.until("keyphase.state.document.name === 'take_00' && !keyphase.state.gridShown")
+    lower = next(one for one in page.document["segments"] if one["label"] == "Lower")
+    page.until(f"Math.abs(keyphase.state.clock - {lower['start_s']}) < 0.01")
+
+
+def test_an_empty_page_says_what_to_do(serve: Serve, visit: Visit) -> None:
+    page = visit(serve(), size=(1280, 720), scene=False)
+    page.until("keyphase.state.greeted")
+    page.press("Shift+G")
+    page.page.locator(".grid-empty").wait_for()
+    assert "Ctrl O" in page.page.locator(".grid-empty").inner_text()
+    page.press("Escape")
+    page.until("!keyphase.state.gridShown")

@@ -44,12 +44,25 @@ const kept = ({ color }) => color !== null;
 
 /**
  * The names of all phases: those of the task in their order, then others in the order in which
- * they come in the recordings.
+ * they come in the recordings, at last those of outliers alone.
  * @param {Grid} grid
  * @returns {string[]}
  */
 export function phaseNames({ rows, phases }) {
   const own = phases.map(({ name }) => name);
+  const usual = namesBeside(
+    own,
+    rows.filter(({ standing }) => standing !== "outlier"),
+  );
+  return [...own, ...usual, ...namesBeside([...own, ...usual], rows)];
+}
+
+/**
+ * Names that recordings have beside some, in the order in which they come there.
+ * @param {string[]} own
+ * @param {Line[]} rows
+ */
+export function namesBeside(own, rows) {
   /** @type {Map<string, number[]>} */
   const places = new Map();
   for (const { stretches } of rows) {
@@ -63,7 +76,7 @@ export function phaseNames({ rows, phases }) {
     return at.reduce((sum, place) => sum + place, 0) / at.length;
   };
   const others = [...places.keys()].filter((name) => name && !own.includes(name));
-  return [...own, ...others.sort((a, b) => mean(a) - mean(b))];
+  return others.sort((a, b) => mean(a) - mean(b));
 }
 
 /** In how many recordings a phase is somebody's own, and not only proposed. @param {Grid} grid @param {string} name */

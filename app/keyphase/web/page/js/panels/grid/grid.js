@@ -60,8 +60,10 @@ export function createGrid(store, actions) {
     const top = rows.scrollTop;
     rows.replaceChildren(...drawRows(grid, how, width));
     rows.scrollTop = top;
-    const still = active ? document.getElementById(active) : null;
-    if (still) still.classList.add("active");
+    const first = /** @type {HTMLElement|null} */ (rows.querySelector(".grid-row"));
+    const still = (active && document.getElementById(active)) || first;
+    still?.classList.add("active");
+    if (still) rows.setAttribute("aria-activedescendant", still.id);
     else rows.removeAttribute("aria-activedescendant");
   }
   store.on(["gridShown"], ({ gridShown }) => {

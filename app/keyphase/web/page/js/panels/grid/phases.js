@@ -2,7 +2,14 @@
 
 import { el, icon, redraw } from "../../lib/dom.js";
 import { plural } from "../../lib/format.js";
-import { COLORS, colorOf, countOf, phaseNames, shifted } from "../../model/recordings/grid.js";
+import {
+  COLORS,
+  colorOf,
+  countOf,
+  namesBeside,
+  phaseNames,
+  shifted,
+} from "../../model/recordings/grid.js";
 
 /**
  * @typedef {import("../../model/recordings/grid.js").Phase} Phase
@@ -66,7 +73,8 @@ export function createPhases(store, actions) {
       grid.phases.map((phase, at) => drawPhase(phase, at, grid, actions, readOnly)),
     );
     const own = grid.phases.map(({ name }) => name);
-    const rest = phaseNames(grid).filter((name) => !own.includes(name) && countOf(grid, name));
+    const alike = grid.rows.filter(({ standing }) => standing !== "outlier");
+    const rest = namesBeside(own, alike).filter((name) => countOf(grid, name));
     redraw(others, "at", rest.length ? drawOthers(rest, grid, actions, readOnly) : []);
   });
   return node;

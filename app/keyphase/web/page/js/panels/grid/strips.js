@@ -58,17 +58,17 @@ function drawRow(row, pieces, changes, given) {
       class: `grid-row ${change && !changes ? "same" : ""} ${row.id === current ? "on" : ""}`,
       role: "option",
       "aria-selected": String(row.id === current),
-      "aria-label": spoken(row, changes ? change : null),
       title: row.error ?? row.name,
       data: { recording: row.id },
       on: { click: () => open(row.id, row.stretches[0]?.start_s ?? 0) },
     },
-    stateMark(row.state),
-    el("span", { class: "grid-name", text: row.name }),
+    el("span", { class: "unseen", text: spoken(row, changes ? change : null) }),
+    el("span", { "aria-hidden": "true" }, stateMark(row.state)),
+    el("span", { class: "grid-name", text: row.name, "aria-hidden": "true" }),
     standing(row),
     el(
       "div",
-      { class: `grid-strips ${after ? "two" : ""}` },
+      { class: `grid-strips ${after ? "two" : ""}`, "aria-hidden": "true" },
       drawStrip(row, pieces, given, after ? "before" : ""),
       after &&
         drawStrip(
@@ -146,7 +146,12 @@ function standing({ standing: stands, unsure, proposed_from: from }) {
     waiting: ["…", "Not looked at yet"],
     broken: ["broken", "It cannot be read"],
   }[stands] ?? [stands, ""];
-  return el("span", { class: `grid-standing ${stands}`, text, title });
+  return el("span", {
+    class: `grid-standing ${stands}`,
+    text,
+    title,
+    "aria-hidden": "true",
+  });
 }
 
 /** What a reader of the screen says of a row. @param {Line} row @param {Change|null} change */
