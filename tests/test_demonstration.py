@@ -1,5 +1,6 @@
 """What is always true of a demonstration, and what is refused on the way in."""
 
+import pickle
 from typing import Any
 
 import numpy as np
@@ -35,6 +36,17 @@ def test_what_it_was_made_from_can_still_be_changed() -> None:
     one = demonstration(position_m=mine)
     mine[0] = 1.0
     assert not one.position_m.any()
+
+
+def test_it_arrives_in_another_process_as_it_was() -> None:
+    one = demonstration(channels={"current": TIME}, metadata={"operator": "anna"})
+    same = pickle.loads(pickle.dumps(one))
+    assert same.metadata == {"operator": "anna"}
+    np.testing.assert_array_equal(same.channels["current"], TIME)
+    for values in (same.position_m, same.channels["current"]):
+        assert not values.flags.writeable
+    with pytest.raises(TypeError):
+        same.metadata["operator"] = "ben"
 
 
 @pytest.mark.parametrize(

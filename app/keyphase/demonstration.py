@@ -113,6 +113,19 @@ class Demonstration:
     def __len__(self) -> int:
         return len(self.time_s)
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Its values; read-only mappings cannot be sent to another process as they are."""
+        mappings = {"channels": dict(self.channels), "metadata": dict(self.metadata)}
+        return {**self.__dict__, **mappings}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Read-only again, as it was."""
+        for values in (*state.values(), *state["channels"].values()):
+            if isinstance(values, np.ndarray):
+                values.flags.writeable = False
+        mappings = {key: MappingProxyType(state[key]) for key in ("channels", "metadata")}
+        self.__dict__.update({**state, **mappings})
+
     @property
     def start_s(self) -> float:
         """Time of the first sample."""

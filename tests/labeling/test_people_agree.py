@@ -57,8 +57,16 @@ def test_what_only_one_has_and_what_is_of_another_recording_is_named(folders, tm
 
 
 def test_folders_that_share_nothing_are_refused(folders, tmp_path):
+    (tmp_path / "empty").mkdir()
     with pytest.raises(LabelingError, match="share none"):
         agreement(folders[0], tmp_path / "empty")
+
+
+def test_a_folder_that_is_missing_is_named_as_missing(folders, tmp_path):
+    with pytest.raises(LabelingError, match="nowhere does not exist"):
+        agreement(folders[0], tmp_path / "nowhere")
+    with pytest.raises(LabelingError, match=r"a\.segments\.json is a file"):
+        agreement(folders[0] / "a.segments.json", folders[1])
 
 
 def test_the_command_prints_for_people_and_for_machines(folders, capsys):
@@ -67,3 +75,15 @@ def test_the_command_prints_for_people_and_for_machines(folders, capsys):
             main(["agree", *map(str, folders), *extra])
         assert ended.value.code == 0
         assert reads(capsys.readouterr().out)
+
+
+def test_disagreements_alone_are_rows_for_a_queue(folders, capsys):
+    told = {}
+    for extra in ("", "--json"):
+        with pytest.raises(SystemExit):
+            main(["agree", *map(str, folders), "--disagreements", *filter(None, [extra])])
+        told[extra] = capsys.readouterr().out
+    names, *rows = [line.split("\t") for line in told[""].splitlines()]
+    assert names == ["recording", "start_s", "end_s", "first", "second"]
+    assert ["b", "8.000", "8.000", "boundary", ""] in rows
+    assert len(json.loads(told["--json"])) == len(rows)

@@ -45,6 +45,21 @@ def test_the_others_of_the_task_get_names_and_outliers_get_nothing(
     assert (out / "b.segments.json").read_text() == "corrected by hand"
 
 
+def test_two_processes_propose_the_same_bytes_as_one(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert keyphase("segment", folder / "a.npz", "--output", tmp_path) == 0
+    monkeypatch.setattr("keyphase.transfer.folder.WORTH_PROCESSES", 1)
+    written = []
+    for jobs in (1, 2):
+        out, report = tmp_path / "out", tmp_path / f"{jobs}.json"
+        given = ("--from", tmp_path / "a.segments.json", "--output", out, "--report", report)
+        keyphase("propose", folder, *given, "--jobs", jobs)
+        written.append(((out / "b.segments.json").read_bytes(), report.read_bytes()))
+        (out / "b.segments.json").unlink()
+    assert written[0] == written[1]
+
+
 def test_a_folder_without_a_finished_recording_says_what_to_do(
     folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

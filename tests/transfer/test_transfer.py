@@ -31,8 +31,13 @@ def named(demonstration: Demonstration) -> Taught:
 
 
 @pytest.fixture(scope="module")
-def first() -> Taught:
-    return named(record("setup1", seed=1))
+def shown() -> Demonstration:
+    return record("setup1", seed=1)
+
+
+@pytest.fixture(scope="module")
+def first(shown: Demonstration) -> Taught:
+    return named(shown)
 
 
 @pytest.fixture(scope="module")
@@ -46,9 +51,8 @@ def test_a_recording_aligns_with_itself_without_cost(first: Taught) -> None:
     assert itself.at(3.0) == pytest.approx(3.0, abs=0.05)
 
 
-def test_a_stretched_recording_aligns_moment_by_moment(first: Taught) -> None:
-    demonstration = first.demonstration
-    slower = replace(demonstration, time_s=2.0 * demonstration.time_s)
+def test_a_stretched_recording_aligns_moment_by_moment(shown: Demonstration, first: Taught) -> None:
+    slower = replace(shown, time_s=2.0 * shown.time_s)
     assert align(first.signals, signals_of(slower)).at(3.0) == pytest.approx(6.0, abs=0.2)
 
 
@@ -98,18 +102,19 @@ def test_one_taught_recording_has_no_usual_cost(first: Taught) -> None:
     assert usual_cost_of([first, first]) == pytest.approx(0.0, abs=1e-6)
 
 
-def test_a_recording_that_stands_turned_to_the_robot_is_turned_back(first: Taught) -> None:
-    demonstration = first.demonstration
+def test_a_recording_that_stands_turned_to_the_robot_is_turned_back(
+    shown: Demonstration, first: Taught
+) -> None:
     turn = Rotation.from_rotvec([0.0, 0.0, 0.7])
     matrix = turn.as_matrix().T
-    assert demonstration.orientation_wxyz is not None
-    assert demonstration.force_N is not None
-    orientation = turn * Rotation.from_quat(demonstration.orientation_wxyz, scalar_first=True)
+    assert shown.orientation_wxyz is not None
+    assert shown.force_N is not None
+    orientation = turn * Rotation.from_quat(shown.orientation_wxyz, scalar_first=True)
     turned = replace(
-        demonstration,
-        position_m=demonstration.position_m @ matrix,
+        shown,
+        position_m=shown.position_m @ matrix,
         orientation_wxyz=orientation.as_quat(scalar_first=True),
-        force_N=demonstration.force_N @ matrix,
+        force_N=shown.force_N @ matrix,
     )
     alignment = align(first.signals, signals_of(turned))
     assert alignment.turned_rad == pytest.approx(-0.7, abs=0.02)

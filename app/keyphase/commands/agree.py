@@ -1,5 +1,7 @@
 """`keyphase agree`: how well two people agree about a folder of recordings."""
 
+import json
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,14 +21,27 @@ class AgreeSegments:
     """Another person's, with the same names."""
     tolerance: float = 0.25
     """How far apart two boundaries may lie and still be the same [s]."""
+    disagreements: bool = False
+    """Print only where they disagree: recording, from, to, and what each has, a row each."""
     json: bool = False
     """Print for machines."""
 
     def run(self) -> int:
         """Print F1 of boundaries and agreement of labels per recording, and the disagreements."""
         from keyphase.labeling.comparing.agreement import agreement
-        from keyphase.labeling.comparing.agreement_report import agreement_json, agreement_table
+        from keyphase.labeling.comparing.agreement_report import (
+            agreement_json,
+            agreement_table,
+            disagreement_rows,
+            disagreement_table,
+        )
 
         found = agreement(self.first, self.second, self.tolerance)
-        print(agreement_json(found) if self.json else agreement_table(found))
+        if self.disagreements:
+            rows = json.dumps(disagreement_rows(found), indent=1)
+            print(rows if self.json else disagreement_table(found))
+            for key, why in found.refused:
+                print(f"{key}: not compared: {why}", file=sys.stderr)
+        else:
+            print(agreement_json(found) if self.json else agreement_table(found))
         return 1 if found.refused else 0

@@ -1,7 +1,9 @@
 """The command `keyphase propose`: boundaries and names from finished recordings for the others."""
 
+import dataclasses
 import json
 import sys
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -11,6 +13,7 @@ import tyro
 from keyphase.errors import KeyphaseError
 
 if TYPE_CHECKING:
+    from keyphase.labeling.labeling import Labeling
     from keyphase.readers import Found
     from keyphase.transfer.folder import Proposed
     from keyphase.transfer.taught import Taught
@@ -33,6 +36,8 @@ class Propose:
     """How to read tables that are not in keyphase's own form (TOML)."""
     report: Path | None = None
     """Write what is proposed, with its confidences (JSON)."""
+    jobs: int = -1
+    """How many at once; -1 takes all cores."""
     replace: bool = False
     """Replace files in the way that keyphase did not write, or that were changed since."""
 
@@ -50,8 +55,8 @@ class Propose:
             raise KeyphaseError(f"Found no recordings in {', '.join(map(str, self.paths))}.")
         taught, known = self._taught([one.path for one in found])
         others = [one for one in found if one.path.resolve() not in known]
-        proposed = propose_all(taught, [one.path for one in others], self.recipe)
-        in_the_way = self._write(others, proposed)
+        results = propose_all(taught, [one.path for one in others], self.recipe, self.jobs)
+        proposed, in_the_way = self._write(others, results)
         if self.report:
             values = [_values(result) for result in proposed]
             put(self.report, json.dumps(values, indent=1).encode(), made_from, replace=self.replace)
@@ -59,25 +64,36 @@ class Propose:
             print(line, file=sys.stderr)
         return max(_tell(taught, proposed), 1 if in_the_way else 0)
 
-    def _write(self, found: "list[Found]", proposed: "list[Proposed]") -> list[str]:
-        """The segment files; those that were in the way stay, and are told."""
+    def _write(
+        self, found: "list[Found]", results: "Iterator[Proposed]"
+    ) -> "tuple[list[Proposed], list[str]]":
+        """Write segment files as they come; those that were in the way stay, and are told."""
+        from tqdm import tqdm
+
+        proposed, in_the_way = [], []
+        with tqdm(total=len(found), unit="recording", disable=None) as bar:
+            for one, result in zip(found, results, strict=True):
+                bar.update()
+                if result.labeling is not None:
+                    in_the_way += self._put(one, result.labeling)
+                # Two hundred recordings need not be in memory at once.
+                proposed.append(dataclasses.replace(result, labeling=None))
+        return proposed, in_the_way
+
+    def _put(self, one: "Found", labeling: "Labeling") -> list[str]:
         from keyphase.commands.putting import put
         from keyphase.errors import FileInTheWayError, SegmentFileError
         from keyphase.files.parts import stem_of
         from keyphase.labeling.segment_file import SUFFIX, segment_file_data
 
-        in_the_way = []
-        for one, result in zip(found, proposed, strict=True):
-            if result.labeling is None:
-                continue
-            target = self.output / one.relative.with_name(stem_of(one.relative) + SUFFIX)
-            target.parent.mkdir(parents=True, exist_ok=True)
-            data, name = segment_file_data(result.labeling, target), one.path.name
-            try:
-                put(target, data, name, replace=self.replace, refusal=SegmentFileError)
-            except FileInTheWayError as error:
-                in_the_way.append(str(error))
-        return in_the_way
+        target = self.output / one.relative.with_name(stem_of(one.relative) + SUFFIX)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        data, name = segment_file_data(labeling, target), one.path.name
+        try:
+            put(target, data, name, replace=self.replace, refusal=SegmentFileError)
+        except FileInTheWayError as error:
+            return [str(error)]
+        return []
 
     def _taught(self, recordings: list[Path]) -> "tuple[list[Taught], set[Path]]":
         """What is learnt from, and the recordings it was learnt on."""
@@ -85,30 +101,29 @@ class Propose:
 
         if self.taught:
             taught = taught_in_files(self.taught, self.recipe)
-            sources = [one.demonstration.source for one in taught]
+            sources = [one.source for one in taught]
             return taught, {source.path.resolve() for source in sources if source is not None}
         done = taught_in_folder(recordings, self.recipe)
         return list(done.values()), {path.resolve() for path in done}
 
 
 def _tell(taught: "list[Taught]", proposed: "list[Proposed]") -> int:
-    fitting = [one for one in proposed if one.labeling is not None]
     print(f"Learnt from {', '.join(one.name for one in taught)}.")
-    for one in fitting:
-        if one.transfer is not None:
-            least = min((b.confidence for b in one.transfer.boundaries), default=1.0)
-            count = len(one.transfer.phases)
-            print(f"{one.recording}: {count} phases, least confidence {least:.2f}")
+    transfers = [(one.recording, one.transfer) for one in proposed if one.transfer is not None]
+    for recording, transfer in transfers:
+        if not transfer.outlier:
+            least = min((b.confidence for b in transfer.boundaries), default=1.0)
+            print(f"{recording}: {len(transfer.phases)} phases, least confidence {least:.2f}")
     for one in proposed:
         if one.refusal:
             print(f"{one.recording}: cannot be read: {one.refusal}", file=sys.stderr)
-        elif one.labeling is None and one.transfer is not None:
-            print(
-                f"{one.recording}: fits none of them (cost {one.transfer.cost:.2f}); "
-                "nothing is proposed",
-                file=sys.stderr,
-            )
-    return 0 if len(fitting) == len(proposed) else 1
+    outliers = [(recording, one.cost) for recording, one in transfers if one.outlier]
+    for recording, cost in outliers:
+        print(
+            f"{recording}: fits none of them (cost {cost:.2f}); nothing is proposed",
+            file=sys.stderr,
+        )
+    return 0 if len(transfers) - len(outliers) == len(proposed) else 1
 
 
 def _values(proposed: "Proposed") -> dict[str, Any]:

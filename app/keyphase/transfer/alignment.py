@@ -99,12 +99,18 @@ def _turned_between(first: Signals, second: Signals, alignment: Alignment) -> fl
 
 def _distances(a: Array, b: Array) -> Array:
     """Euclidean distances (N, M); infinite outside the band."""
-    squares = (a**2).sum(1)[:, None] + (b**2).sum(1)[None] - 2.0 * a @ b.T
-    distance = np.sqrt(np.maximum(squares, 0.0))
-    rows, columns = np.arange(len(a))[:, None], np.arange(len(b))[None]
-    diagonal = rows * (len(b) - 1) / max(len(a) - 1, 1)
-    near = np.abs(columns - diagonal) <= _band_width(len(a), len(b))
-    return np.where(near, distance, np.inf)
+    distance = a @ b.T
+    distance *= -2.0
+    distance += (a**2).sum(1)[:, None]
+    distance += (b**2).sum(1)
+    np.maximum(distance, 0.0, out=distance)
+    np.sqrt(distance, out=distance)
+    diagonal = np.arange(len(a)) * ((len(b) - 1) / max(len(a) - 1, 1))
+    width = _band_width(len(a), len(b))
+    for row, middle in zip(distance, diagonal.tolist(), strict=True):
+        row[: max(int(np.ceil(middle - width)), 0)] = np.inf
+        row[int(middle + width) + 1 :] = np.inf
+    return distance
 
 
 def _band_width(rows: int, columns: int) -> float:
@@ -112,31 +118,42 @@ def _band_width(rows: int, columns: int) -> float:
 
 
 def _accumulated(distance: Array) -> Array:
-    """Cost (N + 1, M + 1) of the cheapest way to each pair; row and column 0 are the border."""
+    """Cost (N + M, N + 1) of the cheapest way to each pair, by anti-diagonal and first row.
+
+    The pair (i, j) stands at [i + j + 1, i + 1]. One anti-diagonal needs only the two before it.
+    """
     n, m = distance.shape
-    total = np.full((n + 1, m + 1), np.inf)
-    total[0, 0] = 0.0
-    slope = (m - 1) / max(n - 1, 1)
-    width = _band_width(n, m) + 2.0
-    for diagonal in range(2, n + m + 1):
-        low = max(1, diagonal - m, int((diagonal - width) / (1.0 + slope)))
-        high = min(n, diagonal - 1, int((diagonal + width) / (1.0 + slope)) + 1)
-        i = np.arange(low, high + 1)
-        j = diagonal - i
-        before = np.minimum(np.minimum(total[i - 1, j], total[i, j - 1]), total[i - 1, j - 1])
-        total[i, j] = distance[i - 1, j - 1] + before
+    diagonals = _by_diagonal(distance)
+    total = np.full((n + m, n + 1), np.inf)
+    before, last = np.full(n + 1, np.inf), np.full(n + 1, np.inf)
+    before[0] = 0.0
+    for number, costs in enumerate(diagonals, start=1):
+        now = total[number]
+        np.minimum(last[:-1], last[1:], out=now[1:])
+        np.minimum(now[1:], before[:-1], out=now[1:])
+        now[1:] += costs
+        before, last = last, now
     return total
 
 
+def _by_diagonal(distance: Array) -> Array:
+    """The distances (N + M - 1, N) by anti-diagonal and row: [i + j, i]; infinite where none is."""
+    n, m = distance.shape
+    padded = np.full((n, n + m), np.inf)
+    padded[:, :m] = distance
+    # Rows read one shorter than they are shift each by one more.
+    skewed = padded.ravel()[: n * (n + m - 1)].reshape(n, n + m - 1)
+    return np.ascontiguousarray(skewed.T)
+
+
 def _path(total: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    before = np.stack([total[:-1, :-1], total[:-1, 1:], total[1:, :-1]])
-    steps = before.argmin(axis=0).tolist()
-    i, j = total.shape[0] - 1, total.shape[1] - 1
-    pairs = []
-    while i > 0 and j > 0:
-        pairs.append((i - 1, j - 1))
-        step = steps[i - 1][j - 1]
-        i -= step != 2
-        j -= step != 1
-    path = np.array(pairs[::-1], dtype=np.intp)
-    return path[:, 0], path[:, 1]
+    """The cheapest way through; of equal ones that with both steps at once."""
+    number, row = len(total) - 1, total.shape[1] - 1
+    numbers, rows = [number], [row]
+    while number > 1:
+        ways = ((number - 2, row - 1), (number - 1, row - 1), (number - 1, row))
+        number, row = min(ways, key=total.__getitem__)
+        numbers.append(number)
+        rows.append(row)
+    first = np.array(rows[::-1], dtype=np.intp) - 1
+    return first, np.array(numbers[::-1], dtype=np.intp) - 1 - first

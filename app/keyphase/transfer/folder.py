@@ -1,8 +1,9 @@
 """The recordings of a folder: which are finished and teach, and what is proposed for the others."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from keyphase.errors import KeyphaseError, LabelingError
 from keyphase.labeling.label import label
@@ -15,6 +16,9 @@ from keyphase.segmentation.parameters import Parameters
 from keyphase.transfer.as_edit import as_edit
 from keyphase.transfer.proposing import Transfer, propose, usual_cost_of
 from keyphase.transfer.taught import Taught, taught_by, taught_by_file
+
+WORTH_PROCESSES = 20
+"""For fewer recordings no other processes are started: that takes longer than they do."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,24 +60,27 @@ def propose_all(
     taught: Sequence[Taught],
     recordings: Sequence[Path],
     recipe: Path | None = None,
-    progress: Callable[[int, int], None] | None = None,
-) -> list[Proposed]:
-    """A proposal for each recording; one that cannot be read, or is an outlier, stops nothing.
+    jobs: int = -1,
+) -> Iterator[Proposed]:
+    """A proposal for each recording in its order, as soon as it is there.
+
+    One that cannot be read, or is an outlier, stops nothing. `jobs` processes work at once (-1: as
+    many as there are cores; few recordings are not worth starting any); the outcome is the same.
 
     Raises LabelingError where nothing was taught.
     """
+    from joblib import Parallel, delayed
+
     if not taught:
         raise LabelingError(
             "Expected a finished recording to learn from, but there is none; mark one as done in "
             "the page, or name its segment file with --from."
         )
     usual = usual_cost_of(taught)
-    found = []
-    for number, path in enumerate(recordings, start=1):
-        found.append(_proposed(taught, path, recipe, usual))
-        if progress:
-            progress(number, len(recordings))
-    return found
+    calls = (delayed(_proposed)(taught, path, recipe, usual) for path in recordings)
+    at_once = jobs if len(recordings) >= WORTH_PROCESSES else 1
+    running: Any = Parallel(n_jobs=at_once, return_as="generator")(calls)
+    return iter(running)
 
 
 def _proposed(

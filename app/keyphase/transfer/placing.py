@@ -187,9 +187,9 @@ def _phase_costs(
 def _taught_edges(
     teacher: Teacher, wanted: Sequence[_Wanted], number: int, index: int
 ) -> tuple[float, float]:
-    demonstration = teacher.taught.demonstration
+    phases = teacher.taught.phases
     anchors = [one.anchors_s[index] for one in wanted]
-    edges = [demonstration.start_s, *anchors, demonstration.end_s]
+    edges = [phases[0].start_s, *anchors, phases[-1].end_s]
     return edges[number], edges[number + 1]
 
 

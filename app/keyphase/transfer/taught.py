@@ -7,12 +7,12 @@ from typing import Protocol
 
 import numpy as np
 
-from keyphase.demonstration import Demonstration
+from keyphase.demonstration import Demonstration, Source
 from keyphase.errors import LabelingError
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file import SegmentFile
-from keyphase.segmentation import Segmentation, segment
-from keyphase.transfer.evidence_places import Place, places_of
+from keyphase.segmentation import Parameters, Segmentation, segment
+from keyphase.transfer.evidence_places import Place, Places, places_of
 from keyphase.transfer.signals import Signals, signals_of
 
 AGREE_S = 0.25
@@ -32,38 +32,44 @@ class Phase:
 
 @dataclass(frozen=True, eq=False)
 class Taught:
-    """A finished recording: its phases tile it, in order."""
+    """A finished recording, as far as others are compared with it: small, whatever its length.
+
+    phases  tile it, in order
+    places  where it has evidence of its own
+    found_s boundaries that the program finds in it by itself
+    source  the file it was read from
+    """
 
     name: str
-    demonstration: Demonstration
     phases: tuple[Phase, ...]
+    signals: Signals
+    places: Places
+    found_s: tuple[float, ...]
+    source: Source | None = None
 
     @property
     def names(self) -> tuple[str, ...]:
         """The names of its phases in order: two recordings of one task have the same."""
         return tuple(phase.name for phase in self.phases)
 
-    @cached_property
-    def segmentation(self) -> Segmentation:
-        """What the program finds in it by itself."""
-        return segment(self.demonstration)
+    @property
+    def ends_s(self) -> tuple[float, ...]:
+        """Its boundaries: the ends of all phases but the last."""
+        return tuple(phase.end_s for phase in self.phases[:-1])
 
     @cached_property
     def agreement(self) -> tuple[float, float]:
         """How many of the program's boundaries the person kept, and how many of theirs it found."""
-        own = np.array([boundary.time_s for boundary in self.segmentation.boundaries])
-        theirs = np.array([phase.end_s for phase in self.phases[:-1]])
-        if not (own.size and theirs.size):
+        if not (self.found_s and self.ends_s):
             return 0.0, 0.0
-        away = np.abs(own[:, None] - theirs[None])
+        away = np.abs(np.array(self.found_s)[:, None] - np.array(self.ends_s)[None])
         near = away <= AGREE_S
         return float(near.any(axis=1).mean()), float(near.any(axis=0).mean())
 
     @cached_property
     def anchors(self) -> tuple[Place | None, ...]:
         """The evidence each boundary belongs to; None where there is none near. No two share it."""
-        places = places_of(self.segmentation)
-        found = [places.of(phase.end_s) for phase in self.phases[:-1]]
+        found = [self.places.of(end_s) for end_s in self.ends_s]
         return tuple(
             place if place is not None and self._is_nearest(i, place, found) else None
             for i, place in enumerate(found)
@@ -71,25 +77,41 @@ class Taught:
 
     def _is_nearest(self, number: int, place: Place, found: Sequence[Place | None]) -> bool:
         sharing = [i for i, other in enumerate(found) if other == place]
-        return number == min(sharing, key=lambda i: abs(self.phases[i].end_s - place.time_s))
-
-    @cached_property
-    def signals(self) -> Signals:
-        """What others are compared with."""
-        return signals_of(self.demonstration)
+        return number == min(sharing, key=lambda i: abs(self.ends_s[i] - place.time_s))
 
 
 def taught_by(labeling: Labeling) -> Taught:
     """What a labeling teaches."""
-    demonstration = labeling.segmentation.demonstration
     contacts = [boundary.contact_change for boundary in labeling.boundaries]
-    return _taught(demonstration, labeling.segments, contacts)
+    return taught_from(labeling.segmentation, _phases(labeling.segments, contacts))
 
 
 def taught_by_file(file: SegmentFile, demonstration: Demonstration) -> Taught:
     """What a segment file of this demonstration teaches."""
     contacts = [boundary.contact_change for boundary in file.boundaries]
-    return _taught(demonstration, file.segments, contacts)
+    return taught_from(segment(demonstration), _phases(file.segments, contacts))
+
+
+def taught_from(segmentation: Segmentation, phases: tuple[Phase, ...]) -> Taught:
+    """What these phases teach of the recording of a segmentation.
+
+    Its evidence is what the program finds with its own parameters, whatever a person has set.
+
+    Raises LabelingError where there are no phases.
+    """
+    demonstration = segmentation.demonstration
+    if not phases:
+        raise LabelingError(f"{demonstration.name}: expected phases to learn from, but has none.")
+    is_own = segmentation.parameters == Parameters()
+    own = segmentation if is_own else segment(demonstration)
+    return Taught(
+        demonstration.name,
+        phases,
+        signals_of(demonstration),
+        places_of(own),
+        tuple(boundary.time_s for boundary in own.boundaries),
+        demonstration.source,
+    )
 
 
 class _Named(Protocol):
@@ -103,13 +125,8 @@ class _Named(Protocol):
     def kept(self) -> bool: ...
 
 
-def _taught(
-    demonstration: Demonstration, segments: Iterable[_Named], contacts: Sequence[bool]
-) -> Taught:
-    phases = tuple(
+def _phases(segments: Iterable[_Named], contacts: Sequence[bool]) -> tuple[Phase, ...]:
+    return tuple(
         Phase(one.start_s, one.end_s, one.label, one.kept, i < len(contacts) and contacts[i])
         for i, one in enumerate(segments)
     )
-    if not phases:
-        raise LabelingError(f"{demonstration.name}: expected phases to learn from, but has none.")
-    return Taught(demonstration.name, demonstration, phases)

@@ -12,7 +12,7 @@ from keyphase.scoring.truth import Truth
 from keyphase.segmentation import segment
 from keyphase.segmentation.segmentation import Segmentation
 from keyphase.transfer.proposing import Transfer, propose, usual_cost_of
-from keyphase.transfer.taught import Phase, Taught
+from keyphase.transfer.taught import Phase, Taught, taught_from
 
 METHODS = ("proposed", "stretched in time", "program alone")
 GOALS = {1: 0.95, 3: 0.97}
@@ -42,7 +42,7 @@ def taught_by_truth(known: Known) -> Taught:
         Phase(edges[i], edges[i + 1], name, True, bool(np.abs(contacts - edges[i + 1]).min() < 0.2))
         for i, name in enumerate(known.names)
     )
-    return Taught(demonstration.name, demonstration, phases)
+    return taught_from(own, phases)
 
 
 _SEGMENTED: dict[int, Segmentation] = {}

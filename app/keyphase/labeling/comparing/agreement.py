@@ -87,8 +87,8 @@ class Agreement:
 def agreement(first: Path, second: Path, tolerance_s: float = DEFAULT_TOLERANCE_S) -> Agreement:
     """Compare two folders of segment files of the same recordings, by their names.
 
-    A pair that cannot be compared stops nothing. Raises LabelingError where the folders have no
-    segment file in common.
+    A pair that cannot be compared stops nothing. Raises LabelingError where a folder is missing,
+    and where they have no segment file in common.
     """
     ours, theirs = _files_in(first), _files_in(second)
     both = [key for key in ours if key in theirs]
@@ -144,6 +144,12 @@ def _read(path: Path) -> SegmentFile:
 
 
 def _files_in(folder: Path) -> dict[str, Path]:
-    """Segment files below a folder by their key."""
+    """Segment files below a folder by their key. Raises LabelingError where it is missing."""
+    if not folder.is_dir():
+        what = "is a file" if folder.exists() else "does not exist"
+        raise LabelingError(
+            f"Expected a folder of segment files, but {folder} {what}; name the folder that a "
+            "person's files were written to."
+        )
     found = sorted(folder.rglob(f"*{SUFFIX}"))
     return {path.relative_to(folder).as_posix().removesuffix(SUFFIX): path for path in found}

@@ -49,19 +49,34 @@ def agreement_json(found: Agreement) -> str:
             "only_first": list(found.only_first),
             "only_second": list(found.only_second),
             "refused": [{"recording": key, "why": why} for key, why in found.refused],
-            "disagreements": [
-                {
-                    "recording": one.key,
-                    "start_s": one.start_s,
-                    "end_s": one.end_s,
-                    "first": one.first,
-                    "second": one.second,
-                }
-                for one in found.disagreements
-            ],
+            "disagreements": disagreement_rows(found),
         },
         indent=1,
     )
+
+
+def disagreement_rows(found: Agreement) -> list[dict[str, str | float]]:
+    """A row for each disagreement, the recording with the least agreement first, for a queue."""
+    return [
+        {
+            "recording": one.key,
+            "start_s": one.start_s,
+            "end_s": one.end_s,
+            "first": one.first,
+            "second": one.second,
+        }
+        for one in found.disagreements
+    ]
+
+
+def disagreement_table(found: Agreement) -> str:
+    """The same rows with tabs between their columns, under a line of names."""
+    rows = [
+        (one.key, f"{one.start_s:.3f}", f"{one.end_s:.3f}", one.first, one.second)
+        for one in found.disagreements
+    ]
+    named = [("recording", "start_s", "end_s", "first", "second"), *rows]
+    return "\n".join("\t".join(row) for row in named)
 
 
 def _line(one: Disagreement) -> str:
