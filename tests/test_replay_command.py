@@ -8,7 +8,8 @@ import pytest
 
 from keyphase.cli import main
 from keyphase.files.shipped import shipped
-from keyphase.readers import read
+from keyphase.readers import read, save_npz
+from keyphase.simulation import record
 from keyphase.skills.exports.skill_file import read_skills
 
 pytestmark = pytest.mark.slow
@@ -33,6 +34,17 @@ def test_a_success_ends_with_0_and_says_so_last(segments, capsys) -> None:
     lines = capsys.readouterr().out.splitlines()
     assert lines[-1] == "success"
     assert any("contact" in line for line in lines)
+
+
+def test_skills_of_several_recordings_are_replayed_as_one(segments, tmp_path, capsys) -> None:
+    save_npz(record("setup1", seed=3), tmp_path / "other.npz")
+    keyphase("segment", tmp_path / "other.npz", "--output", tmp_path)
+    other, written = tmp_path / "other.segments.json", tmp_path / "s.json"
+    assert keyphase("replay", segments, "--with", other, "--skills", written) == 0
+    assert capsys.readouterr().out.splitlines()[-1] == "success"
+    demonstrated = [one.spread for one in read_skills(written).skills if not one.connecting]
+    assert [spread and spread.demonstrations for spread in demonstrated] == [2, 2, 2]
+    assert keyphase("replay", segments, "--with", other, "--margin") == 1
 
 
 def test_a_failure_ends_with_1_and_says_why_last(segments, capsys) -> None:

@@ -8,6 +8,8 @@ import pytest
 from keyphase.demonstration import Demonstration
 from keyphase.errors import SkillError
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
+from keyphase.skills.exports.skill_file import library_of_text, skill_text
+from keyphase.skills.exports.skill_library import library_of
 from keyphase.skills.many import mean_of, skills_of_many
 
 
@@ -54,6 +56,31 @@ def test_skills_of_the_mean_are_skills_like_any_other():
     assert [skill.label for skill in skills if not skill.connecting] == ["down", "along"]
     assert isinstance(skills[0].end_condition, ContactEnd)
     np.testing.assert_allclose(skills[0].end_position_m, (0.0, 0.01, 0.2), atol=1e-3)
+
+
+def test_each_skill_says_how_far_the_demonstrations_lie_apart_also_in_its_file():
+    many = [demonstrated(1.0, 0.0), demonstrated(1.2, 0.04)]
+    skills = skills_of_many(many)
+    assert skills[0].spread is not None
+    assert skills[0].spread.demonstrations == 2
+    np.testing.assert_allclose(skills[0].spread.position_m, 0.02, atol=1e-3)
+    assert 0.5 < skills[0].spread.stiffness(0.5) < 1.0
+    read = library_of_text(skill_text(library_of(mean_of(many).demonstration, skills)))
+    np.testing.assert_array_equal(read.skills[0].spread.position_m, skills[0].spread.position_m)
+
+
+def test_what_lies_between_phases_may_be_empty_in_some():
+    one, planned = demonstrated(1.0, 0.0)
+    rested = (replace(planned[0], end_s=1.9), planned[1])
+    mean = mean_of([(one, planned), (one, rested), (one, planned)])
+    assert [segment.label for segment in mean.segments] == ["down", "along"]
+    assert mean.segments[0].end_s == mean.segments[1].start_s
+
+
+def test_a_plan_in_another_order_than_was_recorded_is_refused():
+    one, planned = demonstrated(1.0, 0.0)
+    with pytest.raises(SkillError, match="order in which they were recorded"):
+        mean_of([(one, planned[::-1])])
 
 
 def test_one_demonstration_is_its_own_mean():

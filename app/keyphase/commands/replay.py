@@ -5,7 +5,7 @@ Everything heavy is imported where it is used, so that `--help` answers at once.
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import tyro
 
@@ -14,6 +14,7 @@ from keyphase.errors import ParameterError, SimulationError
 
 if TYPE_CHECKING:
     from keyphase.demonstration import Demonstration
+    from keyphase.labeling.segment_file import FiledSegment
     from keyphase.simulation.replay.input import PlannedReplay
     from keyphase.simulation.simulated import Cell
     from keyphase.skills.skill import Skill
@@ -29,6 +30,8 @@ class ReplaySegments:
 
     segments: tyro.conf.Positional[Path]
     """The segment file."""
+    others: Annotated[tuple[Path, ...], tyro.conf.arg(name="with")] = ()
+    """Segment files of further recordings of the same phases: the skills are learnt from all."""
     workcell: str | None = None
     """setup1, setup2, a TOML file of your own, or `recording`, the world made from the recording;
     without, the workcell it was recorded in, and for every other recording the world made from
@@ -79,7 +82,6 @@ class ReplaySegments:
         """Make the skills, write what is asked for, replay, and say what became of it."""
         from keyphase.simulation.choosing import cell_for, met_by
         from keyphase.simulation.replay.input import planned_replay, with_configuration_ends
-        from keyphase.skills.library import skills_of
 
         self._check()
         planned = planned_replay(self.segments, self.demonstration, self.recipe)
@@ -90,11 +92,32 @@ class ReplaySegments:
         segments = planned.segments
         if self.end_conditions == "configuration":
             segments = with_configuration_ends(segments)
-        skills = skills_of(demonstration, segments)
+        demonstration, skills = self._learnt(demonstration, segments)
         self._write_program(demonstration, skills)
         if self.trials:
             return self._run_trials(cell, demonstration, skills)
         return self._run_once(cell, demonstration, skills)
+
+    def _learnt(
+        self, demonstration: "Demonstration", segments: "tuple[FiledSegment, ...]"
+    ) -> "tuple[Demonstration, tuple[Skill, ...]]":
+        """The demonstration whose skills are replayed: the recording's, or the mean of all."""
+        from keyphase.simulation.choosing import cell_for, met_by
+        from keyphase.simulation.replay.input import planned_replay, with_configuration_ends
+        from keyphase.skills.library import skills_of
+        from keyphase.skills.many import mean_of, skills_of_mean
+
+        if not self.others:
+            return demonstration, skills_of(demonstration, segments)
+        demonstrated = [(demonstration, segments)]
+        for path in self.others:
+            other = planned_replay(path, recipe=self.recipe)
+            cell = cell_for(other.demonstration, self.workcell, self._robot())
+            ends = self.end_conditions == "configuration"
+            planned = with_configuration_ends(other.segments) if ends else other.segments
+            demonstrated.append((met_by(other.demonstration, cell), planned))
+        mean = mean_of(demonstrated)
+        return mean.demonstration, skills_of_mean(mean)
 
     def _robot(self) -> "tuple[Path, str] | None":
         if (self.robot is None) != (self.tool_frame is None):
@@ -114,6 +137,8 @@ class ReplaySegments:
     def _check(self) -> None:
         if self.trials < 0:
             raise ParameterError(f"--trials must not be below zero, but is {self.trials}.")
+        if self.others and self.margin:
+            raise ParameterError("A margin is of one demonstration; leave out --with or --margin.")
         if self.trials and self.margin:
             raise ParameterError("Either --trials or --margin can be asked for; leave one out.")
         if self.output and (self.trials or self.margin):

@@ -7,6 +7,8 @@ is a demonstration as any other, from which skills are made as always.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -15,6 +17,7 @@ from keyphase.errors import SkillError
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.skills.library import PlannedSegment, skills_of
 from keyphase.skills.skill import Skill
+from keyphase.skills.spread import spread_between
 
 Demonstrated = tuple[Demonstration, Sequence[PlannedSegment]]
 """A demonstration and its segments, in time order."""
@@ -35,11 +38,21 @@ class MeanDemonstration:
     """The mean of several demonstrations, its segments, and their spread.
 
     spread_m  (N,) root mean square distance of the demonstrations' positions from the mean
+    count     how many demonstrations it is the mean of
     """
 
     demonstration: Demonstration
     segments: tuple[MeanSegment, ...]
     spread_m: Array
+    count: int
+
+    def spread_on(self, skill: Skill) -> Skill:
+        """The skill, one of this demonstration, with how far the demonstrations lie apart in it."""
+        if skill.demonstrated_s is None:
+            return skill
+        time_s = self.demonstration.time_s
+        spread = spread_between(time_s, self.spread_m, *skill.demonstrated_s, self.count)
+        return replace(skill, spread=spread)
 
 
 def skills_of_many(demonstrated: Sequence[Demonstrated]) -> tuple[Skill, ...]:
@@ -47,8 +60,12 @@ def skills_of_many(demonstrated: Sequence[Demonstrated]) -> tuple[Skill, ...]:
 
     Raises SkillError where they do not have the same phases in the same order.
     """
-    mean = mean_of(demonstrated)
-    return skills_of(mean.demonstration, mean.segments)
+    return skills_of_mean(mean_of(demonstrated))
+
+
+def skills_of_mean(mean: MeanDemonstration) -> tuple[Skill, ...]:
+    """The skills of a mean demonstration, each with how far the demonstrations lie apart."""
+    return tuple(map(mean.spread_on, skills_of(mean.demonstration, mean.segments)))
 
 
 def mean_of(demonstrated: Sequence[Demonstrated]) -> MeanDemonstration:
@@ -63,17 +80,29 @@ def mean_of(demonstrated: Sequence[Demonstrated]) -> MeanDemonstration:
         _at(one, np.interp(grid, middle, own))
         for (one, _), own in zip(demonstrated, edges, strict=True)
     ]
-    shared = [name for name in stretched[0] if all(name in each for each in stretched)]
+    shared = [name for name in stretched[0] if _is_alike(name, stretched)]
     mean = {name: np.mean([each[name] for each in stretched], axis=0) for name in shared}
     if "orientation_wxyz" in mean:
         mean["orientation_wxyz"] = _mean_turn([each["orientation_wxyz"] for each in stretched])
     away = [((each["position_m"] - mean["position_m"]) ** 2).sum(axis=1) for each in stretched]
-    name = f"mean of {len(demonstrated)}"
+    first = demonstrated[0][0]
+    name = f"{first.name} and {len(demonstrated) - 1} more"
     return MeanDemonstration(
-        Demonstration(name, grid, **mean),
+        Demonstration(name, grid, metadata=_said_by_all(demonstrated), **mean),
         _segments(demonstrated, middle),
         np.sqrt(np.mean(away, axis=0)),
+        len(demonstrated),
     )
+
+
+def _said_by_all(demonstrated: Sequence[Demonstrated]) -> dict[str, Any]:
+    """Robot, workcell and the like, as far as all demonstrations say the same."""
+    first, *others = (dict(one.metadata) for one, _ in demonstrated)
+    return {
+        key: value
+        for key, value in first.items()
+        if all(key in other and other[key] == value for other in others)
+    }
 
 
 def _refuse_unlike(demonstrated: Sequence[Demonstrated]) -> None:
@@ -83,11 +112,12 @@ def _refuse_unlike(demonstrated: Sequence[Demonstrated]) -> None:
     labels = [segment.label for segment in planned]
     for one, segments in demonstrated:
         theirs = [segment.label for segment in segments]
-        if (
-            theirs != labels
-            or not labels
-            or len(_edges(one, segments)) != len(_edges(first, planned))
-        ):
+        if any(later.start_s < before.end_s for before, later in pairwise(segments)):
+            raise SkillError(
+                f"Expected the phases of {one.name} in the order in which they were recorded, "
+                "each once; a plan that repeats or reorders them is learnt from one demonstration."
+            )
+        if theirs != labels or not labels:
             raise SkillError(
                 f"Expected demonstrations of the same phases, but {first.name} has "
                 f"{', '.join(labels) or 'none'} and {one.name} has {', '.join(theirs) or 'none'}; "
@@ -96,14 +126,14 @@ def _refuse_unlike(demonstrated: Sequence[Demonstrated]) -> None:
 
 
 def _edges(demonstration: Demonstration, segments: Sequence[PlannedSegment]) -> list[float]:
-    """Where phases begin and end, and the ends of the recording."""
-    ends = {time for segment in segments for time in (segment.start_s, segment.end_s)}
-    return sorted({demonstration.start_s, demonstration.end_s, *ends})
+    """Where phases begin and end, and the ends of the recording; what lies between may be empty."""
+    ends = (time for segment in segments for time in (segment.start_s, segment.end_s))
+    return [demonstration.start_s, *ends, demonstration.end_s]
 
 
 def _at(demonstration: Demonstration, time_s: Array) -> dict[str, Array]:
     """What was recorded, at other times (M,)."""
-    names = ("position_m", "orientation_wxyz", "force_N", "torque_Nm")
+    names = ("position_m", "orientation_wxyz", "force_N", "torque_Nm", "joints_rad")
     recorded = {name: getattr(demonstration, name) for name in names}
     found = {
         name: np.column_stack([np.interp(time_s, demonstration.time_s, c) for c in values.T])
@@ -115,6 +145,12 @@ def _at(demonstration: Demonstration, time_s: Array) -> dict[str, Array]:
     return found
 
 
+def _is_alike(name: str, stretched: Sequence[dict[str, Array]]) -> bool:
+    """Whether all have a channel, with as many columns."""
+    shapes = {each[name].shape if name in each else None for each in stretched}
+    return len(shapes) == 1 and None not in shapes
+
+
 def _mean_turn(turns: Sequence[Array]) -> Array:
     """Mean of unit quaternions (M, 4) that lie near each other, by their sum in one sign."""
     first = turns[0]
@@ -124,13 +160,11 @@ def _mean_turn(turns: Sequence[Array]) -> Array:
 
 
 def _segments(demonstrated: Sequence[Demonstrated], middle: Array) -> tuple[MeanSegment, ...]:
-    first, planned = demonstrated[0]
-    edges = _edges(first, planned)
-    at = dict(zip(edges, middle.tolist(), strict=True))
+    planned, at = demonstrated[0][1], middle.tolist()
     return tuple(
         MeanSegment(
-            at[segment.start_s],
-            at[segment.end_s],
+            at[2 * number + 1],
+            at[2 * number + 2],
             segment.label,
             _mean_end([segments[number].end_condition for _, segments in demonstrated]),
         )

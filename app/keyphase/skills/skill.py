@@ -12,6 +12,7 @@ from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.primitive import Primitive
 from keyphase.skills.rollout import Rollout, rollout
 from keyphase.skills.search import Search
+from keyphase.skills.spread import Spread
 from keyphase.skills.squaring import Squaring
 
 DISAGREES = "its own demonstration does not end so"
@@ -43,6 +44,7 @@ class Skill:
     squaring              how a part put on what it then carries along is squared there, if at all
     agrees                whether its own demonstration ends it as planned, within 0.25 s of where
                           it did; None where there was nothing to ask
+    spread                how far several demonstrations of it lie apart; None where it is of one
     """
 
     label: str
@@ -65,6 +67,7 @@ class Skill:
     search: Search | None = None
     squaring: Squaring | None = None
     agrees: bool | None = None
+    spread: Spread | None = None
 
     @property
     def debounce_s(self) -> float:

@@ -16,6 +16,7 @@ from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.primitive import Constants, Primitive
 from keyphase.skills.search import Search
 from keyphase.skills.skill import Skill
+from keyphase.skills.spread import Spread
 from keyphase.skills.squaring import Squaring
 
 Values = Mapping[str, Any]
@@ -58,7 +59,14 @@ def _skill(values: Values) -> Skill:
         search=None if seek is None else Search(**_floats(seek)),
         squaring=None if squaring is None else Squaring(**_floats(squaring)),
         agrees=values["agrees"],
+        spread=_spread(values.get("spread")),
     )
+
+
+def _spread(values: Values | None) -> Spread | None:
+    if values is None:
+        return None
+    return Spread(int(values["demonstrations"]), _numbers(values["position_m"]))
 
 
 def _press(values: Values) -> Press:

@@ -14,6 +14,7 @@ from keyphase.skills.precondition import Precondition
 from keyphase.skills.pressed import KeptForce
 from keyphase.skills.primitive import Primitive
 from keyphase.skills.skill import Skill
+from keyphase.skills.spread import Spread
 
 
 def library_values(library: SkillLibrary) -> dict[str, Any]:
@@ -95,7 +96,15 @@ def _skill(skill: Skill) -> dict[str, Any]:
         "search": None if skill.search is None else asdict(skill.search),
         "squaring": None if skill.squaring is None else asdict(skill.squaring),
         "primitive": _primitive(skill.primitive),
+        **_spread(skill.spread),
     }
+
+
+def _spread(spread: Spread | None) -> dict[str, Any]:
+    if spread is None:
+        return {}
+    listed = spread.position_m.tolist()
+    return {"spread": {"demonstrations": spread.demonstrations, "position_m": listed}}
 
 
 def _guard(skill: Skill) -> dict[str, float] | None:

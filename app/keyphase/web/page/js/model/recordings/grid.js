@@ -48,13 +48,16 @@ const kept = ({ color }) => color !== null;
  * @param {Grid} grid
  * @returns {string[]}
  */
-export function phaseNames({ rows, phases }) {
+export function phaseNames(grid) {
+  const usual = usualNames(grid);
+  return [...usual, ...namesBeside(usual, grid.rows)];
+}
+
+/** Those of the task, and of the recordings that are no outliers. @param {Grid} grid */
+function usualNames({ rows, phases }) {
   const own = phases.map(({ name }) => name);
-  const usual = namesBeside(
-    own,
-    rows.filter(({ standing }) => standing !== "outlier"),
-  );
-  return [...own, ...usual, ...namesBeside([...own, ...usual], rows)];
+  const alike = rows.filter(({ standing }) => standing !== "outlier");
+  return [...own, ...namesBeside(own, alike)];
 }
 
 /**
@@ -95,8 +98,13 @@ const has = ({ stretches }, name) =>
  */
 export function laidOut(grid, align) {
   if (align === EQUAL) {
-    const names = phaseNames(grid);
-    return new Map(grid.rows.map((row) => [row.id, inColumns(row, names)]));
+    const names = usualNames(grid);
+    return new Map(
+      grid.rows.map((row) => {
+        const pieces = inColumns(row, names);
+        return [row.id, pieces.length || !row.stretches.length ? pieces : null];
+      }),
+    );
   }
   const phase = align.startsWith("at:") ? align.slice(3) : null;
   const anchors = new Map(grid.rows.map((row) => [row.id, anchorOf(row, phase)]));

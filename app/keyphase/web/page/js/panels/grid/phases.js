@@ -63,7 +63,7 @@ export function createPhases(store, actions) {
     others,
   );
 
-  store.on(["grid", "readOnly"], ({ grid, readOnly }) => {
+  store.on(["grid", "gridChange", "readOnly"], ({ grid, readOnly }) => {
     if (!grid) return;
     none.hidden = grid.phases.length > 0;
     add.hidden = readOnly;

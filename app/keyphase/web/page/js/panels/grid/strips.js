@@ -6,6 +6,7 @@ import {
   changed,
   colorOf,
   effectOf,
+  EQUAL,
   inOrder,
   laidOut,
   phaseNames,
@@ -92,7 +93,7 @@ function drawStrip(row, pieces, given, when) {
   const told = row.error
     ? "cannot be read"
     : pieces === null
-      ? `no “${align.slice(3)}”`
+      ? missing(align)
       : row.stretches.length
         ? null
         : "not looked at yet";
@@ -103,6 +104,9 @@ function drawStrip(row, pieces, given, when) {
     ...(pieces ?? []).map((piece) => drawPiece(row, piece, given)),
   );
 }
+
+/** @param {string} align */
+const missing = (align) => (align === EQUAL ? "none of these phases" : `no “${align.slice(3)}”`);
 
 /**
  * @param {Line} row
