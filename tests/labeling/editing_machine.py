@@ -17,6 +17,7 @@ from keyphase.labeling.edits import (
     BringBack,
     Contact,
     DropIdle,
+    DropPhase,
     Forget,
     Keep,
     Label,
@@ -24,6 +25,7 @@ from keyphase.labeling.edits import (
     Move,
     Plan,
     Remove,
+    RenamePhase,
     Reset,
 )
 from keyphase.labeling.label import label
@@ -122,6 +124,14 @@ class Editing(RuleBasedStateMachine):
         seen = self.apply(Plan(tuple(order)))
         assert seen is not None
         assert [entry.time_s for entry in seen.plan] == order
+
+    @rule(data=st.data(), to=names, step=st.sampled_from("ab"))
+    def change_a_phase(self, data, to, step):
+        label = data.draw(st.sampled_from([segment.label for segment in self.labeling.segments]))
+        for edit in (RenamePhase(label, to, step), DropPhase(to.strip(), step)):
+            seen = self.apply(edit)
+            meant = [] if seen is None else [s for s in seen.segments if s.label == edit.label]
+            assert not any(one.kept for one in meant)
 
     @rule(edit=st.sampled_from([DropIdle(), AcceptLabels(), Reset()]))
     def decide_at_once(self, edit):

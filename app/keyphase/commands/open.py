@@ -12,6 +12,9 @@ class Open:
 
     paths: tyro.conf.Positional[tuple[Path, ...]] = ()
     """Recordings or folders of recordings; without any, the page tells how to begin."""
+    beside: Path | None = None
+    """A folder of another person's segment files of the same recordings: every moment at which the
+    two differ is visited with J."""
     host: str = "127.0.0.1"
     """Address to listen on; anything but 127.0.0.1 lets other machines knock."""
     port: int = 0
@@ -43,5 +46,6 @@ class Open:
             recipe=self.recipe,
             robot=self.robot,
             tool_frame=self.tool_frame,
+            beside=self.beside,
         )
         return 0

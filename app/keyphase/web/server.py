@@ -41,6 +41,7 @@ class PageServer:
         upload_limit_bytes: int = DEFAULT_LIMIT_BYTES,
         arms: Sequence[RobotDescription] | None = None,
         folder: Path | None = None,
+        beside: Path | None = None,
     ) -> None:
         arms = tuple(arms or yumi_arms())
         self._folder = folder or recording_folder(paths)
@@ -50,6 +51,7 @@ class PageServer:
             folder=self._folder,
             arms=tuple(arm.tool_frame for arm in arms),
             upload_limit_bytes=upload_limit_bytes,
+            beside=beside,
         )
         self.workbench = Workbench(paths, settings)
         self.latencies_ms: deque[float] = deque(maxlen=1000)
@@ -143,6 +145,7 @@ def open_page(
     recipe: Path | None = None,
     robot: Path | None = None,
     tool_frame: str | None = None,
+    beside: Path | None = None,
 ) -> None:
     """Serve the page on `paths` (recordings, or folders of them) until told to stop.
 
@@ -164,6 +167,7 @@ def open_page(
         upload_limit_bytes=upload_limit_bytes,
         arms=arms,
         folder=folder,
+        beside=beside,
     )
     told = _told_to_stop()
     print(server.link, flush=True)

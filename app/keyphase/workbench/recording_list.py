@@ -34,12 +34,21 @@ class Listing:
 
 
 class RecordingList:
-    """The lines of the list; `tell` is told of each change. For many threads."""
+    """The lines of the list; `tell` is told of each change. For many threads.
 
-    def __init__(self, paths: Sequence[Path], tell: Callable[[Listing], None]) -> None:
+    `counted` adds to a line what is known of it beside its own recording.
+    """
+
+    def __init__(
+        self,
+        paths: Sequence[Path],
+        tell: Callable[[Listing], None],
+        counted: Callable[[Recording], Recording] = lambda line: line,
+    ) -> None:
         self._lock = threading.RLock()
         self._tell = tell
-        self._listing = Listing(tuple(map(recording_at, dict.fromkeys(paths))))
+        self._counted = counted
+        self._listing = Listing(tuple(counted(recording_at(path)) for path in dict.fromkeys(paths)))
 
     @property
     def listing(self) -> Listing:
@@ -74,7 +83,7 @@ class RecordingList:
 
     def add(self, path: Path) -> Recording:
         """A line more; the one there is where the file is listed already."""
-        added = recording_at(path)
+        added = self._counted(recording_at(path))
         with self._lock:
             known = next((r for r in self.recordings if r.id == added.id), None)
             if known is None:
@@ -94,6 +103,7 @@ class RecordingList:
 
     def update(self, changed: Recording) -> None:
         """Put a changed line into the list."""
+        changed = self._counted(changed)
         with self._lock:
             if changed not in self.recordings:
                 self._change(tuple(changed if r.id == changed.id else r for r in self.recordings))

@@ -24,6 +24,7 @@ class Recording:
     state, confidence, unsure, strip   what its segmentation has come to; empty until looked at
     assessment                         what a person thinks of it as a whole
     stretches                          its segments with names; empty until they are known
+    differences                        how often another person's segments differ, if there are any
     error                              why it cannot be opened
     """
 
@@ -36,6 +37,7 @@ class Recording:
     error: str | None = None
     assessment: Assessment = NOTHING_SAID
     stretches: tuple[Stretch, ...] = ()
+    differences: int | None = None
 
     @property
     def name(self) -> str:

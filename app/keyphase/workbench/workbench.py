@@ -16,6 +16,7 @@ from keyphase.workbench.exporting.beside import InTheWay, require_own_names
 from keyphase.workbench.exporting.formats import write_in
 from keyphase.workbench.footage import FootageShelf
 from keyphase.workbench.grid.for_all import ForAll
+from keyphase.workbench.grid.second_person import SecondPerson
 from keyphase.workbench.leading.takes import Takes
 from keyphase.workbench.looking import Looking
 from keyphase.workbench.playback import Clock
@@ -41,6 +42,7 @@ class Settings:
     read_only    nothing may be changed by anybody
     folder       where takes are put
     arms         names of the tools a robot beside a recording could follow with
+    beside       a folder of another person's segment files of the same recordings
     """
 
     recipe: Path | None = None
@@ -48,6 +50,7 @@ class Settings:
     folder: Path = Path()
     arms: tuple[str, ...] = ()
     upload_limit_bytes: int = DEFAULT_LIMIT_BYTES
+    beside: Path | None = None
 
 
 class Workbench:
@@ -63,7 +66,9 @@ class Workbench:
         self._leaving: dict[str, threading.Timer] = {}
         self._numbers, self._looks = itertools.count(1), itertools.count(1)
         self._spreads: dict[str, int] = {}
-        self.recordings = RecordingList(paths, self._tell_list)
+        self.second = SecondPerson(self.settings.beside) if self.settings.beside else None
+        counted = self.second.counted if self.second else (lambda line: line)
+        self.recordings = RecordingList(paths, self._tell_list, counted)
         self.proposals = Proposals(
             lambda: self.recordings.recordings,
             self.library,

@@ -5,7 +5,10 @@ from collections.abc import Iterable
 from msgspec import Struct, field
 
 from keyphase.files.parts import split_part
+from keyphase.labeling.comparing.comparison import Outline
+from keyphase.labeling.segment_file import SegmentFile
 from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.grid.second_person import differences
 from keyphase.workbench.proposals import Proposal
 from keyphase.workbench.recordings import printable
 from keyphase.workbench.showing.comparing import comparison
@@ -18,6 +21,7 @@ class ComparisonMessage(Struct, frozen=True, tag_field="type", tag="comparison")
     shared                       (shown, other) times of boundaries both have
     only_first_s, only_second_s  boundaries of what is shown alone, of the other alone
     timing_s                     median distance of shared boundaries
+    differs_s                    every moment at which the two differ, in boundaries or in names
     """
 
     recording: str
@@ -31,6 +35,7 @@ class ComparisonMessage(Struct, frozen=True, tag_field="type", tag="comparison")
     f1: float | None = None
     same_label: float | None = None
     timing_s: float | None = None
+    differs_s: tuple[float, ...] = ()
 
 
 class LaneSegment(Struct, frozen=True):
@@ -72,17 +77,21 @@ def _lane(lane: Lane) -> LaneMessage:
 
 
 def comparison_message(
-    state: DeskState, other: str | None, proposal: Proposal | None = None
+    state: DeskState,
+    other: str | None,
+    proposal: Proposal | None = None,
+    second: SegmentFile | None = None,
 ) -> ComparisonMessage:
     """With what a recording can be compared, and how `other` agrees.
 
     Raises RequestError for a name that is not offered, SegmentFileError and LabelingError for a
     file that cannot be compared.
     """
-    found = comparison(state, other, proposal.outline if proposal else None)
+    found = comparison(state, other, proposal.outline if proposal else None, second)
     if found.outline is None or found.result is None:
         return ComparisonMessage(state.recording.id, found.options)
     outline, result = found.outline, found.result
+    own = Outline.of_labeling(state.kept_labeling)
     return ComparisonMessage(
         recording=state.recording.id,
         options=found.options,
@@ -95,4 +104,5 @@ def comparison_message(
         f1=float(result.f1),
         same_label=float(result.same_label),
         timing_s=found.timing_s,
+        differs_s=tuple(float(one.start_s) for one in differences(own, outline)),
     )

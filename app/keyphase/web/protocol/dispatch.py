@@ -9,6 +9,7 @@ import msgspec
 from msgspec import UNSET
 
 from keyphase.errors import RequestError
+from keyphase.labeling.segment_file import SegmentFile
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web.protocol import requests as ask
 from keyphase.web.protocol.comparison_messages import comparison_message, lanes_message
@@ -22,7 +23,7 @@ from keyphase.workbench.exporting.formats import offered
 from keyphase.workbench.exporting.segment_files import ENDINGS
 from keyphase.workbench.leading.cutting import write_cut
 from keyphase.workbench.replaying.exports import PLAN_KINDS
-from keyphase.workbench.showing.comparing import PROPOSED
+from keyphase.workbench.showing.comparing import PROPOSED, SECOND, of_another
 from keyphase.workbench.showing.lanes import lanes_of
 from keyphase.workbench.uploads import copy_of_shipped
 from keyphase.writers import Options, writer_named
@@ -84,7 +85,8 @@ def _at_desk(page: "Conversation", desk: Desk, request: ask.EditingRequest) -> N
             _exporting(page, desk, request)
         case ask.Compare():
             proposal = page.workbench.proposals.of(request.recording)
-            page.send(comparison_message(desk.opened(), request.other, proposal))
+            second = _another(page, desk)
+            page.send(comparison_message(desk.opened(), request.other, proposal, second))
         case ask.Lanes():
             page.view.errands.submit(lambda: _send_lanes(page, desk), "lanes")
         case ask.Spread():
@@ -104,8 +106,17 @@ def _send_lanes(page: "Conversation", desk: Desk) -> None:
     page.send(lanes_message(desk.recording.id, found))
 
 
+def _another(page: "Conversation", desk: Desk) -> SegmentFile | None:
+    second = page.workbench.second
+    return second.file_of(desk.recording.path) if second else None
+
+
 def _take_over(page: "Conversation", desk: Desk, request: ask.TakeOver) -> None:
     asked = page.asked(request)
+    second = _another(page, desk)
+    if request.other == SECOND and second is not None:
+        page.wait_for(desk.edit(of_another(desk.opened(), second), asked))
+        return
     if request.other != PROPOSED:
         page.wait_for(desk.take_over(request.other, asked))
         return

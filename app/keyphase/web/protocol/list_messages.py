@@ -49,6 +49,8 @@ class RecordingLine(Struct, frozen=True):
     proposed_from, proposed_confidence  from which finished recordings its segmentation is proposed,
                                         and how sure the least sure of it is
     outlier                             it fits none of the finished ones
+    differences                         how often another person's segments differ; null where
+                                        there are none to compare with
     """
 
     id: str
@@ -64,6 +66,7 @@ class RecordingLine(Struct, frozen=True):
     proposed_confidence: float | None = None
     outlier: bool = False
     assessment: Assessment = NOTHING_SAID
+    differences: int | None = None
 
 
 class Recordings(Struct, frozen=True, tag_field="type", tag="recordings"):
@@ -252,6 +255,7 @@ def _line(
         pages,
         *_proposed(proposal),
         recording.assessment,
+        recording.differences,
     )
 
 

@@ -13,7 +13,7 @@ from keyphase.files.parts import stem_of
 from keyphase.labeling.comparing.comparison import Comparison as ComparisonResult
 from keyphase.labeling.comparing.comparison import Outline, compare
 from keyphase.labeling.comparing.taking_over import taking_over
-from keyphase.labeling.edits import Reset
+from keyphase.labeling.edits import Reset, TakeOver
 from keyphase.labeling.label import label
 from keyphase.labeling.segment_file import SUFFIX, SegmentFile, read_segment_file
 from keyphase.workbench.desks.desk_state import DeskState
@@ -26,6 +26,9 @@ AUTOMATIC = "automatic"
 
 PROPOSED = "proposed"
 """Compare with what is proposed from other recordings that are done."""
+
+SECOND = "another person"
+"""Compare with another person's segment file of the same recording."""
 
 GIVEN = "given"
 """Compare with the labels that others left in the recording's own file."""
@@ -50,13 +53,18 @@ class Comparison:
         return float(median(abs(pair.distance_s) for pair in pairs)) if pairs else None
 
 
-def comparison(state: DeskState, other: str | None, proposed: Outline | None = None) -> Comparison:
+def comparison(
+    state: DeskState,
+    other: str | None,
+    proposed: Outline | None = None,
+    second: SegmentFile | None = None,
+) -> Comparison:
     """With what the recording can be compared, and how `other` agrees.
 
     `other` is None, "automatic", "found now" for a recording that is done, "given" where its own
-    file holds labels, "proposed" where something is, or the name of a segment file beside the
-    recording. Raises RequestError for a name that is not offered, SegmentFileError and
-    LabelingError for a file that cannot be compared.
+    file holds labels, "proposed" where something is, "another person" where there is one, or the
+    name of a segment file beside the recording. Raises RequestError for a name that is not offered,
+    SegmentFileError and LabelingError for a file that cannot be compared.
     """
     names = _segment_files(state)
     ours = {AUTOMATIC: lambda: _automatic(state)}
@@ -67,6 +75,8 @@ def comparison(state: DeskState, other: str | None, proposed: Outline | None = N
         ours[GIVEN] = lambda: given.outline
     if proposed is not None:
         ours[PROPOSED] = lambda: proposed
+    if second is not None:
+        ours[SECOND] = lambda: Outline.of_file(_same_bytes(state, second))
     options = (*ours, *map(printable, names))
     if other is None:
         return Comparison(options)
@@ -136,10 +146,21 @@ def _automatic(opened: DeskState | OpenRecording) -> Outline:
 def _filed(opened: DeskState | OpenRecording, name: str) -> SegmentFile:
     """A segment file, which must be about the same bytes."""
     file = read_segment_file(opened.recording.path.parent / name, check_recording=False)
+    return _same_bytes(opened, file, printable(name))
+
+
+def of_another(state: DeskState, file: SegmentFile) -> TakeOver:
+    """What makes another person's segments the recording's own. Raises KeyphaseError likewise."""
+    return taking_over(_same_bytes(state, file), state.kept_labeling.segmentation)
+
+
+def _same_bytes(
+    opened: DeskState | OpenRecording, file: SegmentFile, name: str = "The other person's file"
+) -> SegmentFile:
     source = opened.demonstration.source
     if source is None or file.demonstration.sha256 != source.sha256:
         raise KeyphaseError(
-            f"{printable(name)} is about another recording than {opened.recording.name}; choose a "
+            f"{name} is about another recording than {opened.recording.name}; choose a "
             "segment file of this one."
         )
     return file

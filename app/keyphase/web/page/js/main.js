@@ -43,7 +43,7 @@ import { createSplitter } from "./panels/splitter.js";
 import { createExporting } from "./panels/overlays/exporting.js";
 import { createInTheWay } from "./panels/overlays/in_the_way.js";
 import { createSpread } from "./panels/overlays/spread.js";
-import { showProposals } from "./actions/proposals.js";
+import { showAnother, showProposals } from "./actions/proposals.js";
 import { arriveWhereAsked } from "./actions/grid_actions.js";
 import { firstState } from "./model/state.js";
 import { createStatus } from "./panels/status.js";
@@ -108,6 +108,7 @@ store.later(["document"], ({ comparison }) => comparison?.with && actions.compar
 store.later(["recording"], () => actions.compare(null));
 showOthers(store, actions);
 showProposals(store, actions);
+showAnother(store, actions);
 arriveWhereAsked(store, actions);
 const applySize = () =>
   (document.documentElement.dataset.size = store.state.small ? "small" : "large");

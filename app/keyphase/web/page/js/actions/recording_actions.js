@@ -2,6 +2,8 @@
 
 import { plural } from "../lib/format.js";
 import {
+  ANOTHER,
+  nextDiffering,
   nextUndone,
   PROPOSED,
   proposedHere,
@@ -47,13 +49,13 @@ export function createRecordingActions(store, send, actions) {
     /** Goes to the next boundary that only one of the two has. */
     visitDifference(direction) {
       if (!state.comparison?.with) return;
-      const times = [...state.comparison.only_first_s, ...state.comparison.only_second_s].sort(
-        (a, b) => a - b,
-      );
+      const times = state.comparison.differs_s;
       const next =
         direction > 0
           ? times.find((time) => time > state.clock + 1e-4)
           : times.findLast((time) => time < state.clock - 1e-4);
+      if (next === undefined && state.comparison.with === ANOTHER)
+        return own.nextDiffering(direction);
       if (next === undefined)
         return store.set({
           notice: {
@@ -62,6 +64,15 @@ export function createRecordingActions(store, send, actions) {
           },
         });
       return actions.goTo(next);
+    },
+    /** Goes on to the next recording in which another person's segments differ. */
+    nextDiffering(direction) {
+      const next = nextDiffering(state, direction);
+      const text = next
+        ? `${next.name}: ${plural(next.differences ?? 0, "difference")}, J goes to the first.`
+        : "No further difference in any recording.";
+      store.set({ notice: { level: "info", text } });
+      if (next) actions.open(next.id);
     },
     /** Takes over what is proposed from finished recordings; where nothing is, all names. */
     acceptAll() {

@@ -5,6 +5,7 @@
  * - shared: (shown, other) times of boundaries both have
  * - only_first_s, only_second_s: boundaries of what is shown alone, of the other alone
  * - timing_s: median distance of shared boundaries
+ * - differs_s: every moment at which the two differ, in boundaries or in names
  */
 export interface ComparisonMessage {
   type: "comparison";
@@ -19,6 +20,7 @@ export interface ComparisonMessage {
   f1: number | null;
   same_label: number | null;
   timing_s: number | null;
+  differs_s: number[];
 }
 
 /** The other tools that were recorded at the same time, as they stand. */

@@ -26,7 +26,9 @@ export interface Recordings {
 /**
  * One line of the list. proposed_from, proposed_confidence  from which finished recordings its
  * segmentation is proposed,                                     and how sure the least sure of it
- * is outlier                             it fits none of the finished ones
+ * is outlier                             it fits none of the finished ones differences
+ * how often another person's segments differ; null where                                     there
+ * are none to compare with
  * - folder: name of the folder it lies in
  * - strip: its segments in small; `color` null: idle or dropped
  * - unsure: how many boundaries a person should look at
@@ -46,6 +48,7 @@ export interface RecordingLine {
   proposed_confidence: number | null;
   outlier: boolean;
   assessment: Assessment;
+  differences: number | null;
 }
 
 /** One segment in a strip: its share of the duration, its colour; None: idle or dropped. */

@@ -2,6 +2,7 @@
 
 import { segmentFill } from "../lib/colors.js";
 import { el, svg } from "../lib/dom.js";
+import { plural } from "../lib/format.js";
 import { asksForALook, cutName, namesOf } from "../model/recordings/recording_list.js";
 
 const MOST_PIECES = 90;
@@ -37,6 +38,7 @@ export function drawRow(item, { on, picked, common, open, menu }) {
       "span",
       { class: "queue-pages" },
       assessed(item.assessment),
+      differing(item.differences),
       ...others.slice(0, MOST_PAGES).map(pageMark),
     ),
     certainty(item, low, sure),
@@ -58,6 +60,19 @@ function assessed(assessment) {
   return el("span", {
     class: `queue-assessed ${outcome ?? ""}`,
     text: `${sign}${quality ?? ""}`,
+    title: told,
+    role: "img",
+    "aria-label": told,
+  });
+}
+
+/** How often another person's segments differ. @param {number|null|undefined} count */
+function differing(count) {
+  if (!count) return null;
+  const told = `${plural(count, "difference")} from the other person`;
+  return el("span", {
+    class: "queue-differs",
+    text: `≠${count}`,
     title: told,
     role: "img",
     "aria-label": told,

@@ -135,8 +135,22 @@ export function byFolder(items) {
   return [...folders].map(([folder, own]) => ({ folder, items: own }));
 }
 
+/** The next one, in the order shown, in which another person's segments differ. */
+export function nextDiffering(state, direction) {
+  const shown = shownRecordings(state);
+  const at = shown.findIndex(({ id }) => id === state.recording);
+  const beside =
+    direction > 0
+      ? [...shown.slice(at + 1), ...shown.slice(0, Math.max(at, 0))]
+      : [...shown.slice(0, Math.max(at, 0)).reverse(), ...shown.slice(at + 1).reverse()];
+  return beside.find(({ differences }) => differences);
+}
+
 /** Its name among the segmentations to compare with. */
 export const PROPOSED = "proposed";
+
+/** The comparison with another person's segments of the recording. */
+export const ANOTHER = "another person";
 
 /** The comparison with labels that others left in the recording's own file. */
 export const GIVEN = "given";
