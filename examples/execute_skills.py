@@ -38,10 +38,11 @@ def eased(share):
     return 0.5 - 0.5 * np.cos(np.pi * share)
 
 
-def stroke_of(squaring, d, q, time):
+def stroke_of(squaring, aside, q, time):
     """How far a part that is squared is lifted and moved from side to side by now."""
-    stroke = time / squaring["stroke_s"] - 1
+    stroke, d = time / squaring["stroke_s"] - 1, np.array(squaring["normal"])
     lift = -squaring["lift_m"] * eased(max(min(stroke + 1, 9 - stroke, 1), 0)) * d
+    lift = lift + eased(max(min(stroke + 1, 1), 0)) * aside
     if not 0 < stroke < 8:
         return lift
     axes = [times(times(q, np.r_[0, e]), q * [1, -1, -1, -1])[1:] for e in np.eye(3)[:2]]
@@ -104,6 +105,9 @@ class Plan:
                     self.end("contact", np.zeros(6))
                 else:
                     self.yielded, self.strokes_from = np.zeros(3), sensed[0]
+                    if self.skill["squaring"]:
+                        off = self.skill["end_position_m"] + self.shift - sensed[0]
+                        self.aside = off - off @ (n := np.array(self.seat["normal"])) * n
                     self.enter("searching")
         elif self.stage == "searching" and self.is_in():
             self.reference, self.searched = (*self.sensed[:2], np.zeros(6)), True
@@ -116,9 +120,10 @@ class Plan:
             self.stage = "over"
         self.reference = self.follow()
 
-    def kept(self, fraction):
+    def kept(self, fraction, dragged=None):
         felt, e = self.sensed[3], self.e
         touching = np.linalg.norm(felt) > e["touching_N"]
+        felt = felt if dragged is None else dragged
         firmer, below = e["gripped_firmer"], e["gripped_below"]
         return list(kept_at(self.skill, fraction, touching, felt, firmer, below))
 
@@ -157,8 +162,8 @@ class Plan:
         d = np.array(self.skill["press"]["direction"])
         if self.stage == "searching" and not search:
             self.squared = self.in_stage
-            away = stroke_of(self.seat, d, orientation, self.squared)
-            then = stroke_of(self.seat, d, orientation, self.squared + h)
+            away = stroke_of(self.seat, self.aside, orientation, self.squared)
+            then = stroke_of(self.seat, self.aside, orientation, self.squared + h)
             return self.strokes_from + away, orientation, np.r_[(then - away) / h, 0, 0, 0]
         easily = self.e["seat_turning" if search else "squared_turning"]
         orientation = turned(q, easily * turn(orientation, q, True))
@@ -225,7 +230,7 @@ class Plan:
         self.error, self.yr, self.qr, self.vr = np.zeros(6), *self.reference[:2], velocity
         self.level, self.start_force, self.armed = None, force, False
         self.over = self.beyond = self.stalled = self.best = self.done = 0.0
-        self.furthest, self.pressed = -np.inf, self.kept(0.0)
+        self.furthest, self.pressed, self.dragged = -np.inf, self.kept(0.0), force
         self.enter("moving")
         away = np.linalg.norm(y - self.shift - needs["position_m"]) if needs else 0.0
         if needs and (
@@ -294,7 +299,9 @@ class Plan:
         self.pressed, span = [], self.skill["demonstrated_s"]
         if span and self.skill["kept"]:
             shown = self.done * self.skill["primitive"]["duration_s"] / (span[1] - span[0])
-            self.pressed = self.kept(min(shown, 1.0))
+            share = min(h / self.e["dragged_s"], 1.0)
+            self.dragged = self.dragged + share * (self.sensed[3] - self.dragged)
+            self.pressed = self.kept(min(shown, 1.0), self.dragged)
         return self.press(self.yr, self.qr, self.vr)
 
     def advance(self, c, h, at, wxyz, speed):

@@ -10,18 +10,18 @@ from keyphase.skills.library import skills_of
 from keyphase.skills.squaring import Squaring, tool_axes
 
 DOWN, UPRIGHT = np.array([0.0, 0.0, -1.0]), np.array([0.0, 1.0, 0.0, 0.0])
-SQUARING = Squaring()
+SQUARING = Squaring((0.0, 0.0, -1.0))
 
 
 def way(wxyz=UPRIGHT) -> np.ndarray:
     """All of it, at 250 Hz."""
     times = np.arange(0.0, SQUARING.strokes_s, 0.004)
-    return np.array([SQUARING.away(DOWN, wxyz, time) for time in times])
+    return np.array([SQUARING.away(wxyz, time) for time in times])
 
 
 def test_it_begins_and_ends_where_it_was_put_down() -> None:
     assert np.linalg.norm(way()[0]) == 0.0
-    assert np.linalg.norm(SQUARING.away(DOWN, UPRIGHT, SQUARING.strokes_s)) < 1e-12
+    assert np.linalg.norm(SQUARING.away(UPRIGHT, SQUARING.strokes_s)) < 1e-12
 
 
 def test_it_is_lifted_before_it_moves_aside_and_until_it_is_back() -> None:

@@ -99,8 +99,10 @@ def _squared(skill: Skill, following: Sequence[Skill]) -> Skill:
         return skill
     for later in following:
         alike = [k for k in later.kept if k.direction[0] @ skill.press.direction > _ALIKE]
-        if any(kept.carries is not None for kept in alike):
-            return replace(skill, squaring=Squaring())
+        carrying = [kept.direction[0] for kept in alike if kept.carries is not None]
+        if carrying:
+            x, y, z = carrying[0].tolist()
+            return replace(skill, squaring=Squaring((x, y, z)))
         if not alike:
             break
     return skill

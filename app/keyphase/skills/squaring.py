@@ -22,6 +22,7 @@ _STROKES = 8
 class Squaring:
     """How a part is squared.
 
+    normal    (3,) unit vector into the place, as the way that was slid on it tells
     press_N   what it is pressed with, at the least, before and after
     lift_m    how far it is lifted meanwhile
     reach_m   how far it is moved to either side, along both axes of the tool across the press
@@ -31,6 +32,7 @@ class Squaring:
               drag the other part along, one that slides to and fro drags it nowhere
     """
 
+    normal: tuple[float, float, float]
     press_N: float = 6.0
     lift_m: float = 0.003
     reach_m: float = 0.010
@@ -49,14 +51,11 @@ class Squaring:
         """After which it is given up."""
         return self.strokes_s + self.stroke_s
 
-    def away(self, direction: Array, wxyz: Array, time_s: float) -> Array:
-        """How far (3,) a part pressed along `direction` (3,) is to be moved by now [m].
-
-        `wxyz` (4,) is the tool's orientation.
-        """
-        stroke, end = time_s / self.stroke_s - 1.0, _STROKES + 1.0
-        left = max(min(stroke + 1.0, end - stroke, 1.0), 0.0)
-        lifted = -self.lift_m * _eased(left) * direction
+    def away(self, wxyz: Array, time_s: float) -> Array:
+        """How far (3,) the part is to be moved by now [m]; `wxyz` (4,) is the tool at it."""
+        direction = np.array(self.normal)
+        stroke = time_s / self.stroke_s - 1.0
+        lifted = -self.lift_m * self.lifted(time_s) * direction
         if not 0.0 < stroke < _STROKES:
             return lifted
         along, beside = tool_axes(direction, wxyz)
@@ -65,6 +64,11 @@ class Squaring:
         fade = _eased(min(2.0 * stroke, 2.0 * (_STROKES / 2 - stroke), 1.0))
         shaken = fade * self.shake_m * sin(2.0 * pi * self.shake_hz * time_s)
         return lifted + self._place(stroke) * along + shaken * beside
+
+    def lifted(self, time_s: float) -> float:
+        """How much of the lift is done by now, 0 to 1."""
+        strokes = time_s / self.stroke_s
+        return _eased(max(min(strokes, _STROKES + 2.0 - strokes, 1.0), 0.0))
 
     def _place(self, stroke: float) -> float:
         """How far along its axis the part is by a number of strokes, 0 to 4 [m]."""

@@ -174,7 +174,7 @@ class Executor:
         if self._seeking is None or self._seeking.is_in(self._sensed):
             self._end_skill(_AT_REST)
         else:
-            self._seeking.again(self._sensed)
+            self._seeking.again(self._sensed, self._shift)
             self._enter("searching")
 
     def _search_on(self, time_s: float) -> None:

@@ -25,19 +25,29 @@ TOUCHING_N = 0.5
 FIRMER = 3.0
 """What is carried along is gripped at most so many times as hard as demonstrated."""
 
-GRIPPED_BELOW = 0.85
+DRAGGED_S = float(__import__("os").environ.get("DRAGGED", "0.1"))
+"""A force that drags is averaged over this time, so that a blow is not gripped against."""
+
+GRIPPED_BELOW = float(__import__("os").environ.get("BELOW", "0.9"))
 """Part of a skill's force limit up to which gripping harder may bring the whole force."""
 
 Pressed = tuple[Array, float]
 """Direction (3,) and force [N]."""
 
 
-def pressed_now(skill: Skill, fraction: float, force_N: Array) -> list[Pressed]:
-    """What is to be pressed at a fraction of the demonstrated time, under a measured force (3,)."""
+def pressed_now(
+    skill: Skill, fraction: float, force_N: Array, dragged_N: Array | None = None
+) -> list[Pressed]:
+    """What is to be pressed at a fraction of the demonstrated time, under a measured force (3,).
+
+    `dragged_N` (3,) is the force that tells how much what is carried drags, the measured one if
+    None.
+    """
+    drags = force_N if dragged_N is None else dragged_N
     touching = float(force_N.dot(force_N)) > TOUCHING_N**2
     now = ((each, each.at(fraction)) for each in skill.kept if each.met or touching)
     most_N = GRIPPED_BELOW * skill.force_limit_N
-    return [_gripped(each, one, force_N, most_N) for each, one in now if one is not None]
+    return [_gripped(each, one, drags, most_N) for each, one in now if one is not None]
 
 
 def _gripped(kept: KeptForce, now: Pressed, force_N: Array, most_N: float) -> Pressed:

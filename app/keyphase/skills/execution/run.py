@@ -10,7 +10,7 @@ from keyphase.skills import coupling
 from keyphase.skills.coupling import Reference
 from keyphase.skills.end_monitor import Outcome, start_monitor
 from keyphase.skills.execution.guard import guard_of
-from keyphase.skills.execution.pressing import given_way, pressed_now, pressing
+from keyphase.skills.execution.pressing import DRAGGED_S, given_way, pressed_now, pressing
 from keyphase.skills.execution.sensed import Sensed
 from keyphase.skills.primitive import Primitive, progress
 from keyphase.skills.skill import Skill
@@ -57,6 +57,7 @@ class SkillRun:
         self._guard = guard_of(skill, begin.shift_m)
         self._monitor = start_monitor(skill, begin.sensed.force_N, begin.shift_m)
         self._pressed = pressed_now(skill, 0.0, begin.sensed.force_N)
+        self._dragged_N = begin.sensed.force_N
         self.fraction = 0.0
         """How much of the motion is done, in the primitive's own time: 0 to 1 and beyond."""
 
@@ -90,7 +91,12 @@ class SkillRun:
         self.fraction = progress(self._primitive, float(self._state.phase))
         if not self.skill.kept:
             return wanted
-        self._pressed = pressed_now(self.skill, self.demonstrated_fraction, sensed.force_N)
+        self._dragged_N = self._dragged_N + min(h / DRAGGED_S, 1.0) * (
+            sensed.force_N - self._dragged_N
+        )
+        self._pressed = pressed_now(
+            self.skill, self.demonstrated_fraction, sensed.force_N, self._dragged_N
+        )
         return pressing(wanted, sensed.position_m, self._pressed, self._stiffness_N_m)
 
     def outcome(self, sensed: Sensed, h: float, waits: bool) -> Outcome | None:

@@ -65,7 +65,7 @@ class Seeking:
         """Whether the part went in at once, and as deep as the demonstration after its touch."""
         return self._fell and self._touch.depth_m(sensed.position_m) >= self.search.depth_m
 
-    def again(self, _sensed: Sensed) -> None:
+    def again(self, _sensed: Sensed, _shift_m: Array) -> None:
         """A search begins, around where the tool is."""
         self._yielded = np.zeros(3)
 
@@ -140,4 +140,4 @@ def seeking_of(skill: Skill, sensed: Sensed, step_s: float) -> Seeking | Squared
         return None
     if skill.search is not None:
         return Seeking(skill, sensed, step_s)
-    return None if skill.squaring is None else Squared(skill.squaring, skill.press, step_s)
+    return None if skill.squaring is None else Squared(skill, step_s)

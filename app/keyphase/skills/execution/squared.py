@@ -6,8 +6,7 @@ from keyphase.demonstration import Array
 from keyphase.skills.changed import changed
 from keyphase.skills.coupling import Reference
 from keyphase.skills.execution.sensed import Sensed
-from keyphase.skills.pressed import Press
-from keyphase.skills.squaring import Squaring
+from keyphase.skills.skill import Skill
 
 FLATTENING = 0.1
 """Part of the stiffness in rotation that is left while the part is pressed: it is to lie flat, as
@@ -19,10 +18,13 @@ class Squared:
 
     turning = FLATTENING
 
-    def __init__(self, squaring: Squaring, press: Press, step_s: float) -> None:
-        self.search, self.press, self.searched = squaring, press, False
+    def __init__(self, skill: Skill, step_s: float) -> None:
+        assert skill.squaring is not None
+        assert skill.press is not None
+        self.search, self.press, self.searched = skill.squaring, skill.press, False
         self._step_s, self._done_s = step_s, 0.0
-        self._from_m: Array = press.position_m
+        self._there_m = self._from_m = skill.end_position_m
+        self._aside_m = np.zeros(3)
 
     def watch(self, _sensed: Sensed, _lasts: bool) -> None:
         """Nothing is asked of what is sensed: the strokes do the same wherever the sides are."""
@@ -31,15 +33,23 @@ class Squared:
         """Whether all strokes are done."""
         return self._done_s >= self.search.strokes_s
 
-    def again(self, sensed: Sensed) -> None:
-        """The strokes begin where the tool is."""
-        self._from_m = sensed.position_m
+    def again(self, sensed: Sensed, shift_m: Array) -> None:
+        """The strokes begin where the tool is, and go around where the demonstration was.
+
+        That is moved by the skill's shift (3,). A part met higher is met aside of there, too.
+        """
+        normal = np.array(self.search.normal)
+        off = self._there_m + shift_m - sensed.position_m
+        self._from_m, self._aside_m = sensed.position_m, off - float(off.dot(normal)) * normal
 
     def moving(self, reference: Reference, _sensed: Sensed, time_s: float) -> Reference:
         """The reference on its strokes, `time_s` after they began."""
         self._done_s = time_s
-        direction, wxyz = self.press.direction, reference.orientation_wxyz
-        away = self.search.away(direction, wxyz, time_s)
-        then = self.search.away(direction, wxyz, time_s + self._step_s)
+        away = self._away(reference.orientation_wxyz, time_s)
+        then = self._away(reference.orientation_wxyz, time_s + self._step_s)
         velocity = np.concatenate([(then - away) / self._step_s, np.zeros(3)])
         return changed(reference, position_m=self._from_m + away, velocity=velocity)
+
+    def _away(self, wxyz: Array, time_s: float) -> Array:
+        moved = self.search.lifted(min(time_s, self.search.stroke_s))
+        return moved * self._aside_m + self.search.away(wxyz, time_s)

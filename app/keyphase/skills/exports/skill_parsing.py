@@ -57,7 +57,7 @@ def _skill(values: Values) -> Skill:
         shift_beyond_m=None if beyond is None else float(beyond),
         precondition=_precondition(values["precondition"]),
         search=None if seek is None else Search(**_floats(seek)),
-        squaring=None if squaring is None else Squaring(**_floats(squaring)),
+        squaring=None if squaring is None else _squaring(squaring),
         agrees=values["agrees"],
         spread=_spread(values.get("spread")),
     )
@@ -67,6 +67,11 @@ def _spread(values: Values | None) -> Spread | None:
     if values is None:
         return None
     return Spread(int(values["demonstrations"]), _numbers(values["position_m"]))
+
+
+def _squaring(values: Values) -> Squaring:
+    numbers = _floats({key: value for key, value in values.items() if key != "normal"})
+    return Squaring(_triple(values["normal"]), **numbers)
 
 
 def _press(values: Values) -> Press:

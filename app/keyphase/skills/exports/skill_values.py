@@ -15,6 +15,7 @@ from keyphase.skills.pressed import KeptForce
 from keyphase.skills.primitive import Primitive
 from keyphase.skills.skill import Skill
 from keyphase.skills.spread import Spread
+from keyphase.skills.squaring import Squaring
 
 
 def library_values(library: SkillLibrary) -> dict[str, Any]:
@@ -47,6 +48,7 @@ def execution_values() -> dict[str, float]:
         "followed_beyond_m": pressing.MAX_DISTANCE_M,
         "touching_N": pressing.TOUCHING_N,
         "gripped_firmer": pressing.FIRMER,
+        "dragged_s": pressing.DRAGGED_S,
         "gripped_below": pressing.GRIPPED_BELOW,
         "touch_N": search.TOUCH_N,
         "touch_smoothed": search.SMOOTHED,
@@ -94,7 +96,7 @@ def _skill(skill: Skill) -> dict[str, Any]:
         "kept": [_kept(force) for force in skill.kept],
         "shift_beyond_m": skill.shift_beyond_m,
         "search": None if skill.search is None else asdict(skill.search),
-        "squaring": None if skill.squaring is None else asdict(skill.squaring),
+        "squaring": _squaring(skill.squaring),
         "primitive": _primitive(skill.primitive),
         **_spread(skill.spread),
     }
@@ -105,6 +107,12 @@ def _spread(spread: Spread | None) -> dict[str, Any]:
         return {}
     listed = spread.position_m.tolist()
     return {"spread": {"demonstrations": spread.demonstrations, "position_m": listed}}
+
+
+def _squaring(squaring: Squaring | None) -> dict[str, Any] | None:
+    if squaring is None:
+        return None
+    return {**asdict(squaring), "normal": list(squaring.normal)}
 
 
 def _guard(skill: Skill) -> dict[str, float] | None:
