@@ -82,11 +82,12 @@ def running_mean(values: Array, window_s: float) -> Array:
     return ((sums[last] - sums[first]) / (last - first)[:, None]).reshape(values.shape)
 
 
-def free_force(even: Even) -> Array:
+def offset_while_moving(even: Even) -> Array:
     """Force (3,) that is read where nothing is touched; zero where that cannot be told [N].
 
     The median over the calmest of the moments in which the tool moves. It is taken for an offset
-    if it is small, or if the tool rests under the same force at its start.
+    if it is small, or if the tool rests under the same force at its start. The segmentation's
+    `free_force` asks less: whether there ever is next to no force, and else what it begins with.
     """
     force, speed = even.force_N, np.linalg.norm(even.velocity(0.1), axis=1)
     mean = running_mean(force, _CALM_S)
@@ -109,7 +110,7 @@ def free_force(even: Even) -> Array:
 
 def power_share(even: Even) -> float | None:
     """Mean of F·v / (|F| |v|) while moving in contact, -1 to 1; None where there is no contact."""
-    force = even.force_N - free_force(even)
+    force = even.force_N - offset_while_moving(even)
     velocity = even.velocity(0.05)
     speed, size = np.linalg.norm(velocity, axis=1), np.linalg.norm(force, axis=1)
     least = max(CONTACT_N, CONTACT_SHARE * float(np.percentile(size, 98)))

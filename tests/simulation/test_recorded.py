@@ -8,7 +8,7 @@ from drawn_contact import DOWN_S, PRESSED_N, its_plan, pressed_slide, reversed_f
 from replaying import bundled
 
 from keyphase.errors import SimulationError
-from keyphase.recorded_force import doubtful_force, evenly, free_force, power_share
+from keyphase.recorded_force import doubtful_force, evenly, offset_while_moving, power_share
 from keyphase.simulation import Disturbance
 from keyphase.simulation.choosing import cell_for, unfit
 from keyphase.simulation.recorded.cell import RecordedCell
@@ -60,7 +60,7 @@ def test_a_constant_offset_of_the_sensor_is_no_contact() -> None:
         orientation_wxyz=np.tile([1.0, 0.0, 0.0, 0.0], (len(resting) + 100, 1)),
         force_N=np.r_[np.repeat(resting.force_N[:1], 100, 0), resting.force_N],
     )
-    assert free_force(evenly(still)) == pytest.approx([0.0, 3.0, 14.0], abs=0.1)
+    assert offset_while_moving(evenly(still)) == pytest.approx([0.0, 3.0, 14.0], abs=0.1)
     assert len(RecordedCell(still).surfaces) == 1
 
 

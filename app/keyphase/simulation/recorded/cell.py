@@ -10,7 +10,7 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import SimulationError
-from keyphase.recorded_force import Even, doubtful_force, evenly, free_force
+from keyphase.recorded_force import Even, doubtful_force, evenly, offset_while_moving
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.impedance import Gains
 from keyphase.simulation.recorded.reaching import Pose
@@ -49,7 +49,7 @@ class RecordedCell:
                 "choose a workcell with --workcell."
             )
         even = evenly(demonstration)
-        free = free_force(even)
+        free = offset_while_moving(even)
         self.even: Even = replace(even, force_N=even.force_N - free)
         self.demonstration = replace(demonstration, force_N=demonstration.force_N - free)
         self.doubt = doubtful_force(demonstration)
