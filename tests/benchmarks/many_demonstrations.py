@@ -55,7 +55,7 @@ def plans(task: str, count: int) -> list[Plan]:
     mean = mean_of(alike)
     spread_mm = 1e3 * mean.spread_m
     print(f"their spread: median {np.median(spread_mm):.1f} mm, at most {spread_mm.max():.1f} mm")
-    together = (f"the mean of {len(alike)}", mean.demonstration, skills_of_mean(mean))
+    together = (f"the mean of {len(alike)}", mean.demonstration, skills_of_mean(mean, alike))
     return [together, *((one.name, one, skills_of(one, kept)) for one, kept in alike)]
 
 

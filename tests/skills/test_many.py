@@ -10,6 +10,7 @@ from keyphase.errors import SkillError
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
 from keyphase.skills.exports.skill_file import library_of_text, skill_text
 from keyphase.skills.exports.skill_library import library_of
+from keyphase.skills.library import skills_of
 from keyphase.skills.many import mean_of, skills_of_many
 
 
@@ -67,6 +68,17 @@ def test_each_skill_says_how_far_the_demonstrations_lie_apart_also_in_its_file()
     assert 0.5 < skills[0].spread.stiffness(0.5) < 1.0
     read = library_of_text(skill_text(library_of(mean_of(many).demonstration, skills)))
     np.testing.assert_array_equal(read.skills[0].spread.position_m, skills[0].spread.position_m)
+
+
+def test_what_is_pressed_is_what_most_pressed_though_the_mean_is_blurred():
+    many = [demonstrated(1.0, aside_m) for aside_m in (0.0, 0.01, 0.02)]
+    late = many[2][0]
+    assert late.force_N is not None
+    many[2] = replace(late, force_N=3.0 * late.force_N), many[2][1]
+    pressed = [skills_of(*one)[0].press for one in many]
+    together = skills_of_many(many)[0].press
+    assert together is not None
+    assert together.force_N == np.median([one.force_N for one in pressed if one])
 
 
 def test_what_lies_between_phases_may_be_empty_in_some():

@@ -117,7 +117,7 @@ class ReplaySegments:
             planned = with_configuration_ends(other.segments) if ends else other.segments
             demonstrated.append((met_by(other.demonstration, cell), planned))
         mean = mean_of(demonstrated)
-        return mean.demonstration, skills_of_mean(mean)
+        return mean.demonstration, skills_of_mean(mean, demonstrated)
 
     def _robot(self) -> "tuple[Path, str] | None":
         if (self.robot is None) != (self.tool_frame is None):

@@ -60,12 +60,44 @@ def skills_of_many(demonstrated: Sequence[Demonstrated]) -> tuple[Skill, ...]:
 
     Raises SkillError where they do not have the same phases in the same order.
     """
-    return skills_of_mean(mean_of(demonstrated))
+    return skills_of_mean(mean_of(demonstrated), demonstrated)
 
 
-def skills_of_mean(mean: MeanDemonstration) -> tuple[Skill, ...]:
-    """The skills of a mean demonstration, each with how far the demonstrations lie apart."""
-    return tuple(map(mean.spread_on, skills_of(mean.demonstration, mean.segments)))
+def skills_of_mean(
+    mean: MeanDemonstration, demonstrated: Sequence[Demonstrated]
+) -> tuple[Skill, ...]:
+    """The skills of a mean of demonstrations, each with how far these lie apart.
+
+    What a contact is like is sharp in each demonstration and blurred in their mean: how hard it
+    was pressed, and how far a part went into its seat, are the medians of all.
+    """
+    each = [_demonstrated(skills_of(one, segments)) for one, segments in demonstrated]
+    singles = iter(zip(*each, strict=True))
+    skills = skills_of(mean.demonstration, mean.segments)
+    return tuple(
+        skill
+        if skill.demonstrated_s is None
+        else mean.spread_on(_with_contacts_of(skill, next(singles)))
+        for skill in skills
+    )
+
+
+def _demonstrated(skills: Sequence[Skill]) -> list[Skill]:
+    return [skill for skill in skills if skill.demonstrated_s is not None]
+
+
+def _with_contacts_of(skill: Skill, singles: Sequence[Skill]) -> Skill:
+    """The skill with what most of the same skills, each from one demonstration, press and seek."""
+    presses = [one.press.force_N for one in singles if one.press is not None]
+    if skill.press is not None and presses:
+        skill = replace(skill, press=replace(skill.press, force_N=float(np.median(presses))))
+    found = [one.search for one in singles if one.search is not None]
+    if 2 * len(found) <= len(singles):
+        return replace(skill, search=None)
+    typical = skill.search or found[0]
+    depth_m = float(np.median([one.depth_m for one in found]))
+    press_N = float(np.median([one.press_N for one in found]))
+    return replace(skill, search=replace(typical, depth_m=depth_m, press_N=press_N))
 
 
 def mean_of(demonstrated: Sequence[Demonstrated]) -> MeanDemonstration:
