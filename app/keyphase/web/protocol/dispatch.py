@@ -205,7 +205,7 @@ def _phases(
             return for_all.undo(desk, asked, view)
         case ask.PhaseForAll(label=label, to=None, include_done=done):
             return for_all.drop(desk, label, asked, view, include_done=done)
-        case ask.PhaseForAll(label=label, to=to, include_done=done):
+        case ask.PhaseForAll(label=label, to=str(to), include_done=done):
             return for_all.rename(desk, label, to, asked, view, include_done=done)
         case _:
             assert_never(request)
