@@ -100,8 +100,9 @@ class Replay:
         self._hand.act()
         run = self._executor.run
         # A search repeats no path.
-        repeats = run is not None and self._executor.stage != "searching"
-        self.simulation.be_at(self._moment(), run.skill.demonstrated_s if repeats else None)
+        repeated = None if self._executor.stage == "searching" else run
+        span = None if repeated is None else repeated.skill.demonstrated_s
+        self.simulation.be_at(self._moment(), span)
         followed = _followed(reference)
         sample = self.simulation.step(followed)
         self._course.watch(self.simulation)
