@@ -49,7 +49,9 @@ def test_the_mean_lies_between_and_its_contact_stays_sharp():
     before, after = made.force_N[[np.searchsorted(made.time_s, t) for t in (2.15, 2.25)], 2]
     assert (before, after) == (0.0, 5.0)
     assert [segment.label for segment in mean.segments] == ["down", "along"]
-    assert mean.segments[0].end_condition.threshold_N == 2.0
+    end = mean.segments[0].end_condition
+    assert isinstance(end, ContactEnd)
+    assert end.threshold_N == 2.0
 
 
 def test_skills_of_the_mean_are_skills_like_any_other():
@@ -67,7 +69,9 @@ def test_each_skill_says_how_far_the_demonstrations_lie_apart_also_in_its_file()
     np.testing.assert_allclose(skills[0].spread.position_m, 0.02, atol=1e-3)
     assert 0.5 < skills[0].spread.stiffness(0.5) < 1.0
     read = library_of_text(skill_text(library_of(mean_of(many).demonstration, skills)))
-    np.testing.assert_array_equal(read.skills[0].spread.position_m, skills[0].spread.position_m)
+    kept = read.skills[0].spread
+    assert kept is not None
+    np.testing.assert_array_equal(kept.position_m, skills[0].spread.position_m)
 
 
 def test_what_is_pressed_is_what_most_pressed_though_the_mean_is_blurred():

@@ -203,9 +203,9 @@ def _phases(
             return desk.change(lambda opened: opened.folder.write_task(task), asked)
         case ask.PhaseUndo():
             return for_all.undo(desk, asked, view)
-        case ask.PhaseForAll(label=label, to=None, include_done=done):
-            return for_all.drop(desk, label, asked, view, include_done=done)
-        case ask.PhaseForAll(label=label, to=str(to), include_done=done):
+        case ask.PhaseForAll(label=label, to=to, include_done=done):
+            if to is None:
+                return for_all.drop(desk, label, asked, view, include_done=done)
             return for_all.rename(desk, label, to, asked, view, include_done=done)
         case _:
             assert_never(request)
