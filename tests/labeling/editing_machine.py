@@ -5,6 +5,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import jsonschema
+import numpy as np
 from handmade import demonstration, described, segmentation
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, rule
@@ -33,6 +34,9 @@ from keyphase.labeling.segment_file import schema
 from keyphase.labeling.segment_file_content import segment_file_content
 from keyphase.labeling.storage.journal import Journal
 from keyphase.segmentation.parameters import Parameters
+from keyphase.transfer.as_edit import as_edit
+from keyphase.transfer.own_boundaries import ProposedBoundary
+from keyphase.transfer.proposing import ProposedPhase, Transfer
 
 anywhere = st.floats(-0.5, 10.5, allow_nan=False)
 names = st.text(max_size=12)
@@ -133,6 +137,15 @@ class Editing(RuleBasedStateMachine):
             meant = [] if seen is None else [s for s in seen.segments if s.label == edit.label]
             assert not any(one.kept for one in meant)
 
+    @rule(times=st.lists(st.integers(1, 99), max_size=6, unique=True), name=names)
+    def take_over_a_proposal(self, times, name):
+        times = sorted(time / 10.0 for time in times)
+        seen = self.apply(as_edit(proposal(times, name), found(self.document)))
+        if seen is not None:
+            np.testing.assert_allclose([b.time_s for b in seen.boundaries], times, atol=2e-3)
+            if name.strip():
+                assert {segment.label for segment in seen.segments} == {name.strip()}
+
     @rule(edit=st.sampled_from([DropIdle(), AcceptLabels(), Reset()]))
     def decide_at_once(self, edit):
         self.apply(edit)
@@ -231,6 +244,16 @@ def found(document):
         made_from=document.demonstration,
         parameters=document.parameters,
     )
+
+
+def proposal(times, name):
+    """What finished recordings might propose: boundaries at these times, phases of one name."""
+    boundaries = tuple(ProposedBoundary(time, 0.8, False) for time in times)
+    phases = tuple(
+        ProposedPhase(start_s, end_s, name, True, 0.9)
+        for start_s, end_s in pairwise([0.0, *times, 10.0])
+    )
+    return Transfer("demo", boundaries, phases, False, 0.2, ("taught",))
 
 
 def view(labeling):

@@ -14,6 +14,7 @@ from keyphase.simulation import record
 from keyphase.transfer.alignment import align
 from keyphase.transfer.as_edit import as_edit
 from keyphase.transfer.evidence_places import Place, Places
+from keyphase.transfer.own_boundaries import is_better
 from keyphase.transfer.proposing import propose, usual_cost_of
 from keyphase.transfer.signals import signals_of
 from keyphase.transfer.taught import Taught, taught_by
@@ -138,3 +139,26 @@ def test_a_boundary_belongs_to_what_is_near_rather_than_to_what_is_likely() -> N
     near, likely = Place(1.02, "contact", 0.3), Place(1.12, "motion", 0.9)
     assert Places((near, likely)).of(1.0) == near
     assert Places((near, likely)).of(2.0) is None
+
+
+def test_the_program_is_believed_where_persons_left_its_boundaries_where_they_were(
+    first: Taught, second: Demonstration
+) -> None:
+    own = segment(second)
+    proposed = propose([first], second).boundaries
+    kept = replace(first, found_s=first.ends_s)
+    elsewhere = replace(first, found_s=tuple(end_s + 0.5 for end_s in first.ends_s))
+    early = replace(first, found_s=tuple(end_s + 0.15 for end_s in first.ends_s))
+    assert is_better([kept], proposed, own)
+    assert not is_better([elsewhere], proposed, own)
+    assert not is_better([early], proposed, own)
+
+
+def test_another_number_than_proposed_is_believed_of_a_program_that_found_what_persons_meant(
+    first: Taught, second: Demonstration
+) -> None:
+    own = segment(second)
+    fewer = replace(own, boundaries=own.boundaries[1:])
+    early = replace(first, found_s=tuple(end_s + 0.15 for end_s in first.ends_s))
+    found = propose([early], second, fewer)
+    assert len(found.boundaries) == len(fewer.boundaries)

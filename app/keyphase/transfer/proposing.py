@@ -13,29 +13,16 @@ import numpy as np
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import LabelingError
-from keyphase.segmentation.segmentation import Boundary, Segmentation
+from keyphase.segmentation.segmentation import Segmentation
 from keyphase.transfer.alignment import Alignment, align
 from keyphase.transfer.evidence_places import NO_PLACES, Places, places_of
+from keyphase.transfer.own_boundaries import ProposedBoundary, is_better, with_own
 from keyphase.transfer.placing import Teacher, placed_ends
 from keyphase.transfer.signals import Signals, signals_of
 from keyphase.transfer.taught import Taught
 
-APART_S = 0.4
-"""A proposed boundary this far from all of the program's is one more."""
-
-SAME_S = 0.2
-"""A boundary of the program this near to the evidence of a proposed one is the same."""
-
-SURE_ENOUGH = 0.8
-"""A proposed boundary that the program passed over is taken from this confidence on."""
-
 NEARLY_AS_GOOD = 1.3
 """Finished recordings that fit worse than this many times the best one say nothing."""
-
-TRUSTED = 0.7
-"""Where persons kept this share of the program's boundaries, and it found this share of theirs,
-its own are taken in a recording in which it finds others than are proposed, and only names are
-transferred: something is missing or doubled there."""
 
 MAX_COST = 0.9
 OUTLIER_FACTOR = 1.8
@@ -48,19 +35,6 @@ NAME_WORTH = 0.85
 
 _BIAS, _FIT, _SPREAD, _EVIDENCE = 2.9, -2.2, -2.0, 1.2
 _MAX_ALIGNED = 3
-
-
-@dataclass(frozen=True)
-class ProposedBoundary:
-    """A boundary proposed from others.
-
-    evidence_s  the recording's own evidence it belongs to; None where there is none
-    """
-
-    time_s: float
-    confidence: float
-    contact_change: bool
-    evidence_s: float | None = None
 
 
 @dataclass(frozen=True)
@@ -118,10 +92,14 @@ def propose(
     same = [one for one in aligned if one.taught.names == best.names]
     same = [one for one in same if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
     boundaries = _boundaries(same, signals, places)
-    differs = segmentation is not None and _differs(same, boundaries, segmentation)
-    if segmentation is not None and differs:
-        boundaries = _with_own(boundaries, segmentation)
-    phases = _phases(best, alignment, boundaries, demonstration, joined=not differs)
+    fitting = [one for one in aligned if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
+    own = None
+    if segmentation is not None and is_better(
+        [one.taught for one in fitting], boundaries, segmentation
+    ):
+        own = with_own(fitting, boundaries, segmentation)
+    boundaries = boundaries if own is None else own
+    phases = _phases(best, alignment, boundaries, demonstration, joined=own is None)
     inner = {phase.end_s for phase in phases[:-1]}
     boundaries = tuple(b for b in boundaries if b.time_s in inner)
     teachers = tuple(one.taught.name for one in same)
@@ -173,57 +151,11 @@ def _name_confidence(share: float, sure: float) -> float:
     return float(np.sqrt(share)) * (NAME_WORTH + (1.0 - NAME_WORTH) * sure)
 
 
-def _differs(
-    teachers: Sequence[Teacher], proposed: Sequence[ProposedBoundary], segmentation: Segmentation
-) -> bool:
-    """Whether the program, whose boundaries persons kept, finds others here than are proposed."""
-    kept, found = np.mean([one.taught.agreement for one in teachers], axis=0)
-    if min(kept, found) < TRUSTED:
-        return False
-    own = segmentation.boundaries
-    return len(own) != len(proposed) or not all(_belonging(b, proposed) for b in own)
-
-
-def _belonging(own: Boundary, proposed: Sequence[ProposedBoundary]) -> ProposedBoundary | None:
-    """The proposed boundary that belongs to the evidence of one of the program's."""
-    near = [
-        (abs(b.evidence_s - own.time_s), i)
-        for i, b in enumerate(proposed)
-        if b.evidence_s is not None and abs(b.evidence_s - own.time_s) <= SAME_S
-    ]
-    return proposed[min(near)[1]] if near else None
-
-
 def _limit(usual_cost: float | None) -> float:
     """The cost from which on a recording is an outlier."""
     if usual_cost is None:
         return MAX_COST
     return min(MAX_COST, max(OUTLIER_FACTOR * usual_cost, LEAST_LIMIT))
-
-
-def _with_own(
-    proposed: Sequence[ProposedBoundary], segmentation: Segmentation
-) -> tuple[ProposedBoundary, ...]:
-    """The program's own boundaries, and those proposed ones it passed over but has evidence for.
-
-    One that the finished recordings have there, too, is at least as sure as they make it.
-    """
-    own = [_confirmed(b, proposed) for b in segmentation.boundaries]
-    times = np.array([b.time_s for b in own] or [np.inf])
-    more = [
-        b
-        for b in proposed
-        if np.abs(times - b.time_s).min() > APART_S
-        and b.confidence >= SURE_ENOUGH
-        and b.evidence_s is not None
-    ]
-    return tuple(sorted([*own, *more], key=lambda boundary: boundary.time_s))
-
-
-def _confirmed(own: Boundary, proposed: Sequence[ProposedBoundary]) -> ProposedBoundary:
-    same = _belonging(own, proposed)
-    confidence = own.confidence if same is None else max(own.confidence, same.confidence)
-    return ProposedBoundary(own.time_s, confidence, own.contact_change, own.time_s)
 
 
 def _phases(

@@ -58,13 +58,13 @@ class Taught:
         return tuple(phase.end_s for phase in self.phases[:-1])
 
     @cached_property
-    def agreement(self) -> tuple[float, float]:
+    def agreement(self) -> tuple[int, int]:
         """How many of the program's boundaries the person kept, and how many of theirs it found."""
         if not (self.found_s and self.ends_s):
-            return 0.0, 0.0
+            return 0, 0
         away = np.abs(np.array(self.found_s)[:, None] - np.array(self.ends_s)[None])
         near = away <= AGREE_S
-        return float(near.any(axis=1).mean()), float(near.any(axis=0).mean())
+        return int(near.any(axis=1).sum()), int(near.any(axis=0).sum())
 
     @cached_property
     def anchors(self) -> tuple[Place | None, ...]:

@@ -67,12 +67,14 @@ def tries(known: Sequence[Known], teachers: Sequence[int]) -> list[Tried]:
 def _try(taught: Sequence[Taught], usual: float | None, known: Known, first: Known) -> Tried:
     own = segmentation_of(known)
     found = propose(taught, known.demonstration, own, usual_cost=usual)
-    proposed = [b.time_s for b in found.boundaries]
+    alone = [b.time_s for b in own.boundaries]
+    # On an outlier nothing is proposed: what the program found by itself stands.
+    proposed = alone if found.outlier else [b.time_s for b in found.boundaries]
     stretched = _stretched(first, known)
     times = {
         "proposed": proposed,
         "stretched in time": stretched,
-        "program alone": [b.time_s for b in own.boundaries],
+        "program alone": alone,
     }
     truth = Truth(known.ends_s, known.ignore_s, known.tolerance_s)
     names = {"proposed": _share(known, proposed, [phase.name for phase in found.phases])}
