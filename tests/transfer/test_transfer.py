@@ -158,7 +158,7 @@ def test_another_number_than_proposed_is_believed_of_a_program_that_found_what_p
     first: Taught, second: Demonstration
 ) -> None:
     own = segment(second)
-    fewer = replace(own, boundaries=own.boundaries[1:])
+    fewer = replace(own, boundaries=own.boundaries[1:], candidates=())
     early = replace(first, found_s=tuple(end_s + 0.15 for end_s in first.ends_s))
     found = propose([early], second, fewer)
     assert len(found.boundaries) == len(fewer.boundaries)
