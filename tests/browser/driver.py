@@ -141,7 +141,7 @@ class KeyphasePage:
         """Do something and wait until the server's answer is drawn."""
         before = self.document["revision"]
         act()
-        self.until(f"keyphase.state.document.revision > {before}")
+        self.until(f"keyphase.state.document.revision > {before} && !keyphase.state.pending.length")
         self.settle()
 
     # -- what is known and seen

@@ -28,7 +28,7 @@ def test_a_dropped_recording_opens(editor: KeyphasePage) -> None:
     _drop(editor, "setup2.npz", (shipped("data") / "setup2.npz").read_bytes())
     editor.until("keyphase.state.document.name === 'setup2'")
 
-    assert editor.page.locator(".queue-row").count() == 2
+    editor.until("document.querySelectorAll('.queue-row').length === 2")
     assert editor.page.locator("#drop-target").is_hidden()
 
 

@@ -56,7 +56,7 @@ export function createSpread(store, actions) {
   });
 
   store.on(["spread"], ({ spread, recordings: { current }, lookingOnly }) => {
-    if (!spread || spread.look <= left || lookingOnly) return dialog.open && dialog.close();
+    if (!spread || spread.look <= left || lookingOnly) return void (dialog.open && dialog.close());
     const { items, total } = spread;
     if (!dialog.open) withDone.checked = false;
     if (look !== spread.look) rows.replaceChildren();
@@ -72,12 +72,11 @@ export function createSpread(store, actions) {
     bar.classList.toggle("whole", isWhole);
     for (const item of items.slice(rows.children.length)) rows.append(drawItem(item, current));
     apply.disabled = !isWhole;
-    if (dialog.open) {
-      if (isWhole) apply.focus();
-      return undefined;
+    if (!dialog.open) {
+      rows.replaceChildren(...items.map((item) => drawItem(item, current)));
+      dialog.showModal();
     }
-    rows.replaceChildren(...items.map((item) => drawItem(item, current)));
-    return dialog.showModal();
+    if (isWhole) apply.focus();
   });
 }
 
