@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from chromium import chromium_browser
 from driver import KeyphasePage, LookAt, Serve, Visit
-from playwright.sync_api import Browser, Route
+from playwright.sync_api import Browser
 
 from keyphase.files.shipped import shipped
 from keyphase.readers import find_recordings
@@ -203,8 +203,10 @@ def serve() -> Iterator[Serve]:
         server.stop()
 
 
-def _answer_nothing(route: Route) -> None:
-    route.fulfill(body="<html></html>", content_type="text/html")
+_WITHOUT_SCENE = """
+Object.defineProperty(HTMLIFrameElement.prototype, "src", { set() {} });
+"""
+"""The frame of the scene stays empty. Answering in its place would switch off the cache."""
 
 
 _WITHOUT_SMOOTH_EDGES = """
@@ -227,7 +229,7 @@ def _opened(
     opened = KeyphasePage(page)
     page.add_init_script(_WITHOUT_SMOOTH_EDGES)
     if not scene:
-        page.route("**/viser/**", _answer_nothing)
+        page.add_init_script(_WITHOUT_SCENE)
     page.goto(server.link)
     return opened
 
