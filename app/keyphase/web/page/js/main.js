@@ -50,7 +50,7 @@ import { createStatus } from "./panels/status.js";
 import { createStore } from "./lib/store.js";
 import { createTheme, firstDark } from "./panels/theme.js";
 import { createLens } from "./timeline/lens.js";
-import { attachPointer } from "./timeline/pointer.js";
+import { attachPointer } from "./timeline/hand/pointer.js";
 import { firstChoice, SMALL_BELOW_PX, tracksOf } from "./model/rows.js";
 import { createTimeline } from "./timeline/timeline.js";
 import { createTake } from "./panels/take.js";

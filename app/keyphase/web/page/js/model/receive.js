@@ -1,5 +1,6 @@
 /** What the server says, put into the page's state. */
 
+import { followed } from "./held.js";
 import { withGrid } from "./recordings/grid.js";
 import { takeWith } from "./recordings/take.js";
 
@@ -65,12 +66,10 @@ export function createReceiver(
         readOnly: state.lookingOnly || Boolean(message.locked),
         labels: message.labels,
         ...(message.selected === state.selected ? {} : { selectedTo: null }),
-        ...(other ? fresh(message) : {}),
+        ...(other ? fresh(message) : followed(state, message)),
       });
       own.arrived(message, message.cause?.client === client ? message.cause.event : null);
       if (other) signals.refresh();
-      if (!other && message.boundaries.length !== before.boundaries.length)
-        store.set({ hovered: null, explained: null, current: null, selectedTo: null });
       latency.arrived(message, (cause) => cause.client === client);
     },
     ghost: (message) => store.set({ ghost: message.boundaries }),
@@ -167,6 +166,7 @@ function fresh(doc) {
     pointer: null,
     drag: null,
     range: null,
+    planDrag: null,
     ghost: [],
     renaming: null,
     comparison: null,

@@ -4,6 +4,7 @@ import { segmentFill } from "../lib/colors.js";
 import { byId, el, icon, redraw } from "../lib/dom.js";
 import { plural } from "../lib/format.js";
 import { DOUBT, howItEnds } from "../model/end_condition.js";
+import { planStands } from "../model/held.js";
 import { shortName } from "../model/label_forms.js";
 import { attachChipKeys } from "./plan_keys.js";
 
@@ -161,12 +162,13 @@ function attachDragging(chips, store, actions) {
     if (!chip || event.button !== 0) return;
     const entry = Number(/** @type {HTMLElement} */ (chip).dataset.entry);
     const start = { x: event.clientX, y: event.clientY };
+    const stands = planStands(doc);
     let moved = false;
     chips.setPointerCapture(event.pointerId);
 
     const move = (at) => {
       moved ||= Math.hypot(at.clientX - start.x, at.clientY - start.y) > CLICK_PX;
-      if (!moved || readOnly) return;
+      if (!moved || readOnly || !stands(store.state.document)) return;
       store.set({ planDrag: dropAt(chips, doc, entry, at) });
     };
     const end = (at) => {
@@ -175,6 +177,7 @@ function attachDragging(chips, store, actions) {
       chips.removeEventListener("pointercancel", end);
       const { planDrag } = store.state;
       store.set({ planDrag: null });
+      if (!stands(store.state.document)) return undefined;
       if (!moved) return actions.select(doc.plan[entry].segment);
       if (planDrag && at.type === "pointerup")
         actions.reorder(planDrag.order.map((k) => doc.plan[k].time_s));

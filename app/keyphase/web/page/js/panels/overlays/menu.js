@@ -2,6 +2,7 @@
 
 import { segmentAt } from "../../model/segments.js";
 import { byId, el, icon } from "../../lib/dom.js";
+import { segmentsStand } from "../../model/held.js";
 import { toggle, tracksFor } from "../../model/rows.js";
 import { comparisonItems, recordingItems, timelineItems } from "./menu_items.js";
 
@@ -26,9 +27,15 @@ export function createMenu(store, actions) {
     return was;
   }
 
+  /** What its entries are about. @type {import("../../model/held.js").Stands} */
+  let stands = () => true;
+  store.on(["document"], ({ document: doc }) => !node.hidden && !stands(doc) && close());
+
   /** @param {Item[]} items @param {{x: number, y: number}} at */
   function open(items, { x, y }) {
     close();
+    const { document: doc } = store.state;
+    stands = doc ? segmentsStand(doc) : (now) => !now;
     before = /** @type {HTMLElement} */ (document.activeElement);
     node.replaceChildren(...items.map(drawItem));
     node.hidden = false;
@@ -107,7 +114,7 @@ export function createMenu(store, actions) {
         y: box.top + row.y + row.height,
       });
     },
-    /** @param {import("../../timeline/hit.js").Hit} hit */
+    /** @param {import("../../timeline/hand/hit.js").Hit} hit */
     forTimeline(hit, time, { clientX: x, clientY: y }) {
       open(timelineItems(store, actions, hit, time), { x, y });
     },

@@ -2,8 +2,19 @@
 
 import { segmentFill } from "../../lib/colors.js";
 import { byId, el, icon } from "../../lib/dom.js";
+import { middle } from "../../model/segments.js";
 
 const LEAST_WIDTH = 264;
+
+const hint = () =>
+  el(
+    "p",
+    {},
+    el("kbd", { text: "Enter" }),
+    "names it",
+    el("kbd", { text: "Tab" }),
+    "and goes on to the next",
+  );
 
 /**
  * @param {import("../../lib/store.js").Store} store
@@ -22,18 +33,12 @@ export function createRename(store, timeline, actions) {
     })
   );
   const list = el("ul", { role: "listbox", "aria-label": "Labels of the folder" });
-  const hint = el(
-    "p",
-    {},
-    el("kbd", { text: "Enter" }),
-    "names it",
-    el("kbd", { text: "Tab" }),
-    "and goes on to the next",
-  );
-  form.append(input, list, hint);
+  form.append(input, list, hint());
   let choices = [];
   let at = -1;
   let typed = "";
+  /** The time by which the segment that is being named is known. */
+  let named = NaN;
 
   function complete() {
     const wanted = input.value.toLowerCase();
@@ -139,6 +144,9 @@ export function createRename(store, timeline, actions) {
   store.on(["renaming"], ({ renaming, document: doc }) => {
     const segment = renaming === null ? null : doc?.segments[renaming];
     const wasOpen = !form.hidden;
+    if (segment && wasOpen && segment.start_s < named && named < segment.end_s)
+      return place(form, timeline, segment);
+    named = segment ? middle(segment) : NaN;
     form.hidden = !segment;
     if (!segment) return wasOpen && timeline.surface.focus({ preventScroll: true });
     place(form, timeline, segment);

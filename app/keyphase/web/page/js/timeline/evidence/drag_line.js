@@ -7,8 +7,8 @@ import { automaticValue } from "../../model/parameters.js";
  * @param {any} timeline
  * @param {any} actions
  * @param {string} parameter
- * @param {import("../gestures.js").Point} start
- * @returns {import("../gestures.js").Gesture}
+ * @param {import("../hand/gestures.js").Point} start
+ * @returns {import("../hand/gestures.js").Gesture}
  */
 export function dragLine(store, timeline, actions, parameter, start) {
   const { document: doc } = store.state;

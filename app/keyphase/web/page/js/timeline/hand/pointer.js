@@ -1,11 +1,12 @@
 /** The pointer on the timeline: hovering, gestures, wheel, double click, context menu. */
 
-import { breakAt } from "./breaks.js";
-import { eventAt } from "./lanes/events.js";
+import { breakAt } from "../breaks.js";
+import { eventAt } from "../lanes/events.js";
 import { startGesture } from "./gestures.js";
+import { createHolding } from "./holding.js";
 import { hitTest } from "./hit.js";
-import { createPinch } from "../lib/pinch.js";
-import { clampView, zoomView } from "../lib/scale.js";
+import { createPinch } from "../../lib/pinch.js";
+import { clampView, zoomView } from "../../lib/scale.js";
 
 const CLICK_PX = 3;
 const CURSORS = {
@@ -25,15 +26,14 @@ const WHEEL_ZOOM = 0.0016;
 const WHEEL_REST_MS = 1000;
 
 /**
- * @param {import("../lib/store.js").Store} store
+ * @param {import("../../lib/store.js").Store} store
  * @param {any} timeline
  * @param {any} actions
  */
 export function attachPointer(store, timeline, actions) {
   const { surface } = timeline;
   const pinch = createPinch(store, timeline);
-  /** @type {import("./gestures.js").Gesture|null} */
-  let gesture = null;
+  const holding = createHolding(store, surface);
   /** @type {import("./gestures.js").Point} */
   let start = { x: 0, y: 0, event: null };
   let moved = false;
@@ -65,7 +65,9 @@ export function attachPointer(store, timeline, actions) {
     store.set({ holding: true });
     clearTimeout(turning);
     const turn = setTimeout(() => {
-      requestAnimationFrame(() => turn === turning && store.set({ holding: gesture !== null }));
+      requestAnimationFrame(
+        () => turn === turning && store.set({ holding: holding.gesture() !== null }),
+      );
     }, WHEEL_REST_MS);
     turning = turn;
   }
@@ -73,6 +75,7 @@ export function attachPointer(store, timeline, actions) {
   surface.addEventListener("pointermove", (event) => {
     const point = at(event);
     if (pinch.move(event, point.x)) return undefined;
+    const gesture = holding.gesture();
     if (!gesture) return hover(point);
     moved ||= Math.hypot(point.x - start.x, point.y - start.y) > CLICK_PX;
     if (!moved) return undefined;
@@ -90,32 +93,25 @@ export function attachPointer(store, timeline, actions) {
     moved = false;
     const reach = event.pointerType === "touch" ? FINGER_PX : undefined;
     const hit = hitTest(store.state, timeline, start.x, start.y, reach);
-    gesture = startGesture(store, timeline, actions, hit, start);
+    const gesture = startGesture(store, timeline, actions, hit, start);
     if (!gesture) return;
+    holding.take(gesture);
     surface.setPointerCapture(event.pointerId);
-    store.set({ holding: true });
-    surface.classList.add("held");
     if (gesture.cursor) surface.style.cursor = gesture.cursor;
     surface.focus({ preventScroll: true });
   });
 
   /** Gives up what is being dragged; whether anything was. */
   function letGo() {
-    if (!gesture) return false;
-    gesture.cancel?.();
-    gesture = null;
-    store.set({ holding: false });
-    surface.classList.remove("held");
-    return true;
+    const gesture = holding.release();
+    gesture?.cancel?.();
+    return gesture !== null;
   }
 
   function finish(event) {
     if (pinch.up(event)) return;
-    if (!gesture) return;
-    const ending = gesture;
-    gesture = null;
-    store.set({ holding: false });
-    surface.classList.remove("held");
+    const ending = holding.release();
+    if (!ending) return;
     if (event.type === "pointerup") ending.end(at(event), moved);
     else ending.cancel?.();
     hover(at(event));
@@ -123,7 +119,8 @@ export function attachPointer(store, timeline, actions) {
   surface.addEventListener("pointerup", finish);
   surface.addEventListener("pointercancel", finish);
   surface.addEventListener("pointerleave", () => {
-    if (!gesture) store.set({ pointer: null, hovered: null, candidate: null, lineOver: null });
+    if (!holding.gesture())
+      store.set({ pointer: null, hovered: null, candidate: null, lineOver: null });
   });
 
   surface.addEventListener("dblclick", (event) => {
@@ -174,7 +171,7 @@ function pointOn(surface, event) {
 
 /**
  * Scrolls the tracks (Alt), pans (Shift or sideways) or zooms around the pointer.
- * @param {import("../lib/store.js").Store} store
+ * @param {import("../../lib/store.js").Store} store
  * @param {any} timeline
  * @param {WheelEvent} event
  * @param {number} x of the pointer

@@ -1,23 +1,26 @@
 /**
  * What dragging does, by what was grabbed. A gesture answers pointer positions: `move` while
- * held, `end` when let go (`moved` false: it was a click), `cancel` on Escape.
+ * held, `end` when let go (`moved` false: it was a click), `cancel` on Escape. `stands`: whether what
+ * was grabbed is in a document still; where not, the gesture is forgotten.
  *
  * @typedef {{x: number, y: number, event: PointerEvent}} Point
  * @typedef {{cursor?: string, move: (point: Point) => void,
- *   end: (point: Point, moved: boolean) => void, cancel?: () => void}} Gesture
+ *   end: (point: Point, moved: boolean) => void, cancel?: () => void,
+ *   stands?: import("../../model/held.js").Stands}} Gesture
  */
 
-import { segmentAt } from "../model/segments.js";
-import { reachOf } from "../model/drag.js";
-import { clampView, createScale } from "../lib/scale.js";
-import { dragLine } from "./evidence/drag_line.js";
-import { nearestEvidence, REACH_PX } from "../model/snapping.js";
+import { segmentAt } from "../../model/segments.js";
+import { reachOf } from "../../model/drag.js";
+import { boundaryStands, segmentsStand } from "../../model/held.js";
+import { clampView, createScale } from "../../lib/scale.js";
+import { dragLine } from "../evidence/drag_line.js";
+import { nearestEvidence, REACH_PX } from "../../model/snapping.js";
 
 /** So near the automatic threshold, as a share of it, the line is caught. */
 const CATCHES = 0.08;
 
 /**
- * @param {import("../lib/store.js").Store} store
+ * @param {import("../../lib/store.js").Store} store
  * @param {any} timeline
  * @param {any} actions
  * @param {import("./hit.js").Hit} hit
@@ -54,7 +57,7 @@ function wholeScale({ document: doc, plotWidth }) {
   return createScale({ from: doc.start_s, to: doc.end_s }, plotWidth);
 }
 
-/** @param {import("../lib/store.js").Store} store */
+/** @param {import("../../lib/store.js").Store} store */
 function moveWindow(store, start) {
   const { view, document: doc } = store.state;
   const whole = wholeScale(store.state);
@@ -69,7 +72,7 @@ function moveWindow(store, start) {
   return { cursor: "grabbing", move: show, end() {} };
 }
 
-/** @param {import("../lib/store.js").Store} store */
+/** @param {import("../../lib/store.js").Store} store */
 function resizeWindow(store, side) {
   const { document: doc } = store.state;
   const whole = wholeScale(store.state);
@@ -96,7 +99,7 @@ function scrub(timeline, actions, start) {
   return { cursor: "ew-resize", move: seek, end() {} };
 }
 
-/** @param {import("../lib/store.js").Store} store */
+/** @param {import("../../lib/store.js").Store} store */
 function pan(store, timeline, actions, start) {
   const { view, document: doc } = store.state;
   const perPixel = (view.to - view.from) / store.state.plotWidth;
@@ -112,7 +115,7 @@ function pan(store, timeline, actions, start) {
   };
 }
 
-/** @param {import("../lib/store.js").Store} store */
+/** @param {import("../../lib/store.js").Store} store */
 function dragThreshold(store, timeline, actions) {
   const { document: doc } = store.state;
   const given = doc.parameters.force_threshold;
@@ -135,7 +138,7 @@ function caught(value, { automatic_threshold: automatic }) {
   return Number(value.toPrecision(4));
 }
 
-/** @param {import("../lib/store.js").Store} store */
+/** @param {import("../../lib/store.js").Store} store */
 function dragBoundary(store, timeline, actions, index, start, readOnly) {
   const { document: doc } = store.state;
   const boundary = doc.boundaries[index];
@@ -144,6 +147,7 @@ function dragBoundary(store, timeline, actions, index, start, readOnly) {
   const stop = () => store.set({ drag: null });
   return {
     cursor: "ew-resize",
+    stands: boundaryStands(doc, index),
     move({ x, y, event }) {
       if (readOnly) return;
       const scale = timeline.scale();
@@ -168,11 +172,12 @@ function dragBoundary(store, timeline, actions, index, start, readOnly) {
   };
 }
 
-/** @param {import("../lib/store.js").Store} store */
+/** @param {import("../../lib/store.js").Store} store */
 function dragSegments(store, timeline, actions, first, readOnly) {
   const under = ({ x }) => segmentAt(store.state.document, timeline.scale().time(x));
   const span = (point) => [Math.min(first, under(point)), Math.max(first, under(point))];
   return {
+    stands: segmentsStand(store.state.document),
     move(point) {
       const [from, to] = span(point);
       store.set({ range: !readOnly && from < to ? [from, to] : null });

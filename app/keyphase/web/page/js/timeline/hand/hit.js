@@ -1,6 +1,6 @@
 /** What lies under the pointer on the timeline. */
 
-import { segmentAt } from "../model/segments.js";
+import { segmentAt } from "../../model/segments.js";
 
 const BOUNDARY_PX = 5;
 const THRESHOLD_PX = 4;
@@ -13,7 +13,7 @@ const HANDLE_PX = 6;
  */
 
 /**
- * @param {import("../lib/store.js").State} state
+ * @param {import("../../lib/store.js").State} state
  * @param {any} timeline
  * @param {number} x px from the plot's left edge
  * @param {number} y px from the timeline's top
@@ -52,15 +52,15 @@ function overviewHit({ document: doc, view, plotWidth }, x) {
   return { kind: "overview" };
 }
 
-/** @param {import("../lib/store.js").State} state */
+/** @param {import("../../lib/store.js").State} state */
 function nearThreshold(state, timeline, y, reach) {
   const at = timeline.thresholdY();
   return at !== null && Math.abs(at - y) <= reach;
 }
 
 /**
- * @param {import("../model/types.js").Doc} doc
- * @param {import("../lib/scale.js").Scale} scale
+ * @param {import("../../model/types.js").Doc} doc
+ * @param {import("../../lib/scale.js").Scale} scale
  */
 function boundaryAt(doc, scale, x, reach) {
   let best = -1;
