@@ -19,7 +19,6 @@ from transferring.outliers import outliers
 from transferring.trying import METHODS, Tried, row, tries
 
 TEACHERS = (1, 3)
-DRAWS = 5
 
 
 def main() -> int:
@@ -40,7 +39,7 @@ def main() -> int:
     everything: list[Tried] = []
     for name, known in tasks.items():
         for count in TEACHERS:
-            tried = _tried(known, count, asked.jobs)
+            tried = _tried(known, count, asked)
             everything += tried
             line, met = row(name, count, tried, simulated=name in by_simulation)
             good &= met
@@ -57,6 +56,8 @@ def _asked() -> argparse.Namespace:
     parser.add_argument("--count", type=int, default=40, help="recordings of each workcell")
     parser.add_argument("--grips", type=int, default=40, help="recordings of the pick and place")
     parser.add_argument("--only", default="", help="only tasks with this in their name")
+    parser.add_argument("--seed", type=int, default=0, help="of who teaches")
+    parser.add_argument("--draws", type=int, default=5, help="how often teachers are drawn")
     parser.add_argument("--jobs", type=int, default=1)
     return parser.parse_args()
 
@@ -77,13 +78,13 @@ def _enough(cached, task: str, count: int, jobs: int) -> list[Known]:
     return found
 
 
-def _tried(known: Sequence[Known], count: int, jobs: int) -> list[Tried]:
+def _tried(known: Sequence[Known], count: int, asked: argparse.Namespace) -> list[Tried]:
     """All the others of a task, taught by `count` drawn ones, a few times."""
     if len(known) <= count:
         return []
-    rng = np.random.default_rng(0)
-    drawn = [rng.choice(len(known), count, replace=False).tolist() for _ in range(DRAWS)]
-    results = Parallel(n_jobs=jobs)(delayed(tries)(known, one) for one in drawn)
+    rng = np.random.default_rng(asked.seed)
+    drawn = [rng.choice(len(known), count, replace=False).tolist() for _ in range(asked.draws)]
+    results = Parallel(n_jobs=asked.jobs)(delayed(tries)(known, one) for one in drawn)
     return [tried for some in results for tried in some]
 
 
