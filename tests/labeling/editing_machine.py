@@ -141,6 +141,7 @@ class Editing(RuleBasedStateMachine):
     def take_over_a_proposal(self, times, name):
         times = sorted(time / 10.0 for time in times)
         seen = self.apply(as_edit(proposal(times, name), found(self.document)))
+        assert seen is not None or not name.isprintable()
         if seen is not None:
             np.testing.assert_allclose([b.time_s for b in seen.boundaries], times, atol=2e-3)
             if name.strip():

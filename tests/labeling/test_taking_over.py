@@ -96,6 +96,27 @@ def test_a_file_of_any_name_can_be_taken_over_and_journaled(found, annas, tmp_pa
     assert edit.source == "an?na?.segments.json"
 
 
+@pytest.mark.parametrize("label", ["a\nb", "\x11", "\u202ereversed", "x" * 500])
+def test_labels_that_are_no_names_are_taken_over_as_plain_text(found, annas, label):
+    first, *others = annas.segments
+    edit = taking_over(replace(annas, segments=(replace(first, label=label), *others)), found)
+
+    assert edit_from_json(edit_as_json(edit)) == edit
+
+
+@pytest.mark.parametrize(
+    "edit",
+    [
+        TakeOver("proposed", (Label(1.0, "a\nb"),)),
+        TakeOver("a\nb", ()),
+        TakeOver("proposed", (Add(1.0),) * 200_001),
+    ],
+)
+def test_what_a_journal_could_not_read_back_is_refused_before_it_is_confirmed(found, edit):
+    with pytest.raises(LabelingError):
+        Person(found).makes(edit)
+
+
 @pytest.mark.parametrize(
     "content",
     [

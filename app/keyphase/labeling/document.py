@@ -6,7 +6,7 @@ from typing import Any
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import LabelingError
-from keyphase.labeling.edits import Edit, Reopen
+from keyphase.labeling.edits import Edit, Reopen, edit_as_json, edit_from_json
 from keyphase.labeling.finished import frozen_of, is_done, needs_freezing
 from keyphase.labeling.frozen import Frozen
 from keyphase.labeling.history import FolderChange, History, ParameterChange, Step
@@ -91,9 +91,10 @@ class Document:
     def apply(self, edit: Edit, labeling: Labeling) -> "Document":
         """With one edit more, as a person made it on `labeling`, which is this document's.
 
-        Raises LabelingError, with the reason, for an edit that cannot be made there.
+        What a journal could not read back is refused here, before it is confirmed. Raises
+        LabelingError, with the reason, for an edit that cannot be made there.
         """
-        complete = edit.anchored(labeling)
+        complete = edit_from_json(edit_as_json(edit.anchored(labeling)))
         return self._with(complete.step_name(labeling), complete)
 
     def reopened(self, name: str = "Mark as not done") -> "Document":

@@ -38,16 +38,20 @@ def taking_over(file: SegmentFile, segmentation: Segmentation) -> TakeOver:
         )
     edits = (
         *_boundary_edits(file.boundaries, segmentation.boundaries),
-        *(Label(_middle(s), s.label, (s.start_s, s.end_s)) for s in file.segments if s.label),
+        *(
+            Label(_middle(s), _plain(s.label), (s.start_s, s.end_s))
+            for s in file.segments
+            if s.label
+        ),
         *(Keep(_middle(s), s.kept, (s.start_s, s.end_s)) for s in file.segments),
         *_plan_edit(file),
     )
     return TakeOver(_plain(file.path.name), edits)
 
 
-def _plain(name: str) -> str:
-    """A file name as a label may be: what is no plain text in it becomes a question mark."""
-    return "".join(c if c.isprintable() else "?" for c in name).strip()[:MAX_LABEL_LENGTH]
+def _plain(text: str) -> str:
+    """A text as a label may be: what is no plain text in it becomes a question mark."""
+    return "".join(c if c.isprintable() else "?" for c in text).strip()[:MAX_LABEL_LENGTH]
 
 
 def _boundary_edits(
