@@ -96,7 +96,7 @@ class Plan:
                 self.pressed = [*self.kept(1.0), (np.array(press["direction"]), firmly)]
                 self.enter("pressing")
             elif outcome:
-                self.end(outcome, self.reference[2])
+                self.end(outcome, self.velocity)
         elif self.stage == "pressing":
             still = np.linalg.norm(sensed[2][:3]) < e["still_m_s"]
             pressed = time >= e["pressed_most_s"] or (time >= e["pressed_least_s"] and still)
@@ -302,7 +302,27 @@ class Plan:
             share = min(h / self.e["dragged_s"], 1.0)
             self.dragged = self.dragged + share * (self.sensed[3] - self.dragged)
             self.pressed = self.kept(min(shown, 1.0), self.dragged)
-        return self.press(self.yr, self.qr, self.vr)
+        at, wxyz, self.velocity = self.press(self.yr, self.qr, self.vr)
+        return self.softly(at, wxyz, self.velocity)
+
+    def softly(self, position, orientation, velocity):
+        """A reference so near to the tool that a part of the stiffness is left, and its damping."""
+        spread, (at, _, speed, _) = self.skill.get("spread"), self.sensed
+        if not spread or "stiffness" not in spread:
+            return position, orientation, velocity
+        span = self.skill["demonstrated_s"]
+        share = min(self.done * self.skill["primitive"]["duration_s"] / (span[1] - span[0]), 1.0)
+        parts = spread["stiffness"]
+        left = np.interp(share, np.linspace(0, 1, len(parts)), parts)
+        firm = [d for d, _ in self.pressed]
+        firm += [np.array(self.skill["travel_direction"])] if self.skill["travel_direction"] else []
+        across = np.eye(3)
+        if firm:
+            _, size, spanned = np.linalg.svd(firm)
+            across -= (kept := spanned[: len(size)][size > 0.01]).T @ kept
+        position = position - (1 - left) * across @ (position - at)
+        slower = (1 - np.sqrt(left)) * across @ (velocity - speed)[:3]
+        return position, orientation, velocity - np.r_[slower, 0, 0, 0]
 
     def advance(self, c, h, at, wxyz, speed):
         """One step of the primitive with temporal coupling; the reference acceleration."""

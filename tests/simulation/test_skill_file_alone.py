@@ -1,11 +1,18 @@
 """What is exported is what was proved: the file alone does what the replay does."""
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
-from file_alone import both
+from file_alone import both, example
 from replaying import bundled, plan
 
 from keyphase.simulation import Disturbance, workcell
+from keyphase.skills import Executor, Sensed
+from keyphase.skills.exports.skill_file import write_skills
+from keyphase.skills.exports.skill_library import library_of
 from keyphase.skills.library import skills_of
+from keyphase.skills.spread import Spread
 
 
 @pytest.mark.parametrize(
@@ -19,3 +26,27 @@ def test_the_example_interpreter_does_what_the_replay_does(name, height_m, tmp_p
     replayed, alone = both(workcell(name), skills, demonstration, world, tmp_path)
     assert alone == replayed
     assert len(alone[0]) > 1
+
+
+def test_the_example_interpreter_is_as_soft_as_the_executor(tmp_path) -> None:
+    """Tick by tick on a tool that goes half of the way and is pushed, where the spread narrows."""
+    demonstration = bundled("setup1")[0]
+    spread = Spread(10, np.linspace(0.04, 0.0, 21))
+    skills = [replace(each, spread=spread) for each in skills_of(demonstration, plan("setup1"))]
+    file = tmp_path / "soft.skills.json"
+    write_skills(file, library_of(demonstration, skills))
+    start = skills[0].primitive
+    position, wxyz = start.start_position_m, start.start_orientation_wxyz
+    force = np.array([0.0, 1.0, 2.0])
+    velocity = np.zeros(6)
+    executor = Executor(skills, Sensed(position, wxyz, velocity, force))
+    alone = example().Plan(file, (position, wxyz, velocity, force))
+    for _ in range(1000):
+        wanted = executor.reference
+        np.testing.assert_allclose(alone.reference[0], wanted.position_m, atol=1e-9)
+        np.testing.assert_allclose(alone.reference[2], wanted.velocity, atol=1e-7)
+        velocity = np.r_[0.5 * wanted.velocity[:3], np.zeros(3)]
+        position, wxyz = (position + wanted.position_m) / 2.0, wanted.orientation_wxyz
+        executor.step(Sensed(position, wxyz, velocity, force))
+        alone.step((position, wxyz, velocity, force))
+    assert executor.results

@@ -1,6 +1,7 @@
 """How far the demonstrations of a skill lie apart, along its way."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -40,13 +41,19 @@ class Spread:
 
     def at(self, fraction: float) -> float:
         """The spread at a part of the demonstrated time, 0 to 1 [m]."""
-        return float(
-            np.interp(fraction, np.linspace(0.0, 1.0, len(self.position_m)), self.position_m)
-        )
+        return self._between(self.position_m, fraction)
 
-    def stiffness(self, fraction: float) -> float:
-        """The part of the stiffness needed there: 1 up to 5 mm of spread, 0.5 from 30 mm on."""
-        return float(np.interp(self.at(fraction), (TIGHT_M, WIDE_M), (1.0, SOFTEST)))
+    @cached_property
+    def stiffness(self) -> Array:
+        """The part of the stiffness that is needed there (M,), at the same parts of the time."""
+        return np.interp(self.position_m, (TIGHT_M, WIDE_M), (1.0, SOFTEST))
+
+    def stiffness_at(self, fraction: float) -> float:
+        """The same at a part of the demonstrated time, 0 to 1."""
+        return self._between(self.stiffness, fraction)
+
+    def _between(self, values: Array, fraction: float) -> float:
+        return float(np.interp(fraction, np.linspace(0.0, 1.0, len(values)), values))
 
 
 def spread_between(

@@ -144,9 +144,9 @@ class Executor:
             assert self.run is not None
             self._outcome = self.run.outcome(self._sensed, self._step_s, waits)
             if self._outcome == "contact":
-                self._meet(self.run.skill)
+                self._meet(self.run)
             elif self._outcome is not None:
-                self._end_skill(self.reference.velocity)
+                self._end_skill(self.run.velocity)
         elif self.stage == "pressing":
             if self._has_settled(time_s):
                 self._settled()
@@ -159,10 +159,11 @@ class Executor:
         elif time_s >= REST_S:
             self.stage = "over"
 
-    def _meet(self, skill: Skill) -> None:
+    def _meet(self, run: SkillRun) -> None:
         """A contact was met: press it as the demonstration did, or move on as it did."""
+        skill = run.skill
         if skill.press is None:
-            self._end_skill(self.reference.velocity)
+            self._end_skill(run.velocity)
             return
         kept = pressed_now(skill, 1.0, self._sensed.force_N)
         firmly = 0.0 if self._seeking is None else self._seeking.search.press_N

@@ -25,10 +25,10 @@ TOUCHING_N = 0.5
 FIRMER = 3.0
 """What is carried along is gripped at most so many times as hard as demonstrated."""
 
-DRAGGED_S = float(__import__("os").environ.get("DRAGGED", "0.1"))
+DRAGGED_S = 0.1
 """A force that drags is averaged over this time, so that a blow is not gripped against."""
 
-GRIPPED_BELOW = float(__import__("os").environ.get("BELOW", "0.9"))
+GRIPPED_BELOW = 0.9
 """Part of a skill's force limit up to which gripping harder may bring the whole force."""
 
 Pressed = tuple[Array, float]

@@ -12,6 +12,7 @@ from keyphase.skills.end_monitor import Outcome, start_monitor
 from keyphase.skills.execution.guard import guard_of
 from keyphase.skills.execution.pressing import DRAGGED_S, given_way, pressed_now, pressing
 from keyphase.skills.execution.sensed import Sensed
+from keyphase.skills.execution.softly import softly
 from keyphase.skills.primitive import Primitive, progress
 from keyphase.skills.skill import Skill
 
@@ -58,6 +59,8 @@ class SkillRun:
         self._monitor = start_monitor(skill, begin.sensed.force_N, begin.shift_m)
         self._pressed = pressed_now(skill, 0.0, begin.sensed.force_N)
         self._dragged_N = begin.sensed.force_N
+        self.velocity = begin.velocity
+        """What it moves with (6,), as the next skill takes it over: nowhere soft."""
         self.fraction = 0.0
         """How much of the motion is done, in the primitive's own time: 0 to 1 and beyond."""
 
@@ -89,6 +92,11 @@ class SkillRun:
         followed = given_way(sensed, state, self._pressed)
         self._state, wanted = coupling.step(self._primitive, state, followed, h)
         self.fraction = progress(self._primitive, float(self._state.phase))
+        wanted = self._pressing(wanted, sensed, h)
+        self.velocity = wanted.velocity
+        return softly(wanted, sensed, self._pressed, self.skill, self.demonstrated_fraction)
+
+    def _pressing(self, wanted: Reference, sensed: Sensed, h: float) -> Reference:
         if not self.skill.kept:
             return wanted
         self._dragged_N = self._dragged_N + min(h / DRAGGED_S, 1.0) * (

@@ -105,8 +105,13 @@ def _skill(skill: Skill) -> dict[str, Any]:
 def _spread(spread: Spread | None) -> dict[str, Any]:
     if spread is None:
         return {}
-    listed = spread.position_m.tolist()
-    return {"spread": {"demonstrations": spread.demonstrations, "position_m": listed}}
+    return {
+        "spread": {
+            "demonstrations": spread.demonstrations,
+            "position_m": spread.position_m.tolist(),
+            "stiffness": spread.stiffness.tolist(),
+        }
+    }
 
 
 def _squaring(squaring: Squaring | None) -> dict[str, Any] | None:
