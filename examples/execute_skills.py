@@ -154,7 +154,8 @@ class Plan:
             return self.squared >= 10 * self.seat["stroke_s"]
         place = self.sensed[0] @ np.array(self.skill["press"]["direction"])
         deep = place - min(self.places, default=place)
-        return self.fell and deep >= self.skill["search"]["depth_m"]
+        least = 1.0 if self.fell else self.e["seat_crept"]
+        return deep >= least * self.skill["search"]["depth_m"]
 
     def seek(self, position, orientation, velocity):
         """A reference that the seat can turn, and that circles outwards during a search."""

@@ -28,6 +28,10 @@ FALL_S, FALL_SHARE = 0.2, 0.8
 """A part has gone in once it went this part of the demonstrated depth within so long: a seat takes
 it at once, on a rim or a chamfer it creeps."""
 
+CREPT_SHARE = 2.0
+"""So many times the demonstrated depth has only a part that is in, though it crept: a tilted one
+touches early and goes in one edge after the other."""
+
 YIELDS = 0.8
 """Largest force aside, as a part of the press, that a search exerts: more than friction resists
 means that the part has been caught, and the spiral gives way to where it is."""

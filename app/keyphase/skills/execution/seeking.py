@@ -11,7 +11,7 @@ from keyphase.skills.changed import changed
 from keyphase.skills.coupling import Reference
 from keyphase.skills.execution.sensed import Sensed
 from keyphase.skills.execution.squared import Squared
-from keyphase.skills.search import FALL_S, FALL_SHARE, YIELDS, across, before_touch
+from keyphase.skills.search import CREPT_SHARE, FALL_S, FALL_SHARE, YIELDS, across, before_touch
 from keyphase.skills.skill import Skill
 
 GIVING = 0.15
@@ -62,8 +62,12 @@ class Seeking:
         self._fell = self._fell or place - min(self._places) >= FALL_SHARE * self.search.depth_m
 
     def is_in(self, sensed: Sensed) -> bool:
-        """Whether the part went in at once, and as deep as the demonstration after its touch."""
-        return self._fell and self._touch.depth_m(sensed.position_m) >= self.search.depth_m
+        """Whether the part went in as deep as the demonstration after its touch, and at once.
+
+        One that crept has to be deeper, as a rim may give way, too.
+        """
+        least = 1.0 if self._fell else CREPT_SHARE
+        return self._touch.depth_m(sensed.position_m) >= least * self.search.depth_m
 
     def again(self, _sensed: Sensed, _shift_m: Array) -> None:
         """A search begins, around where the tool is."""

@@ -62,6 +62,7 @@ def execution_values() -> dict[str, float]:
         "rocking_calm_s": seeking.CALM_S,
         "seat_fall_s": search.FALL_S,
         "seat_fall": search.FALL_SHARE,
+        "seat_crept": search.CREPT_SHARE,
         "seat_yields": search.YIELDS,
         "brake_m_s2": guard.BRAKE_M_S2,
     }
