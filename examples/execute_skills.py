@@ -166,7 +166,8 @@ class Plan:
             away = stroke_of(self.seat, self.aside, orientation, self.squared)
             then = stroke_of(self.seat, self.aside, orientation, self.squared + h)
             return self.strokes_from + away, orientation, np.r_[(then - away) / h, 0, 0, 0]
-        easily = self.e["seat_turning" if search else "squared_turning"]
+        tips = search and not (self.stage == "pressing" and self.fell)
+        easily = self.e["seat_turning" if tips else "squared_turning"]
         orientation = turned(q, easily * turn(orientation, q, True))
         first = np.cross(d, np.eye(3)[np.abs(d).argmin()])
         first = first / np.linalg.norm(first)

@@ -1,14 +1,21 @@
 """A contact that gave way is told from a rim by its depth, and sought where it is missing."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from strokes import lowered
+from strokes import segment as planned
 
 from keyphase.demonstration import Demonstration
 from keyphase.files.shipped import shipped
 from keyphase.readers import read
 from keyphase.segmentation import segment
+from keyphase.segmentation.end_condition import ContactEnd
+from keyphase.skills import Sensed
+from keyphase.skills.execution.executor import STEP_S
+from keyphase.skills.execution.seeking import Seeking
 from keyphase.skills.library import skills_of
 from keyphase.skills.pressed import Press
 from keyphase.skills.search import Search, before_touch, search_for
@@ -68,3 +75,37 @@ def test_a_touch_lasts_as_long_as_the_force_does() -> None:
     for _ in range(20):
         touch = touch.step(np.zeros(3), np.zeros(3))
     assert touch.touched_m is None
+
+
+def gone_in(depth_m: float, lasting_s: float) -> tuple[Seeking, Sensed]:
+    """A skill that seeks 2 mm, pressing, after its part went in by a depth within some time."""
+    down = planned(0.0, 1.2, ContactEnd((0.0, 0.0, 1.0), 3.0), "down until contact")
+    press = Press(DOWN, 5.0, np.zeros(3))
+    skill = replace(skills_of(lowered(), [down])[0], search=Search(0.002), press=press)
+    upright = np.array([1.0, 0.0, 0.0, 0.0])
+
+    def sensed(deep_m: float, force_N: float) -> Sensed:
+        force = np.array([0.0, 0.0, force_N])
+        return Sensed(deep_m * DOWN, upright, np.zeros(6), force)
+
+    now = sensed(0.0, 0.0)
+    seeking = Seeking(skill, now, STEP_S)
+    ticks = round(lasting_s / STEP_S)
+    for deep_m in (*np.zeros(25), *np.linspace(0.0, depth_m, ticks)):
+        now = sensed(float(deep_m), 5.0)
+        seeking.watch(now, lasts=True)
+    return seeking, now
+
+
+@pytest.mark.parametrize(
+    ("depth_m", "lasting_s", "is_in"),
+    [(0.0021, 0.1, True), (0.0021, 2.0, False), (0.0041, 2.0, True), (0.0015, 0.1, False)],
+)
+def test_a_part_is_in_that_fell_so_deep_or_crept_twice_as_deep(depth_m, lasting_s, is_in) -> None:
+    seeking, now = gone_in(depth_m, lasting_s)
+    assert seeking.is_in(now) is is_in
+
+
+def test_a_part_that_fell_into_its_seat_is_left_to_lie_flat_there() -> None:
+    on_the_rim, fallen = (gone_in(depth_m, 0.1)[0] for depth_m in (0.001, 0.003))
+    assert fallen.turning < on_the_rim.turning / 2.0

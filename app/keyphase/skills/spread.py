@@ -11,7 +11,7 @@ from keyphase.errors import SkillError
 KEPT = 21
 """So many values are kept of the spread along a skill."""
 
-TIGHT_M, WIDE_M = 0.005, 0.03
+TIGHT_M, WIDE_M = 0.002, 0.007
 """Demonstrations nearer to each other than the first agree; from the second on it does not matter
 where exactly the tool goes."""
 

@@ -10,7 +10,7 @@ from keyphase.rotations import quaternions
 from keyphase.skills.changed import changed
 from keyphase.skills.coupling import Reference
 from keyphase.skills.execution.sensed import Sensed
-from keyphase.skills.execution.squared import Squared
+from keyphase.skills.execution.squared import FLATTENING, Squared
 from keyphase.skills.search import CREPT_SHARE, FALL_S, FALL_SHARE, YIELDS, across, before_touch
 from keyphase.skills.skill import Skill
 
@@ -39,8 +39,6 @@ FADED_S = 0.2
 class Seeking:
     """Of one skill that has a search; `watch` is told every tick."""
 
-    turning = TURNING
-
     def __init__(self, skill: Skill, sensed: Sensed, step_s: float) -> None:
         assert skill.search is not None
         assert skill.press is not None
@@ -49,6 +47,14 @@ class Seeking:
         self._touch = before_touch(self.press.direction, sensed.force_N)
         self._places: deque[float] = deque(maxlen=max(1, round(FALL_S / step_s)))
         self._yielded = np.zeros(3)
+
+    @property
+    def turning(self) -> float:
+        """Part of the stiffness in rotation that is left while the part is pressed in.
+
+        Once it fell it cannot tip over an edge; tilted in the hand, it has to come to lie flat.
+        """
+        return FLATTENING if self._fell else TURNING
 
     def watch(self, sensed: Sensed, lasts: bool) -> None:
         """Take in what was sensed at the end of a tick; a touch `lasts` once a contact was met."""
