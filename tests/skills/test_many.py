@@ -67,7 +67,6 @@ def test_each_skill_says_how_far_the_demonstrations_lie_apart_also_in_its_file()
     assert skills[0].spread is not None
     assert skills[0].spread.demonstrations == 2
     np.testing.assert_allclose(skills[0].spread.position_m, 0.02, atol=1e-3)
-    assert 0.5 < skills[0].spread.stiffness_at(0.5) < 1.0
     read = library_of_text(skill_text(library_of(mean_of(many).demonstration, skills)))
     kept = read.skills[0].spread
     assert kept is not None
