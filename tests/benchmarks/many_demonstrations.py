@@ -3,12 +3,14 @@
 python tests/benchmarks/many_demonstrations.py --worlds 40
 
 Simulated operators do the same task; each recording is segmented with the default parameters. The
-first ten that were cut into the phases most of them have are taken.
+first ten that were cut into the phases most of them have are taken. What the softness is for is
+shown first: how hard the tool pulls at a hand that holds it in free space.
 """
 
 import argparse
 import sys
 from collections import Counter
+from dataclasses import replace
 
 import numpy as np
 
@@ -18,7 +20,9 @@ from keyphase.labeling.labeling import LabeledSegment
 from keyphase.segmentation import segment
 from keyphase.simulation import record
 from keyphase.simulation.replay.ranges import Range
+from keyphase.simulation.replay.replay import Replay
 from keyphase.simulation.replay.trials import Worlds, drawn_worlds, run_trials
+from keyphase.simulation.simulated import Cell
 from keyphase.simulation.workcells.registry import workcell
 from keyphase.skills.library import skills_of
 from keyphase.skills.many import mean_of, skills_of_mean
@@ -59,6 +63,20 @@ def plans(task: str, count: int) -> list[Plan]:
     return [together, *((one.name, one, skills_of(one, kept)) for one, kept in alike)]
 
 
+def pull_of(cell: Cell, demonstration: Demonstration, skills: tuple[Skill, ...]) -> float:
+    """How hard the tool pulls at a hand that holds it for 0.5 s in the first skill, at most [N]."""
+    simulation = cell.build()
+    replay, pulls = Replay(simulation, skills, demonstration), list[float]()
+    while replay.step().fraction < 0.4:
+        pass
+    replay.hold(simulation.here())
+    for _ in range(125):
+        state = replay.step()
+        off_m = state.reference.position_m - state.sample.position_m
+        pulls.append(simulation.gains.stiffness_N_m * float(np.linalg.norm(off_m)))
+    return max(pulls)
+
+
 def main() -> int:
     """Compare; 0 where the mean succeeds in at least as many worlds as the best single one."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -70,7 +88,12 @@ def main() -> int:
     options = parser.parse_args()
     worlds = drawn_worlds(WORLDS, options.worlds, options.seed)
     cell, succeeded = workcell(options.task), list[int]()
-    for name, demonstration, skills in plans(options.task, options.demonstrations):
+    compared = plans(options.task, options.demonstrations)
+    _, mean, soft = compared[0]
+    stiff = tuple(replace(skill, spread=None) for skill in soft)
+    pulls = (pull_of(cell, mean, each) for each in (soft, stiff))
+    print("held, the tool pulls with {:.1f} N, {:.1f} N where nothing is soft".format(*pulls))
+    for name, demonstration, skills in compared:
         trials = run_trials(cell, demonstration, skills, worlds, jobs=options.jobs)
         succeeded.append(trials.successes)
         print(f"{name}: {trials.successes} of {options.worlds}", flush=True)
