@@ -15,7 +15,8 @@ from keyphase.labeling.labeling import Inapplicable, LabeledSegment, Labeling
 from keyphase.labeling.plan import planned
 from keyphase.labeling.spans import Decision, assign
 from keyphase.labeling.walk import Walk
-from keyphase.segmentation.end_condition import ContactEnd, EndCondition, agrees
+from keyphase.segmentation.end_condition import ContactEnd, EndCondition, agrees, ends_in_contact
+from keyphase.segmentation.end_condition.agreement import LEAST_S, met_later_s
 from keyphase.segmentation.segmentation import Segment, Segmentation
 
 Describe = Callable[[float, float, bool], Segment]
@@ -88,9 +89,22 @@ def _segments(
         same = None if changed[i] or changed[i + 1] else by_span.get((times[i], times[i + 1]))
         if same is None:
             describe = describe or _segmenter_of(segmentation)
-            same = describe(times[i], times[i + 1], contacts[i + 1])
+            start_s, end_s = times[i], times[i + 1]
+            begun_s = _begun_s(demonstration, segments[-1], end_s) if changed[i] else start_s
+            last = i == len(marks) and ends_in_contact(demonstration, begun_s)
+            found = describe(begun_s, end_s, contacts[i + 1] or last)
+            same = replace(found, start_s=start_s)
         segments.append(same)
     return segments
+
+
+def _begun_s(demonstration: Demonstration, before: Segment, end_s: float) -> float:
+    """Where what a segment is begins [s]: at the contact of the one before, if it was cut earlier.
+
+    The way into that contact says nothing about what follows it.
+    """
+    met_s = met_later_s(demonstration, before.start_s, before.end_s, before.end_condition)
+    return before.end_s if met_s is None or end_s - met_s < LEAST_S else met_s
 
 
 def _segmenter_of(segmentation: Segmentation) -> Describe:

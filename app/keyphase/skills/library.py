@@ -1,7 +1,7 @@
 """From the plan's segments to skills."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Literal, Protocol
 
@@ -10,6 +10,7 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import ParameterError
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
+from keyphase.segmentation.end_condition.agreement import LEAST_S, met_later_s
 from keyphase.segmentation.end_condition.derived import ALONG_THE_WAY
 from keyphase.segmentation.end_condition.watch import Arming, arming_for
 from keyphase.segmentation.windows import AFTER_S
@@ -57,6 +58,16 @@ class PlannedSegment(Protocol):
     def end_condition(self) -> EndCondition: ...  # noqa: D102
 
 
+@dataclass(frozen=True)
+class Cut:
+    """A segment as its skill is cut."""
+
+    start_s: float
+    end_s: float
+    label: str
+    end_condition: EndCondition
+
+
 def skills_of(
     demonstration: Demonstration,
     segments: Iterable[PlannedSegment],
@@ -69,15 +80,50 @@ def skills_of(
     """Skills of `segments` in the order given, which may repeat and reorder them.
 
     Where a skill starts away from where the one before it ended (5 mm, 3 degrees), a connecting
-    move is put in between, unless `connect` is False. Each holds what it is to press.
+    move is put in between, unless `connect` is False. Each holds what it is to press. One whose
+    boundary lies before its contact is cut at the contact (`cut_at_contacts`).
 
     Raises SkillError for a segment that cannot be made executable.
     """
     skills = [
         skill_of(demonstration, s, offset_m=offset_m, beyond_contact=beyond_contact, fit=fit)
-        for s in segments
+        for s in cut_at_contacts(demonstration, segments)
     ]
     return with_contacts(demonstration, connected(skills) if connect else skills)
+
+
+def cut_at_contacts(
+    demonstration: Demonstration, segments: Iterable[PlannedSegment]
+) -> list[PlannedSegment]:
+    """The segments, those whose boundary lies before their contact cut at the contact instead.
+
+    A boundary says where to cut, a contact is when the force changed. Cut at one that was dragged
+    to before its contact, the last way into it would belong to the skill that follows, which knows
+    of no contact. Whatever starts between the two starts at the contact; where too little would be
+    left of it (0.1 s), the boundary stays.
+    """
+    parts = list(segments)
+    moved = list[tuple[float, float]]()
+    cut = list[PlannedSegment]()
+    for part in parts:
+        end_s = part.end_s
+        met_s = met_later_s(demonstration, part.start_s, end_s, part.end_condition)
+        if met_s is not None and all(_is_left(one, end_s, met_s) for one in parts):
+            moved.append((end_s, met_s))
+            part = Cut(part.start_s, met_s, part.label, part.end_condition)
+        cut.append(part)
+    return [_begun_at_contact(part, moved) for part in cut]
+
+
+def _is_left(part: PlannedSegment, boundary_s: float, contact_s: float) -> bool:
+    between = boundary_s <= part.start_s < contact_s
+    return not between or part.end_s - contact_s >= LEAST_S
+
+
+def _begun_at_contact(part: PlannedSegment, moved: Sequence[tuple[float, float]]) -> PlannedSegment:
+    """The segment, begun at the contact if it starts between a boundary and its contact [s]."""
+    late = [met_s for end_s, met_s in moved if end_s <= part.start_s < met_s]
+    return Cut(max(late), part.end_s, part.label, part.end_condition) if late else part
 
 
 def skill_of(

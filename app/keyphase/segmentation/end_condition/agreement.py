@@ -9,11 +9,22 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.end_condition.travel import RATE_HZ, last_way, sampled
-from keyphase.segmentation.end_condition.values import ContactEnd
-from keyphase.segmentation.end_condition.watch import Arming, arming_for, contact_time
+from keyphase.segmentation.end_condition.values import ContactEnd, EndCondition
+from keyphase.segmentation.end_condition.watch import (
+    DEBOUNCE_S,
+    Arming,
+    arming_for,
+    contact_time,
+)
 
 WITHIN_S = 0.25
 """A demonstration ends at its condition if that is found so near to where it ended."""
+
+EARLY_S = 0.05
+"""A boundary that lies further before its contact than this was not put at it."""
+
+LEAST_S = 0.1
+"""What follows a contact is left at least this long."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,3 +90,20 @@ def agrees(demonstration: Demonstration, start_s: float, end_s: float, end: Cont
     if demonstration.force_N is None:
         return False
     return OwnDemonstration.of(demonstration, start_s, end_s).misses_by(end) < WITHIN_S
+
+
+def met_later_s(
+    demonstration: Demonstration, start_s: float, end_s: float, end: EndCondition
+) -> float | None:
+    """When the demonstration met the contact of a segment that was cut before it [s].
+
+    None where the boundary lies at its contact or after it, where there is no contact, or where the
+    demonstration would not end at it if it were cut there.
+    """
+    if not isinstance(end, ContactEnd) or end.agrees is False or demonstration.force_N is None:
+        return None
+    ended_s = OwnDemonstration.of(demonstration, start_s, end_s).ended_s(end)
+    if ended_s is None or ended_s - DEBOUNCE_S <= end_s + EARLY_S:
+        return None
+    met_s = ended_s - DEBOUNCE_S
+    return met_s if agrees(demonstration, start_s, met_s, end) else None

@@ -51,6 +51,9 @@ RELEASED = 0.5
 DRAGGED_S = 0.2
 """A boundary that lies no further from its contact than this has not left it."""
 
+AT_CONTACT_S = 0.1
+"""The condition of such a boundary is found so near to its contact."""
+
 _SEARCH_S = 0.05
 _FACTORS = (1.0, 0.7, 1.4)
 _GOOD_ENOUGH_S = 0.06
@@ -92,7 +95,7 @@ def end_condition_at(
         return replace(best, agrees=True)
     # A boundary that a person dragged a little still has its contact.
     dragged = abs(event_s - end_s) <= DRAGGED_S
-    return replace(found, agrees=dragged and own.misses_by(found, event_s) < WITHIN_S)
+    return replace(found, agrees=dragged and own.misses_by(found, event_s) < AT_CONTACT_S)
 
 
 def ends_in_contact(demonstration: Demonstration, start_s: float) -> bool:
