@@ -44,14 +44,14 @@ class Search:
     depth_m     how far a part goes in after its first touch, at the least
     press_N     what is pressed with, at the least, until it is in
     radius_m    of the spiral at half its time; it grows with the square root of time, and shrinks
-                likewise
+                likewise. Friction holds the tool back by up to 2.4 mm of it
     turns       until then
     duration_s  after which it is given up
     """
 
     depth_m: float
     press_N: float = 6.0
-    radius_m: float = 0.007
+    radius_m: float = 0.009
     turns: float = 4.0
     duration_s: float = 8.0
 
