@@ -17,7 +17,7 @@ from keyphase.skills.execution.seeking import SEATING_S
 from keyphase.skills.library import skills_of
 
 MOVED_S = 0.2
-STRONGEST_N = 25.0
+STRONGEST_N = 15.0
 
 
 def digest(result, folder) -> str:
