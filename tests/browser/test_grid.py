@@ -85,6 +85,14 @@ def test_all_are_seen_aligned_changed_and_opened_there(page: KeyphasePage, tmp_p
     standings = page.page.locator(".grid-standing").all_inner_texts()
     assert standings == ["outlier", "unsure", "unsure", "done", *7 * ["proposed"]]
     _look(page, "start", dark=False)
+    _align(page)
+    _rename_in_all(page)
+    _arrange_phases(page, tmp_path)
+    _open_by_keys(page)
+
+
+def _align(page: KeyphasePage) -> None:
+    """At a phase or with all equally long, a phase begins at one place on all strips."""
     align = page.page.get_by_label("Aligned at")
     assert len(_begins(page, "Slide")) > 5
     for how in ("at:Slide", "equal"):
@@ -93,6 +101,9 @@ def test_all_are_seen_aligned_changed_and_opened_there(page: KeyphasePage, tmp_p
         page.settle()
         assert len(_begins(page, "Slide")) == 1
 
+
+def _rename_in_all(page: KeyphasePage) -> None:
+    """Shown before it is done, with the done one only where that is meant; undo takes it back."""
     phases = page.page.locator(".phases input[type=text]")
     assert [one.input_value() for one in phases.all()] == ["Reach", "Lower", "Slide"]
     phases.first.fill("Approach")
@@ -112,12 +123,18 @@ def test_all_are_seen_aligned_changed_and_opened_there(page: KeyphasePage, tmp_p
     page.settle()
     assert _names(page, "take_00") == ["Reach", "Lower", "Slide"]
 
+
+def _arrange_phases(page: KeyphasePage, folder: Path) -> None:
+    """Ends and order of the phases are kept in the folder."""
     page.page.get_by_label("What Lower ends with").select_option("gripper")
     page.page.get_by_role("button", name="Later: Reach").click()
     page.until("keyphase.state.grid.phases[1].name === 'Reach'")
-    kept = read_folder_settings(tmp_path).tasks[0].phases
+    kept = read_folder_settings(folder).tasks[0].phases
     assert [(one.name, one.end) for one in kept][:1] == [("Lower", "gripper")]
 
+
+def _open_by_keys(page: KeyphasePage) -> None:
+    """The second phase of the fourth row: the recording opens there."""
     page.page.get_by_role("listbox", name="Recordings").last.focus()
     for key in ("Home", "ArrowDown", "ArrowDown", "ArrowDown", "ArrowRight"):
         page.press(key)

@@ -5,16 +5,11 @@ from pathlib import Path
 import numpy as np
 from driver import LookAt
 
-RECIPE = """
-time = {column = "t", unit = "s"}
+from two_arms import RECIPE
+
+ALSO = """
 events.column = "note"
 channels.button = "di"
-[[demonstration]]
-name = "left"
-position = {columns = "l?", unit = "m"}
-[[demonstration]]
-name = "right"
-position = {columns = "r?", unit = "m"}
 """
 
 
@@ -28,7 +23,7 @@ def test_the_other_arm_and_the_events_are_lanes(look_at: LookAt, tmp_path: Path)
     ]
     path = tmp_path / "run.csv"
     path.write_text("\n".join(["t,lx,ly,lz,rx,ry,rz,di,note", *rows, ""]))
-    (tmp_path / "recipe.toml").write_text(RECIPE)
+    (tmp_path / "recipe.toml").write_text(ALSO + RECIPE)
     page = look_at(*(tmp_path / f"run.csv#{arm}" for arm in ("left", "right")))
     lane = page.page.locator(".lanes .lane-segment")
     lane.first.wait_for()
