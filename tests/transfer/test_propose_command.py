@@ -65,3 +65,12 @@ def test_a_folder_without_a_finished_recording_says_what_to_do(
 ) -> None:
     assert keyphase("propose", folder, "--output", tmp_path / "out") == 1
     assert "mark one as done in the page, or name its segment file" in capsys.readouterr().err
+
+
+def test_no_processes_at_all_are_refused(
+    folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert keyphase("segment", folder / "a.npz", "--output", tmp_path) == 0
+    given = ("--from", tmp_path / "a.segments.json", "--output", tmp_path / "out")
+    assert keyphase("propose", folder, *given, "--jobs", 0) == 1
+    assert "-1 for all cores" in capsys.readouterr().err

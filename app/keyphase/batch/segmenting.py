@@ -17,7 +17,8 @@ from keyphase.batch.tasks import (
     tasks_of,
 )
 from keyphase.demonstration import Demonstration
-from keyphase.errors import KeyphaseError, ParameterError, SegmentFileError
+from keyphase.errors import KeyphaseError, SegmentFileError
+from keyphase.jobs import require_jobs
 from keyphase.readers import find_recordings
 from keyphase.segmentation.parameters import Parameters, checked_for_variant
 
@@ -50,7 +51,7 @@ def segment_all(
     Raises SegmentFileError before any work where two recordings would be written to one file,
     ParameterError for what no parameter can be, and KeyphaseError where no recording is found.
     """
-    _refuse_no_jobs(jobs)
+    require_jobs(jobs)
     tasks = shard_of(_found(paths, output, recipe), shard)
     chosen = checked_for_variant(parameters or Parameters())
     manifest = Manifest(output, settings_hash(chosen, recipe, csv))
@@ -67,11 +68,6 @@ def segment_all(
             manifest.keep(result) if isinstance(result, Written) else manifest.keep_refusal(result)
             tell(len(became), len(tasks))
     return report_of([became[task] for task in tasks])
-
-
-def _refuse_no_jobs(jobs: int) -> None:
-    if jobs == 0:
-        raise ParameterError("jobs must be a number of processes or -1 for all cores, but is 0.")
 
 
 def _found(paths: Sequence[Path], output: Path, recipe: Path | None) -> list[Written]:

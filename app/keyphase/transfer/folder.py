@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from keyphase.errors import KeyphaseError, LabelingError
+from keyphase.jobs import require_jobs
 from keyphase.labeling.label import label
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file import SegmentFile, read_segment_file
@@ -67,7 +68,7 @@ def propose_all(
     One that cannot be read, or is an outlier, stops nothing. `jobs` processes work at once (-1: as
     many as there are cores; few recordings are not worth starting any); the outcome is the same.
 
-    Raises LabelingError where nothing was taught.
+    Raises LabelingError where nothing was taught, ParameterError for no processes.
     """
     from joblib import Parallel, delayed
 
@@ -76,6 +77,7 @@ def propose_all(
             "Expected a finished recording to learn from, but there is none; mark one as done in "
             "the page, or name its segment file with --from."
         )
+    require_jobs(jobs)
     usual = usual_cost_of(taught)
     calls = (delayed(_proposed)(taught, path, recipe, usual) for path in recordings)
     at_once = jobs if len(recordings) >= WORTH_PROCESSES else 1
