@@ -111,6 +111,11 @@ def test_small_pictures_stand_along_the_segments(filmed: KeyphasePage) -> None:
     filmed.until_seen("cameras_light", lambda _: True)
     filmed.set_theme(dark=True)
     filmed.picture("cameras_dark")
+    strip = filmed.page.get_by_role("button", name="Camera", exact=True)
+    strip.click()
+    filmed.until("document.querySelectorAll('.film-strip image').length === 0")
+    strip.click()
+    filmed.until("document.querySelectorAll('.film-strip image').length > 3")
     filmed.press("h")
     filmed.until("document.getElementById('cameras').hidden")
     assert filmed.page.locator(".film-strip image").count() == 0

@@ -210,6 +210,46 @@ def test_split_while_playing_snaps_to_the_nearest_evidence_unless_switched_off(
     assert min(marked()) > 1e-3
 
 
+def test_a_number_held_while_it_plays_names_what_plays_meanwhile(timeline: KeyphasePage) -> None:
+    timeline.press("]")
+    timeline.press("l")
+    timeline.page.keyboard.type("reach")
+    timeline.change(lambda: timeline.press("Enter"))
+    timeline.press("Escape")
+    timeline.press("v")
+    timeline.until("!keyphase.state.snap")
+    _play_until(timeline, 2.6)
+    timeline.page.keyboard.down("1")
+    timeline.until("keyphase.state.naming && keyphase.state.clock > 3.1")
+    timeline.picture("naming_while_playing")
+    timeline.change(lambda: timeline.page.keyboard.up("1"))
+    released_s = timeline.state("clock")
+    timeline.page.evaluate("() => keyphase.actions.play({ playing: false })")
+    named = [s for s in timeline.document["segments"] if s["label"] == "reach"]
+    assert len(named) == 2
+    assert 2.4 < named[1]["start_s"] < 2.9
+    assert 3.05 < named[1]["end_s"] <= released_s
+    timeline.change(lambda: timeline.press("Control+z"))
+    assert timeline.labels().count("reach") == 1
+
+
+def test_a_boundary_goes_to_the_time_that_is_typed(editor: KeyphasePage) -> None:
+    before = editor.document["boundaries"][0]["time_s"]
+    editor.press(".")
+    editor.press("Shift+T")
+    field = editor.page.get_by_label("Time of the boundary")
+    field.fill("never")
+    field.press("Enter")
+    assert field.get_attribute("aria-invalid") == "true"
+    field.fill("1,25")
+    editor.change(lambda: field.press("Enter"))
+    moved = editor.document["boundaries"][0]
+    assert (moved["time_s"], moved["was_s"]) == (1.25, before)
+    editor.until("document.activeElement?.className !== 'typed-time'")
+    editor.change(lambda: editor.press("Control+z"))
+    assert editor.document["boundaries"][0]["time_s"] == before
+
+
 def test_reset_takes_all_edits_back(editor: KeyphasePage) -> None:
     before = editor.document["boundaries"]
     editor.press(".")

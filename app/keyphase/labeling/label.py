@@ -3,13 +3,16 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
+from typing import Any
 
 from keyphase.demonstration import Demonstration
 from keyphase.labeling.applying import applied
+from keyphase.labeling.assessment import NOTHING_SAID, Assessment
 from keyphase.labeling.boundary_line import Mark
 from keyphase.labeling.colors import colors_of, ranked_colors
 from keyphase.labeling.edits import Edit
 from keyphase.labeling.edits.beside.assess import assessment_of
+from keyphase.labeling.edits.beside.assess_segment import segment_assessments
 from keyphase.labeling.frozen import Frozen
 from keyphase.labeling.labeling import Inapplicable, LabeledSegment, Labeling
 from keyphase.labeling.plan import planned
@@ -44,14 +47,16 @@ def label(
     kept, unkept = _kept(done, found, middles)
     ends, unended = assign(done.ends, middles)
     found = _ended(segmentation.demonstration, found, ends)
-    segments = _labeled(found, labels, kept, colors_of(known, _numbers(known, done.frozen), found))
+    said, unsaid = assign(segment_assessments(edits), middles)
+    colors = colors_of(known, _numbers(known, done.frozen), found)
+    segments = _labeled(found, labels, kept, colors, said)
     return Labeling(
         segmentation,
         tuple(mark.as_boundary() for mark in done.line.marks),
         segments,
         planned(done.plan, segments),
         tuple(i for i, segment in enumerate(found) if segment.idle and i not in kept),
-        _inapplicable(done.missed, unlabeled, unkept, unended),
+        _inapplicable(done.missed, unlabeled, unkept, unended, unsaid),
         done=done.frozen is not None,
         changed_since_done=done.frozen is not None and done.edits_applied > 1,
         made_with=done.frozen.made_with() if done.frozen else None,
@@ -153,6 +158,7 @@ def _labeled(
     labels: Mapping[int, str],
     kept: Mapping[int, bool],
     colors: Sequence[int],
+    said: Mapping[int, Assessment],
 ) -> tuple[LabeledSegment, ...]:
     return tuple(
         LabeledSegment(
@@ -164,6 +170,7 @@ def _labeled(
             idle=segment.idle,
             color=colors[i],
             end_condition=segment.end_condition,
+            assessment=said.get(i, NOTHING_SAID),
         )
         for i, segment in enumerate(found)
     )
@@ -174,6 +181,7 @@ def _inapplicable(
     unlabeled: Sequence[Decision[str]],
     unkept: Sequence[Decision[bool]],
     unended: Sequence[Decision[EndCondition | None]],
+    unsaid: Sequence[Decision[Assessment]],
 ) -> tuple[Inapplicable, ...]:
     by_edit = {each.edit: each for each in missed}
     for decision in unlabeled:
@@ -186,9 +194,12 @@ def _inapplicable(
     for decision in unended:
         text = f"End condition{_where(decision)}: that segment is no longer found."
         by_edit.setdefault(decision.edit, Inapplicable(decision.edit, text))
+    for decision in unsaid:
+        text = f"Mark{_where(decision)}: that segment is no longer found."
+        by_edit.setdefault(decision.edit, Inapplicable(decision.edit, text))
     return tuple(by_edit[number] for number in sorted(by_edit))
 
 
-def _where(decision: Decision[str] | Decision[bool] | Decision[EndCondition | None]) -> str:
+def _where(decision: Decision[Any]) -> str:
     start, end = decision.span.span_s
     return f" from {start:.2f} to {end:.2f} s"

@@ -34,6 +34,7 @@ class LabeledSegment:
     proposed    the label is the program's, no person has given or accepted it
     kept        it takes part in the plan; an idle one starts as not kept
     color       number of its colour; edits leave the colours of other segments alone
+    assessment  what a person thinks of it
     """
 
     start_s: float
@@ -44,6 +45,7 @@ class LabeledSegment:
     idle: bool
     color: int
     end_condition: EndCondition
+    assessment: Assessment = NOTHING_SAID
 
     @property
     def middle_s(self) -> float:

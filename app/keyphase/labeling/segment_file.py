@@ -69,6 +69,7 @@ class FiledSegment:
     label: str
     kept: bool
     end_condition: EndCondition
+    assessment: Assessment = NOTHING_SAID
 
 
 @dataclass(frozen=True)
@@ -258,7 +259,8 @@ def _segment(item: Mapping[str, Any]) -> FiledSegment:
         condition: EndCondition = ContactEnd(**{**values, "direction": tuple(values["direction"])})
     else:
         condition = ConfigurationEnd(**values)
-    return FiledSegment(**{**item, "end_condition": condition})
+    said = Assessment(**item.get("assessment", {}))
+    return FiledSegment(**{**item, "end_condition": condition, "assessment": said})
 
 
 def _check_consistency(file: SegmentFile) -> None:

@@ -59,7 +59,7 @@ def segment_file_content(labeling: Labeling, path: Path) -> dict[str, Any]:
 
 
 def _assessed(assessment: Assessment) -> dict[str, Any]:
-    """What a person thinks of the recording, where anybody has said it."""
+    """What a person thinks of the recording or a segment, where anybody has said it."""
     said = {name: value for name, value in asdict(assessment).items() if value}
     return {"assessment": said} if said else {}
 
@@ -130,6 +130,7 @@ def _segment(number: int, segment: LabeledSegment) -> dict[str, Any]:
         "label": segment.label,
         "kept": segment.kept,
         "end_condition": end_condition_content(segment.end_condition),
+        **_assessed(segment.assessment),
     }
 
 

@@ -23,6 +23,7 @@ class Recording:
 
     state, confidence, unsure, strip   what its segmentation has come to; empty until looked at
     assessment                         what a person thinks of it as a whole
+    marked                             what is said of single segments
     stretches                          its segments with names; empty until they are known
     differences                        how often another person's segments differ, if there are any
     error                              why it cannot be opened
@@ -36,6 +37,7 @@ class Recording:
     strip: tuple[Piece, ...] = ()
     error: str | None = None
     assessment: Assessment = NOTHING_SAID
+    marked: tuple[Assessment, ...] = ()
     stretches: tuple[Stretch, ...] = ()
     differences: int | None = None
 
@@ -59,7 +61,9 @@ def recording_at(path: Path) -> Recording:
         return replace(line, error=defect(path, error))
     state = "done" if said.done else "touched" if said.touched else "automatic"
     seen = frozen_stretches(said.frozen) if said.frozen else ()
-    return replace(line, state=state, assessment=said.assessment, stretches=seen)
+    return replace(
+        line, state=state, assessment=said.assessment, marked=said.marked, stretches=seen
+    )
 
 
 def defect(path: Path, error: Exception) -> str:

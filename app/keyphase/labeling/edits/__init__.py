@@ -5,6 +5,7 @@ from keyphase.labeling.edits.accept_labels import AcceptLabels
 from keyphase.labeling.edits.add import Add
 from keyphase.labeling.edits.base import kind_of
 from keyphase.labeling.edits.beside.assess import Assess
+from keyphase.labeling.edits.beside.assess_segment import AssessSegment
 from keyphase.labeling.edits.beside.camera_offset import CameraOffset
 from keyphase.labeling.edits.contact import Contact
 from keyphase.labeling.edits.done import Done, Reopen
@@ -19,6 +20,7 @@ from keyphase.labeling.edits.plan import MAX_PLAN_LENGTH, Plan
 from keyphase.labeling.edits.remove import Remove
 from keyphase.labeling.edits.reset import Reset
 from keyphase.labeling.edits.set_end import SetEnd
+from keyphase.labeling.edits.stretches.name_stretch import NameStretch
 from keyphase.labeling.edits.take_over import TakeOver
 from keyphase.labeling.edits.together.phases import DropPhase, PhaseInAll, RenamePhase
 
@@ -29,6 +31,7 @@ __all__ = [
     "AcceptLabels",
     "Add",
     "Assess",
+    "AssessSegment",
     "BringBack",
     "CameraOffset",
     "Contact",
@@ -41,6 +44,7 @@ __all__ = [
     "Label",
     "Merge",
     "Move",
+    "NameStretch",
     "PhaseInAll",
     "Plan",
     "Remove",

@@ -10,6 +10,7 @@ from keyphase.labeling.edits.accept import Accept
 from keyphase.labeling.edits.accept_labels import AcceptLabels
 from keyphase.labeling.edits.add import Add
 from keyphase.labeling.edits.beside.assess import Assess
+from keyphase.labeling.edits.beside.assess_segment import AssessSegment
 from keyphase.labeling.edits.beside.camera_offset import CameraOffset
 from keyphase.labeling.edits.contact import Contact
 from keyphase.labeling.edits.done import Done, Reopen
@@ -23,6 +24,7 @@ from keyphase.labeling.edits.plan import Plan
 from keyphase.labeling.edits.remove import Remove
 from keyphase.labeling.edits.reset import Reset
 from keyphase.labeling.edits.set_end import SetEnd
+from keyphase.labeling.edits.stretches.name_stretch import NameStretch
 from keyphase.labeling.edits.take_over import TakeOver
 from keyphase.labeling.edits.together.phases import DropPhase, RenamePhase
 
@@ -47,6 +49,8 @@ Edit = (
     | SetEnd
     | CameraOffset
     | Assess
+    | AssessSegment
+    | NameStretch
     | RenamePhase
     | DropPhase
 )

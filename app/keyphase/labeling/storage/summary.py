@@ -9,6 +9,7 @@ from keyphase.labeling.assessment import NOTHING_SAID, Assessment
 from keyphase.labeling.edits import Done, DropPhase, RenamePhase
 from keyphase.labeling.edits.base import BaseEdit
 from keyphase.labeling.edits.beside.assess import assessment_of
+from keyphase.labeling.edits.beside.assess_segment import marked
 from keyphase.labeling.finished import is_done, needs_freezing
 from keyphase.labeling.frozen import Frozen
 from keyphase.labeling.history import History
@@ -22,6 +23,7 @@ class JournalSummary:
 
     unfrozen    it was finished by a version that did not keep what was seen
     assessment  what a person thinks of the recording as a whole
+    marked      what is said of single segments
     together    steps that were made in other recordings of the folder, too, in force or taken back
     frozen      what was seen when it was done, where nothing was edited since
     """
@@ -30,6 +32,7 @@ class JournalSummary:
     done: bool
     unfrozen: bool = False
     assessment: Assessment = NOTHING_SAID
+    marked: tuple[Assessment, ...] = ()
     together: frozenset[str] = frozenset()
     frozen: Frozen | None = None
 
@@ -49,12 +52,13 @@ def summarize(recording: Path) -> JournalSummary:
     done = is_done(state.history, done_before=state.done_before)
     unfrozen = needs_freezing(state.history, done_before=state.done_before)
     edits = {step.number: step.change for step in state.history.done}
-    said = assessment_of({n: edit for n, edit in edits.items() if isinstance(edit, BaseEdit)})
+    made = {n: edit for n, edit in edits.items() if isinstance(edit, BaseEdit)}
     return JournalSummary(
         bool(state.history.done),
         done,
         unfrozen,
-        said,
+        assessment_of(made),
+        marked(made),
         frozenset(
             step.change.step
             for step in state.history.steps

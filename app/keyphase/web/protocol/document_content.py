@@ -239,6 +239,7 @@ def _segment(segment: LabeledSegment, middle_m: say.Point) -> say.SegmentMessage
         end_condition=_end_condition(segment.end_condition),
         short=short_labels(segment.label),
         middle_m=middle_m,
+        assessment=segment.assessment,
     )
 
 

@@ -92,6 +92,7 @@ class SegmentMessage(Struct, frozen=True):
     color     number of its colour
     short     the label, shorter, shortest
     middle_m  where the tool was in its middle
+    assessment  what a person thinks of it
     """
 
     start_s: float
@@ -104,6 +105,7 @@ class SegmentMessage(Struct, frozen=True):
     end_condition: EndConditionMessage
     short: tuple[str, str, str]
     middle_m: Point
+    assessment: Assessment = NOTHING_SAID
 
 
 class PeakMessage(Struct, frozen=True):

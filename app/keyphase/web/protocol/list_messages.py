@@ -51,6 +51,7 @@ class RecordingLine(Struct, frozen=True):
     outlier                             it fits none of the finished ones
     differences                         how often another person's segments differ; null where
                                         there are none to compare with
+    marked                              what is said of single segments
     """
 
     id: str
@@ -67,6 +68,7 @@ class RecordingLine(Struct, frozen=True):
     outlier: bool = False
     assessment: Assessment = NOTHING_SAID
     differences: int | None = None
+    marked: tuple[Assessment, ...] = ()
 
 
 class Recordings(Struct, frozen=True, tag_field="type", tag="recordings"):
@@ -256,6 +258,7 @@ def _line(
         *_proposed(proposal),
         recording.assessment,
         recording.differences,
+        recording.marked,
     )
 
 

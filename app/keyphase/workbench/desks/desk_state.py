@@ -74,5 +74,6 @@ class DeskState:
             strip=strip(self.kept_labeling),
             error=None,
             assessment=self.kept_labeling.assessment,
+            marked=tuple(one.assessment for one in self.kept_labeling.segments if one.assessment),
             stretches=stretches(self.kept_labeling),
         )

@@ -4,13 +4,7 @@ from collections.abc import Mapping
 from typing import ClassVar
 
 from keyphase.errors import LabelingError
-from keyphase.labeling.assessment import (
-    HIGHEST_QUALITY,
-    LOWEST_QUALITY,
-    MAX_NOTE_LENGTH,
-    Assessment,
-    Outcome,
-)
+from keyphase.labeling.assessment import Assessment, Outcome
 from keyphase.labeling.edits.base import BaseEdit
 from keyphase.labeling.edits.reset import Reset
 from keyphase.labeling.labeling import Labeling
@@ -30,17 +24,8 @@ class Assess(BaseEdit, frozen=True, tag="assess"):
 
     def checked(self) -> "Assess":
         """With a quality on the scale, and a note of one line that is not too long."""
-        quality, note = self.quality, " ".join(self.note.split())
-        if quality is not None and not LOWEST_QUALITY <= quality <= HIGHEST_QUALITY:
-            raise LabelingError(
-                f"The quality of a recording is {LOWEST_QUALITY} to {HIGHEST_QUALITY}, but "
-                f"{quality} came."
-            )
-        if len(note) > MAX_NOTE_LENGTH or not note.isprintable():
-            raise LabelingError(
-                f"A note is plain text of at most {MAX_NOTE_LENGTH} characters; shorten it."
-            )
-        return Assess(self.outcome, quality, note)
+        said = self.assessment.checked()
+        return Assess(said.outcome, said.quality, said.note)
 
     def anchored(self, labeling: Labeling) -> "Assess":
         """Refused where it says what was said already."""

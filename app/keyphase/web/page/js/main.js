@@ -3,7 +3,7 @@
 import { sceneFrames } from "./scene/viser_client.js";
 import { createAddress } from "./actions/address.js";
 import { createActions } from "./actions/actions.js";
-import { createCommands } from "./actions/commands.js";
+import { createCommands } from "./actions/keys/commands.js";
 import { showOthers } from "./actions/others.js";
 import { boundaryText, createAnnouncer, segmentText } from "./panels/announcer.js";
 import { createReadNotices } from "./panels/overlays/read_notices.js";
@@ -18,7 +18,8 @@ import { createGrid } from "./panels/grid/grid.js";
 import { createFirstSteps } from "./panels/first_steps.js";
 import { createExplain } from "./panels/overlays/explain.js";
 import { createHeader } from "./panels/header.js";
-import { createKeys, letGoOfButton } from "./actions/keys.js";
+import { createKeys, letGoOfButton } from "./actions/keys/keys.js";
+import { createHeldLabel } from "./actions/keys/held_label.js";
 import { createKeysSheet } from "./panels/overlays/keys_sheet.js";
 import { createOwnChanges } from "./model/own_changes.js";
 import { createLatency } from "./model/latency.js";
@@ -160,9 +161,11 @@ function escape() {
 }
 
 const replayKey = createReplayKeys(store, replayActions, commands);
-const plainKey = createKeys(store, actions, commands, escape);
+const heldLabel = createHeldLabel(store, actions);
+const plainKey = createKeys(store, actions, commands, heldLabel, escape);
 const onKey = (event) => replayKey(event) || plainKey(event);
 addEventListener("keydown", onKey);
+addEventListener("keyup", heldLabel.release);
 addEventListener("click", (event) => letGoOfButton(event, timeline.surface));
 addEventListener("resize", () => {
   const small = isSmall();

@@ -34,6 +34,19 @@ export function createBoundaryActions(store, edit, others) {
     moveBoundary(from, to) {
       if (Math.abs(to - from) > 1e-6) edit({ kind: "move", from_s: from, to_s: to });
     },
+    /** Opens the time of the current boundary, or of the one nearest to the playhead, to be typed. */
+    typeTime() {
+      const { boundaries = [] } = doc() ?? {};
+      if (!boundaries.length || state.readOnly) return;
+      const away = ({ time_s: time }) => Math.abs(time - state.clock);
+      const nearest = boundaries.reduce(
+        (best, one, k) => (away(one) < away(boundaries[best]) ? k : best),
+        0,
+      );
+      others.visit(state.current ?? nearest);
+      store.drawNow();
+      /** @type {HTMLElement|null} */ (document.querySelector("#why .typed-time"))?.focus();
+    },
     nudge(direction) {
       const boundary = doc()?.boundaries[state.current];
       if (boundary)

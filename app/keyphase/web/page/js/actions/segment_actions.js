@@ -104,6 +104,15 @@ export function createSegmentActions(store, { edit, onSegment, selectedSegment, 
     },
     /** What one thinks of the recording as a whole: the parts that change. @param {Object} change */
     assess: (change) => doc() && edit({ kind: "assess", ...doc().assessment, ...change }),
+    /** What one thinks of a segment, or of those that are chosen. @param {Object} change */
+    assessSegment: (change, index) =>
+      onSegment(
+        ({ assessment }, at) =>
+          edit({ kind: "assess_segment", ...meant(at).place, ...assessment, ...change }),
+        index,
+      ),
+    /** Makes one segment of a stretch and names it. */
+    nameStretch: (from, to, label) => edit({ kind: "name_stretch", from_s: from, to_s: to, label }),
     acceptNames: () => edit({ kind: "accept_labels" }),
     /** Enter: the boundary shown, or the name of the segment that was selected; nothing else. */
     accept() {

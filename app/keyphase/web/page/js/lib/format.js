@@ -34,6 +34,13 @@ export function time(seconds, digits = 3) {
   return `${seconds < 0 ? "−" : ""}${before}:${rest}`;
 }
 
+/** What a person typed for a time [s]: "4.2", "4,2 s", "12:05.5" or "1:06:39"; NaN where it is none. */
+export function seconds(text) {
+  const parts = text.trim().replace(/ ?s$/, "").replace("−", "-").replace(",", ".").split(":");
+  if (parts.length > 3 || !parts.every((part) => /^-?\d+(\.\d*)?$/.test(part.trim()))) return NaN;
+  return parts.reduce((sum, part) => 60 * sum + Number(part), 0);
+}
+
 /** A time with its unit, where it needs one: "4.204 s", "1:06:39.996". @param {number} seconds */
 export function moment(seconds) {
   return Math.abs(seconds) < LONG_S ? `${time(seconds)} s` : time(seconds);

@@ -137,6 +137,7 @@ export interface StepMessage {
  * - color: number of its colour
  * - short: the label, shorter, shortest
  * - middle_m: where the tool was in its middle
+ * - assessment: what a person thinks of it
  */
 export interface SegmentMessage {
   start_s: number;
@@ -149,6 +150,7 @@ export interface SegmentMessage {
   end_condition: EndConditionMessage;
   short: [string, string, string];
   middle_m: [number, number, number];
+  assessment: Assessment;
 }
 
 /** When a skill is over: `contact` or `configuration`, with the figures of that kind. */

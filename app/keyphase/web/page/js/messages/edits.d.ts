@@ -195,6 +195,32 @@ export interface AssessEdit {
 }
 
 /**
+ * Mark the segment around `time_s`, or all from there to the one around `to_s`. Outcome, quality
+ * from 1 to 5 and note are said together; what is left out is taken back.
+ */
+export interface AssessSegmentEdit {
+  kind: "assess_segment";
+  time_s: number;
+  outcome?: "failure" | "success" | null;
+  quality?: number | null;
+  note?: string;
+  span_s?: [number, number] | null;
+  to_s?: number | null;
+}
+
+/**
+ * Make what lies from `from_s` to `to_s` one segment and name it. A boundary that is there already,
+ * give or take SAME_S, is its side; those between go. Where a side is an end of the recording, it
+ * is that.
+ */
+export interface NameStretchEdit {
+  kind: "name_stretch";
+  from_s: number;
+  to_s: number;
+  label: string;
+}
+
+/**
  * Name every segment that is called `label` `to` instead.
  * - step: the same in all recordings in which it was done together
  * - labels: the segments it is about; None in what a person asks for
@@ -236,5 +262,7 @@ export type Edit =
   | SetEndEdit
   | CameraOffsetEdit
   | AssessEdit
+  | AssessSegmentEdit
+  | NameStretchEdit
   | RenamePhaseEdit
   | DropPhaseEdit;

@@ -28,7 +28,7 @@ export interface Recordings {
  * segmentation is proposed,                                     and how sure the least sure of it
  * is outlier                             it fits none of the finished ones differences
  * how often another person's segments differ; null where                                     there
- * are none to compare with
+ * are none to compare with marked                              what is said of single segments
  * - folder: name of the folder it lies in
  * - strip: its segments in small; `color` null: idle or dropped
  * - unsure: how many boundaries a person should look at
@@ -49,6 +49,7 @@ export interface RecordingLine {
   outlier: boolean;
   assessment: Assessment;
   differences: number | null;
+  marked: Assessment[];
 }
 
 /** One segment in a strip: its share of the duration, its colour; None: idle or dropped. */

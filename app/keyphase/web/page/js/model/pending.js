@@ -43,6 +43,8 @@ const DRAWN = {
     ...doc,
     assessment: { outcome, quality, note },
   }),
+  assess_segment: (doc, { time_s: time, to_s: to, outcome = null, quality = null, note = "" }) =>
+    withSegments(doc, time, to, { assessment: { outcome, quality, note } }),
   camera_offset: (doc, { camera, offset_s: offset }) => ({
     ...doc,
     camera_offsets: { ...doc.camera_offsets, [camera]: offset },

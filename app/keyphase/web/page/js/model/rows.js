@@ -1,5 +1,5 @@
 /**
- * Which rows the timeline has, from top to bottom, and how high each is. The first four and a comparison stay
+ * Which rows the timeline has, from top to bottom, and how high each is. The first five and a comparison stay
  * in place; the tracks below them scroll when the pane is lower than they are.
  *
  * @typedef {{key: string, y: number, height: number, folded: boolean}} Row
@@ -45,13 +45,20 @@ export const TRACKS = [
   },
 ];
 
+/** @param {import("../lib/store.js").State} state */
+const showsSkills = ({ document: doc, hidden }) => Boolean(doc?.plan.length) && !hidden.has(SKILLS);
+
 /** Where the further channels of a recording begin among the names of its channels. */
 const NAMED = "channel/";
+
+/** The lane of what is executed, above the segments it is made of. */
+export const SKILLS = "skills";
+const SKILLS_PX = 18;
 
 /** The error beside the evidence, where it decides nothing: folded apart from the error alone. */
 const SECOND_ERROR = "error beside evidence";
 const FOLDED_AT_FIRST = ["speed", "torque", "orientation", SECOND_ERROR];
-const HIDDEN_WHEN_SMALL = ["torque", "orientation"];
+const HIDDEN_WHEN_SMALL = [SKILLS, "torque", "orientation"];
 
 /** Which tracks are folded and hidden before anyone chose. @param {boolean} small */
 export function firstChoice(small) {
@@ -105,12 +112,14 @@ export function layOut(state, room = 0) {
     y += height;
   };
   for (const { key, large, small: low } of HEAD) {
+    if (key === "segments" && showsSkills(state)) put("skills", SKILLS_PX);
     const isLow = key === "segments" && folded.has(key);
     put(key, isLow ? 24 : small ? low : large, folded.has(key));
   }
   if (state.lanes.length) put("lanes", state.lanes.length * (small ? 17 : 20));
   if (state.document?.events.length) put("events", small ? 15 : 17);
-  if (state.camerasShown && state.cameras?.cameras.length) put("cameras", small ? 32 : 40);
+  if (state.camerasShown && state.cameras?.cameras.length)
+    put("cameras", folded.has("cameras") ? FOLDED_PX : small ? 32 : 40, folded.has("cameras"));
   if (state.comparison?.with) put("comparison", small ? 32 : 36);
   const headHeight = y;
   const tracks = tracksOf(state);

@@ -17,11 +17,16 @@ export function createEmpty(store, actions, dialogs) {
         doc || (record?.workcell && connected) ? null : contentFor(store.state, actions, dialogs);
       node.hidden = !content;
       byId("timeline").classList.toggle("vacant", !doc);
+      document.documentElement.toggleAttribute("data-nothing-open", isVacant(store.state));
       node.classList.toggle("bad", Boolean(content?.bad));
       if (content) node.replaceChildren(...content.nodes);
     },
   );
 }
+
+/** Without any recording there is nothing to play, to plan or to read out. */
+const isVacant = ({ document: doc, greeted, recordings, record, progress }) =>
+  !doc && greeted && !recordings.items.length && !record?.workcell && !progress;
 
 function contentFor({ recordings, connected, progress, greeted, lookingOnly }, actions, dialogs) {
   const { items } = recordings;
@@ -63,7 +68,7 @@ function noRecording(buttons) {
     nodes: [
       el("h2", { text: "No recording is open" }),
       el("p", {
-        text: "Drop recordings here: NPZ or CSV files with time and position, and force, torque, orientation or joint angles where you have them. Other tables open with a recipe beside them.",
+        text: "Drop recordings here: NPZ, CSV, bags, HDF5 and other files with time and position, and force, torque, orientation or joint angles where you have them. What a table does not say by itself, the page asks.",
       }),
       el(
         "p",

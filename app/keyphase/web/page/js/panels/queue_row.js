@@ -38,6 +38,7 @@ export function drawRow(item, { on, picked, common, open, menu }) {
       "span",
       { class: "queue-pages" },
       assessed(item.assessment),
+      markedSegments(item.marked),
       differing(item.differences),
       ...others.slice(0, MOST_PAGES).map(pageMark),
     ),
@@ -63,6 +64,24 @@ function assessed(assessment) {
     title: told,
     role: "img",
     "aria-label": told,
+  });
+}
+
+/** How many of its segments are marked. @param {import("../model/types.js").Recording["marked"]} marked */
+function markedSegments(marked = []) {
+  if (!marked.length) return null;
+  const failed = marked.filter(({ outcome }) => outcome === "failure").length;
+  const told = [
+    `${plural(marked.length, "segment")} marked`,
+    failed && plural(failed, "failure"),
+    ...marked.map(({ note }) => note),
+  ];
+  return el("span", {
+    class: `queue-assessed ${failed ? "failure" : ""}`,
+    text: `⚑${marked.length}`,
+    title: told.filter(Boolean).join(", "),
+    role: "img",
+    "aria-label": told.filter(Boolean).join(", "),
   });
 }
 

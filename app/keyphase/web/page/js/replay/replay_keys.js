@@ -1,11 +1,11 @@
 /** Keys while a replay is shown; what edits the demonstration has to wait until it is closed. */
 
-import { keyOf } from "../actions/commands.js";
+import { keyOf } from "../actions/keys/commands.js";
 
 /**
  * @param {import("../lib/store.js").Store} store
  * @param {any} actions
- * @param {import("../actions/commands.js").Command[]} commands those that are always allowed go through
+ * @param {import("../actions/keys/commands.js").Command[]} commands those that are always allowed go through
  * @returns {(event: KeyboardEvent) => boolean} whether the key was the replay's
  */
 export function createReplayKeys(store, actions, commands) {

@@ -46,6 +46,8 @@ export function drawBand(state, scale, row) {
     const place = { ...box, left, width: Math.max(right - left, 1) };
     nodes.push(drawSegment(segment, index, place));
     if (isChosen(index)) rings.push(drawRing(place));
+    if (segment.assessment.outcome || segment.assessment.quality || segment.assessment.note)
+      rings.push(...drawMark(segment.assessment, place));
   });
   nodes.push(...rings);
   if (range) nodes.push(drawRange(doc, range, scale, box));
@@ -131,6 +133,45 @@ function droppedText(segment, index, { left, top, width, height }) {
     );
   }
   return nodes;
+}
+
+/**
+ * What a person thinks of it, in its upper right corner.
+ * @param {import("../messages/list_messages").Assessment} said
+ */
+function drawMark({ outcome, quality, note }, { left, top, width }) {
+  const sign = outcome ? { success: "✓", failure: "✗" }[outcome] : "";
+  const text = `${sign}${quality ?? ""}` || "…";
+  const wide = textWidth(text, "700 11px") + 8;
+  if (width < wide + 4) return [];
+  const at = left + width - wide - 2;
+  const told = [outcome, quality && `quality ${quality} of 5`, note].filter(Boolean).join(", ");
+  return [
+    svg(
+      "g",
+      { class: `segment-mark ${outcome ?? ""}` },
+      svg("title", { text: told }),
+      svg("rect", { x: at, y: top + 2, width: wide, height: 14, rx: 3 }),
+      svg("text", { x: at + wide / 2, y: top + 13, "text-anchor": "middle", text }),
+    ),
+  ];
+}
+
+/** The stretch that is being named by a key held down. @param {import("../lib/store.js").State} state */
+export function drawNaming({ naming, clock }, scale, { y, height }) {
+  if (!naming) return [];
+  const [left, right] = [naming.from_s, clock].sort((a, b) => a - b).map((time) => scale.x(time));
+  return [
+    svg("rect", {
+      x: left,
+      y: y + 3,
+      width: Math.max(1, right - left),
+      height: height - 6,
+      rx: 3,
+      class: "band-range",
+    }),
+    svg("text", { x: left + 8, y: y + height / 2 + 4, class: "naming", text: naming.label }),
+  ];
 }
 
 function drawRing({ left, top, width, height }) {

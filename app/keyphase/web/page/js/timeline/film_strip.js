@@ -21,7 +21,7 @@ export function createFilmStrip(store, group, scale) {
   });
   return (state) => {
     const row = state.layout.rows.get("cameras");
-    const camera = row && chosenCameras(state)[0];
+    const camera = row && !row.folded && chosenCameras(state)[0];
     if (!camera) {
       maker.want(null, []);
       return group.replaceChildren();

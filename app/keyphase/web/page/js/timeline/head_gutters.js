@@ -17,10 +17,11 @@ export function createHeadGutters(pane, store, actions) {
     { key: "overview", title: "Whole recording", foldable: false },
     { key: "ruler", title: "Time, s", foldable: false },
     { key: "boundaries", title: "Boundaries" },
+    { key: "skills", title: "Skills", foldable: false },
     { key: "segments", title: "Segments" },
     { key: "lanes", title: "", foldable: false },
     { key: "events", title: "Events", foldable: false },
-    { key: "cameras", title: "Camera", foldable: false },
+    { key: "cameras", title: "Camera" },
     { key: "comparison", title: "Compared", foldable: false },
   ];
   const gutters = new Map(

@@ -146,6 +146,8 @@ function drawOn(store, stage, tracks) {
     tracks.drawLined(state, stage.scale()),
   );
   on(["clock", "recording", ...PLACE], (state) => head.drawPlayhead(stage, state));
+  on(["naming"], (state) => head.drawHeldLabel(stage, state));
+  on(["clock"], (state) => state.naming && head.drawHeldLabel(stage, state));
   on(["pointer", "clock", "fine", "whole"], read);
   store.on(["dark"], (state) => {
     tracks.recolor();

@@ -14,16 +14,20 @@ const STAYS = 3;
 
 /**
  * Whether a recording fits a word of the filter: one of `is:success`, `is:failure`, `is:done` and
- * the like, `quality:3` (so good or better), or a part of its folder, name or note.
+ * the like, `quality:3` (so good or better), `segment:failure` (or success, or marked: a segment of
+ * it), or a part of its folder, its name, or a note.
  * @param {Recording} item
  * @param {string} word
  */
-function fits({ name, folder = "", state, assessment }, word) {
+function fits({ name, folder = "", state, assessment, marked = [] }, word) {
   const { outcome, quality, note } = assessment ?? { outcome: null, quality: null, note: "" };
   const [what, value] = word.split(":");
   if (what === "is" && value) return [state, outcome ?? "unmarked"].includes(value);
   if (what === "quality" && value) return (quality ?? 0) >= Number(value);
-  return `${folder}/${name} ${note}`.toLowerCase().includes(word);
+  if (what === "segment" && value)
+    return marked.some((one) => value === "marked" || one.outcome === value);
+  const notes = [note, ...marked.map((one) => one.note)].join(" ");
+  return `${folder}/${name} ${notes}`.toLowerCase().includes(word);
 }
 
 /**

@@ -18,9 +18,14 @@ export function createExplain(store, timeline, actions) {
     accept: actions.acceptAndGoOn,
     next: () => actions.visitUnsure(1),
     remove: actions.removeBoundary,
+    move: (index, time) => moveTo(index, time),
   });
   let timer = 0;
   let inside = false;
+  function moveTo(index, time) {
+    actions.moveBoundary(store.state.document.boundaries[index].time_s, time);
+    actions.seek(time);
+  }
 
   const later = (change, delay) => {
     clearTimeout(timer);
@@ -31,8 +36,8 @@ export function createExplain(store, timeline, actions) {
     clearTimeout(timer);
   });
   node.addEventListener("pointerleave", () => {
-    inside = false;
-    later({ explained: null }, CLOSES_AFTER_MS);
+    inside = node.contains(document.activeElement);
+    if (!inside) later({ explained: null }, CLOSES_AFTER_MS);
   });
 
   // A wheel turned over it is meant for the timeline, which it must not stop.
@@ -44,6 +49,13 @@ export function createExplain(store, timeline, actions) {
     },
     { passive: false },
   );
+
+  // Who types a time there has it open until the field is left.
+  node.addEventListener("focusin", () => {
+    inside = true;
+    clearTimeout(timer);
+  });
+  node.addEventListener("focusout", () => (inside = node.matches(":hover")));
 
   store.on(["holding"], ({ holding, explained, current }) => {
     if (!holding || explained === current) return;

@@ -14,7 +14,7 @@ const GESTURES = [
   ["Everything else", "right click"],
 ];
 
-/** @param {() => import("../../actions/commands.js").Command[]} commands */
+/** @param {() => import("../../actions/keys/commands.js").Command[]} commands */
 export function createKeysSheet(commands) {
   const dialog = /** @type {HTMLDialogElement} */ (byId("keys"));
   dialog.addEventListener("click", ({ target }) => target === dialog && dialog.close());

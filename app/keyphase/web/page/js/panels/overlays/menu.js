@@ -3,7 +3,7 @@
 import { segmentAt } from "../../model/segments.js";
 import { byId, el, icon } from "../../lib/dom.js";
 import { segmentsStand } from "../../model/held.js";
-import { toggle, tracksFor } from "../../model/rows.js";
+import { SKILLS, toggle, tracksFor } from "../../model/rows.js";
 import { comparisonItems, recordingItems, timelineItems } from "./menu_items.js";
 
 /**
@@ -127,7 +127,8 @@ export function createMenu(store, actions) {
       const box = event.currentTarget.getBoundingClientRect();
       const { document: doc, hidden, comparison } = store.state;
       if (!comparison) actions.compare(null);
-      const items = tracksFor(doc).map(({ key, title }) => ({
+      const all = [{ key: SKILLS, title: "Skills" }, ...tracksFor(doc)];
+      const items = all.map(({ key, title }) => ({
         text: title,
         checked: !hidden.has(key),
         run: () => toggle(store, "hidden", key),

@@ -7,7 +7,7 @@ const MOST = 120;
 /**
  * @param {import("../../lib/store.js").Store} store
  * @param {any} actions
- * @param {() => import("../../actions/commands.js").Command[]} commands
+ * @param {() => import("../../actions/keys/commands.js").Command[]} commands
  */
 export function createPalette(store, actions, commands) {
   const dialog = /** @type {HTMLDialogElement} */ (byId("palette"));

@@ -140,6 +140,10 @@ export function createRename(store, timeline, actions) {
   input.addEventListener("blur", () => finish(null));
   form.addEventListener("submit", (event) => event.preventDefault());
 
+  store.later(["layout", "view", "plotWidth"], ({ renaming, document: doc }) => {
+    const segment = renaming === null ? null : doc?.segments[renaming];
+    if (segment && !form.hidden) place(form, timeline, segment);
+  });
   store.on(["labels"], ({ renaming }) => renaming !== null && complete());
   store.on(["renaming"], ({ renaming, document: doc }) => {
     const segment = renaming === null ? null : doc?.segments[renaming];

@@ -2,7 +2,7 @@
 
 import { originColor } from "../../lib/colors.js";
 import { el } from "../../lib/dom.js";
-import { halfWidth, signed, moment } from "../../lib/format.js";
+import { halfWidth, moment, seconds, signed, time } from "../../lib/format.js";
 import { glyphIcon } from "../../timeline/glyphs.js";
 
 const LEVER_M = 0.1;
@@ -17,7 +17,8 @@ const NAMES = {
 
 /**
  * @param {HTMLElement} node the popover
- * @param {Object<string, (boundary: number) => void>} actions accept, next, remove
+ * @param {Object<string, (boundary: number, time?: number) => void>} actions accept, next, remove,
+ *   and move, to a time that was typed
  */
 export function createWhy(node, actions) {
   let shown = "";
@@ -30,7 +31,7 @@ export function createWhy(node, actions) {
       shown = key;
       const boundary = doc.boundaries[index];
       node.replaceChildren(
-        heading(boundary, index),
+        heading(boundary, index, readOnly ? null : actions.move),
         tags(boundary),
         ...boundary.why.sentences.map((text, k) => (k ? el("p", { text }) : sentence(text))),
         reasons(boundary),
@@ -46,16 +47,58 @@ export function createWhy(node, actions) {
   };
 }
 
-/** @param {import("../../model/types.js").Boundary} boundary */
-function heading(boundary, index) {
+/**
+ * @param {import("../../model/types.js").Boundary} boundary
+ * @param {number} index
+ * @param {((boundary: number, time?: number) => void)|null} move null where nothing can be changed
+ */
+function heading(boundary, index, move) {
   return el(
     "h2",
     {},
     glyphIcon(boundary.origin, boundary.contact_change),
     `Boundary ${index + 1}`,
     el("span", { class: "space" }),
-    el("span", { text: moment(boundary.time_s) }),
+    move
+      ? typedTime(boundary.time_s, (typed) => move(index, typed))
+      : el("span", { text: moment(boundary.time_s) }),
   );
+}
+
+/**
+ * The time as a field: what is typed there is where the boundary goes.
+ * @param {number} at
+ * @param {(typed: number) => void} told
+ */
+function typedTime(at, told) {
+  const before = time(at);
+  const input = /** @type {HTMLInputElement} */ (
+    el("input", {
+      type: "text",
+      class: "typed-time",
+      value: before,
+      size: Math.max(7, before.length),
+      title: "Type the time it belongs at (Shift T)",
+      "aria-label": "Time of the boundary",
+      autocomplete: "off",
+      spellcheck: "false",
+    })
+  );
+  input.addEventListener("focus", () => input.select());
+  input.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter" && event.key !== "Escape") return;
+    event.preventDefault();
+    event.stopPropagation();
+    const typed = event.key === "Enter" ? seconds(input.value) : at;
+    input.setAttribute("aria-invalid", String(Number.isNaN(typed)));
+    if (Number.isNaN(typed)) return input.select();
+    input.value = before;
+    input.blur();
+    if (input.dataset.typed) told(typed);
+  });
+  input.addEventListener("input", () => (input.dataset.typed = "yes"));
+  input.addEventListener("blur", () => (input.value = before));
+  return el("span", { class: "typed" }, input, before.includes(":") ? "" : " s");
 }
 
 function tags({ origin, contact_change: contact, accepted }) {

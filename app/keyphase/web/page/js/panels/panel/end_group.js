@@ -4,11 +4,13 @@ import { el } from "../../lib/dom.js";
 import { direction, DOUBT, endOfKind, endWith, FIGURES } from "../../model/end_condition.js";
 import { button, choice, group, line, toggle } from "./fields.js";
 
+/** Decimals of a figure, and of a part of a direction, which has less room. */
+const FIGURES_SHOWN = 3;
+const PARTS_SHOWN = 2;
 const KINDS = [
   { value: "contact", text: "contact" },
   { value: "configuration", text: "pose" },
 ];
-const ROUNDED = 1e4;
 
 /**
  * @param {import("../../lib/store.js").Store} store
@@ -41,7 +43,7 @@ export function createEndGroup(store, actions) {
   });
   const made = group(
     "Ends when",
-    { open: true },
+    { open: false },
     kind.node,
     way.node,
     ...figures.map(({ node }) => node),
@@ -49,6 +51,7 @@ export function createEndGroup(store, actions) {
     doubt,
     proposed,
   );
+  made.hidden = true;
   store.on(["document", "selected", "readOnly"], ({ document: doc, selected, readOnly }) => {
     const segment = doc && selected !== null ? doc.segments[selected] : null;
     made.hidden = !segment;
@@ -83,7 +86,7 @@ function figureField({ name, title, hint, unit, factor, low, high, may }, change
     node: line(`${title}, ${unit}`, hint, input),
     show(value) {
       if (document.activeElement !== input)
-        input.value = value === null ? "" : String(round(value * factor));
+        input.value = value === null ? "" : shown(value * factor, FIGURES_SHOWN);
     },
     disable: (off) => (input.disabled = off),
   };
@@ -92,10 +95,14 @@ function figureField({ name, title, hint, unit, factor, low, high, may }, change
 /** Three figures of a direction. @param {(parts: number[]) => void} told */
 function vector(told) {
   const inputs = ["x", "y", "z"].map((axis) => number(`Direction ${axis}`, -1, 1));
+  /** What is shown is rounded; a part that nobody typed keeps its value. */
+  let exact = [0, 0, 0];
+  const partNow = (input, k) =>
+    input.value === shown(exact[k], PARTS_SHOWN) ? exact[k] : Number(input.value);
   for (const input of inputs)
     input.addEventListener("change", () => {
       if (inputs.every((each) => each.value !== "" && each.checkValidity()))
-        told(inputs.map((each) => Number(each.value)));
+        told(inputs.map(partNow));
       input.blur();
     });
   return {
@@ -106,8 +113,9 @@ function vector(told) {
       el("span", { class: "vector" }, ...inputs),
     ),
     show(parts) {
+      exact = parts;
       inputs.forEach((input, k) => {
-        if (document.activeElement !== input) input.value = String(round(parts[k]));
+        if (document.activeElement !== input) input.value = shown(parts[k], PARTS_SHOWN);
       });
     },
     disable: (off) => inputs.forEach((input) => (input.disabled = off)),
@@ -127,4 +135,5 @@ function number(title, low, high) {
   );
 }
 
-const round = (value) => Math.round(value * ROUNDED) / ROUNDED;
+/** No more decimals than can be told apart. @param {number} value @param {number} decimals */
+const shown = (value, decimals) => String(Number(value.toFixed(decimals)));

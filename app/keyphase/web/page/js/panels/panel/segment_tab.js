@@ -10,7 +10,7 @@ import {
   valueInForce,
 } from "../../model/parameters.js";
 import { button, choice, group, row, slider } from "./fields.js";
-import { createAssessmentGroup } from "./assessment_group.js";
+import { createAssessmentGroup, createSegmentAssessmentGroup } from "./assessment_group.js";
 import { createEndGroup } from "./end_group.js";
 import { createShownParts } from "./shown_parts.js";
 import { createRobotGroup } from "./robot_group.js";
@@ -66,9 +66,14 @@ export function createSegmentTab(store, actions) {
   });
   return el(
     "div",
-    { class: "panel-body" },
+    { class: "panel-body without" },
+    el("p", {
+      class: "hint only-without",
+      text: "What shapes the segments stands here once a recording is open.",
+    }),
     el("div", { class: "group plain" }, method.node),
     createEndGroup(store, actions),
+    createSegmentAssessmentGroup(store, actions),
     parameters,
     createShownParts(store, actions),
     createRobotGroup(store, actions),

@@ -1,12 +1,13 @@
 /** What is drawn over and beside the tracks: each function draws one layer of it anew. */
 
 import { withDrag } from "../../model/drag.js";
-import { drawBand } from "../band.js";
+import { drawBand, drawNaming } from "../band.js";
 import { drawBoundaries, drawGhosts, drawIntervals } from "../boundaries.js";
 import { drawBreaks } from "../breaks.js";
 import { drawComparison } from "../lanes/comparison.js";
 import { drawLanes } from "../lanes/arms.js";
 import { drawEvents } from "../lanes/events.js";
+import { drawSkills } from "../lanes/skills.js";
 import { drawOverviewCurve, drawOverviewStrip, drawWindow } from "../overview.js";
 import { drawRuler } from "../ruler.js";
 
@@ -27,8 +28,16 @@ export function drawSegments({ groups, gutters, scale, bottom }, plain) {
   groups.breaks.replaceChildren(...drawBreaks(state, at, layout, bottom()));
   groups.boundaries.replaceChildren(...drawBoundaries(state, at, layout, bottom()));
   groups.ghosts.replaceChildren(...drawGhosts(state, at, layout, bottom()));
+  const skills = layout.rows.get("skills");
+  groups.skills.replaceChildren(...(skills ? drawSkills(state, at, skills) : []));
+  if (skills) gutters.get("skills").small.textContent = String(plain.document.plan.length);
   gutters.get("segments").describe(plain.document);
   gutters.get("boundaries").small.textContent = String(state.document.boundaries.length);
+}
+
+/** What is being named while it plays. @param {Stage} stage @param {State} state */
+export function drawHeldLabel({ groups, scale }, state) {
+  groups.naming.replaceChildren(...drawNaming(state, scale(), state.layout.rows.get("segments")));
 }
 
 /** @param {Stage} stage @param {State} state */

@@ -14,20 +14,17 @@ export function createLayers(pane) {
   const above = layer("above");
   const groups = {
     intervals: svg("g"),
-    overview: svg("g"),
     ruler: svg("g"),
     band: svg("g"),
-    cameras: svg("g", { class: "film-strip" }),
     breaks: svg("g"),
     boundaries: svg("g"),
     ghosts: svg("g"),
-    overviewCurve: svg("g"),
-    overviewWindow: svg("g"),
+    ...overviewGroups(),
+    ...overSegments(),
     ...laneGroups(),
     comparison: svg("g", { class: "comparison" }),
     pointer: svg("path", { class: "pointer-line" }),
     playhead: svg("g", { class: "playhead" }),
-    overviewPlayhead: svg("rect", { class: "overview-playhead", width: 1.5 }),
   };
   below.append(hatches(), groups.intervals);
   above.append(
@@ -41,7 +38,9 @@ export function createLayers(pane) {
     groups.comparison,
     groups.cameras,
     groups.pointer,
+    groups.skills,
     groups.band,
+    groups.naming,
     groups.breaks,
     groups.boundaries,
     groups.ghosts,
@@ -53,10 +52,22 @@ export function createLayers(pane) {
   return { groups, scroller, content, surface };
 }
 
+/** The whole recording in small. */
+const overviewGroups = () => ({
+  overview: svg("g"),
+  overviewCurve: svg("g"),
+  overviewWindow: svg("g"),
+  overviewPlayhead: svg("rect", { class: "overview-playhead", width: 1.5 }),
+});
+
+/** What stands above the segments and over them. */
+const overSegments = () => ({ naming: svg("g"), skills: svg("g", { class: "skills" }) });
+
 /** What stands below the segments. */
 const laneGroups = () => ({
   lanes: svg("g", { class: "lanes" }),
   events: svg("g", { class: "events" }),
+  cameras: svg("g", { class: "film-strip" }),
 });
 
 /** @param {string} name */

@@ -3,13 +3,14 @@
 import { keyOf } from "./commands.js";
 
 /**
- * @param {import("../lib/store.js").Store} store
+ * @param {import("../../lib/store.js").Store} store
  * @param {any} actions
  * @param {import("./commands.js").Command[]} commands
+ * @param {ReturnType<typeof import("./held_label.js").createHeldLabel>} heldLabel
  * @param {() => boolean} escape gives up whatever is open; false if nothing was
  * @returns {(event: KeyboardEvent) => void}
  */
-export function createKeys(store, actions, commands, escape) {
+export function createKeys(store, actions, commands, heldLabel, escape) {
   const byKey = new Map(commands.flatMap((command) => command.keys.map((key) => [key, command])));
 
   return function onKey(event) {
@@ -23,7 +24,7 @@ export function createKeys(store, actions, commands, escape) {
     const key = keyOf(event);
     const { document: doc } = store.state;
     if (/^[1-9]$/.test(key)) {
-      if (doc) actions.labelByNumber(Number(key));
+      if (doc && !heldLabel.press(event, Number(key))) actions.labelByNumber(Number(key));
       return;
     }
     const command = byKey.get(key);

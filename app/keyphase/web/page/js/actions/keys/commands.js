@@ -7,7 +7,7 @@
  *   always?: boolean}} Command  keys as `keyOf` writes them; always: also without a recording
  */
 
-import { fold } from "../model/rows.js";
+import { fold } from "../../model/rows.js";
 
 /**
  * @typedef {[string, string[], () => void, boolean?]} Row  name, keys, what it does, always
@@ -17,7 +17,7 @@ import { fold } from "../model/rows.js";
 
 /**
  * @param {any} actions
- * @param {import("../lib/store.js").Store} store
+ * @param {import("../../lib/store.js").Store} store
  * @param {Dialogs} dialogs
  * @returns {Command[]}
  */
@@ -38,7 +38,7 @@ export function createCommands(actions, store, dialogs) {
 const group = (name, rows) =>
   rows.map(([text, keys, run, always]) => ({ name: text, keys, run, group: name, always }));
 
-/** Folds a row or opens it. @param {import("../lib/store.js").Store} store @param {string} key */
+/** Folds a row or opens it. @param {import("../../lib/store.js").Store} store @param {string} key */
 const folds = (store, key) => () => fold(store, key);
 
 /** @type {(actions: any) => Row[]} */
@@ -62,7 +62,13 @@ const segmentsCommands = (actions, dialogs) => [
   ["Drop or keep the segment", ["X"], () => actions.toggleDrop()],
   ["Drop all idle segments", ["I"], actions.dropIdle],
   ["Label the segment", ["L"], () => actions.rename()],
-  ["Label by number", ["1 to 9"], () => dialogs.openPalette("label the segment")],
+  [
+    "Label by number; held while it plays, what plays meanwhile",
+    ["1 to 9"],
+    () => dialogs.openPalette("label the segment"),
+  ],
+  ["Mark the segment as a success", [], () => actions.assessSegment({ outcome: "success" })],
+  ["Mark the segment as a failure", [], () => actions.assessSegment({ outcome: "failure" })],
   ["Accept the proposed name or the boundary", ["Enter"], actions.accept],
   ["Accept all proposed names, or the whole proposal", ["Shift Enter"], actions.acceptAll],
   ["Previous segment", ["["], () => actions.selectNext(-1)],
@@ -77,6 +83,7 @@ const boundariesCommands = (actions) => [
   ["Previous unsure boundary", ["Shift N"], () => actions.visitUnsure(-1)],
   ["Move the boundary earlier", ["<"], () => actions.nudge(-1)],
   ["Move the boundary later", [">"], () => actions.nudge(1)],
+  ["Type the time of the boundary", ["Shift T"], actions.typeTime],
   ["Remove the boundary", ["Delete", "Backspace"], () => actions.removeBoundary()],
   ["Contact change or not", ["C"], () => actions.toggleContact()],
   ["Snap to evidence while dragging", ["V"], actions.toggleSnap],
@@ -96,7 +103,7 @@ const replayCommands = (actions) => [
   ["Replay skill by skill", [], actions.replay.next],
 ];
 
-/** @type {(actions: any, store: import("../lib/store.js").Store) => Row[]} */
+/** @type {(actions: any, store: import("../../lib/store.js").Store) => Row[]} */
 const viewCommands = (actions, store) => [
   ["The whole recording", ["F"], actions.fit],
   ["Zoom to the selected segment, and back", ["Z"], actions.zoomToSelection],

@@ -1,0 +1,1 @@
+"""Edits of a stretch of time, whatever segments there are in it."""

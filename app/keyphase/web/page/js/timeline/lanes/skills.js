@@ -1,0 +1,61 @@
+/** What is executed, above the segments it is made of: its place in the plan, and how it ends. */
+
+import { segmentFill } from "../../lib/colors.js";
+import { svg } from "../../lib/dom.js";
+import { textWidth } from "../../lib/text_width.js";
+import { DOUBT, howItEnds } from "../../model/end_condition.js";
+import { MOST_IN_DETAIL, segmentsInView } from "../dense.js";
+
+const FONT = "11px";
+
+/**
+ * @param {import("../../lib/store.js").State} state
+ * @param {import("../../lib/scale.js").Scale} scale
+ * @param {import("../../model/rows.js").Row} row
+ */
+export function drawSkills({ document: doc }, scale, { y, height }) {
+  const ground = svg("rect", { y, width: scale.width, height, class: "band-ground" });
+  if (segmentsInView(doc.segments, scale).length > MOST_IN_DETAIL) return [ground];
+  /** @type {Map<number, number[]>} places in the plan, by the segment */
+  const places = new Map();
+  doc.plan.forEach(({ segment }, k) =>
+    places.set(segment, [...(places.get(segment) ?? []), k + 1]),
+  );
+  const skills = [...places].flatMap(([index, at]) =>
+    drawSkill(doc.segments[index], at, scale, y, height),
+  );
+  return [ground, ...skills];
+}
+
+/** A bracket over its segment, closed at the end by what ends it. */
+function drawSkill(segment, places, scale, y, height) {
+  if (!segment || segment.end_s < scale.from || segment.start_s > scale.to) return [];
+  const left = Math.max(scale.x(segment.start_s), 0) + 2;
+  const right = Math.min(scale.x(segment.end_s), scale.width) - 2;
+  if (right - left < 3) return [];
+  const { kind, agrees } = segment.end_condition;
+  const ends = howItEnds(segment.end_condition);
+  const order = places.join(", ");
+  const text = [`skill ${order}, ${ends}`, `${order}, ${ends}`, order].find(
+    (form) => textWidth(form, FONT) <= right - left - 14,
+  );
+  const foot = y + height - 1;
+  const doubted = agrees === false;
+  return [
+    svg(
+      "g",
+      { class: `skill ${doubted ? "doubted" : ""}`, data: { skill: order } },
+      svg("title", {
+        text: `Skill ${order}: ${segment.label}, ${ends}.${doubted ? ` ${DOUBT}` : ""}`,
+      }),
+      svg("path", {
+        d: `M${left} ${foot}v-4h${right - left}v4`,
+        style: { stroke: segmentFill(segment) },
+      }),
+      kind === "contact"
+        ? svg("path", { d: `M${right - 4} ${foot - 8}h8l-4 5z`, class: "skill-end" })
+        : svg("circle", { cx: right, cy: foot - 5.5, r: 2.6, class: "skill-end" }),
+      text ? svg("text", { x: left + 2, y: foot - 6.5, text }) : "",
+    ),
+  ];
+}
