@@ -1,14 +1,22 @@
 """The command `keyphase inspect`: what recordings hold, how healthy they are, how to read them."""
 
 import json
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import tyro
 
-from keyphase.errors import DemonstrationError, FileInTheWayError, KeyphaseError
+from keyphase.errors import (
+    DemonstrationError,
+    FileInTheWayError,
+    KeyphaseError,
+    MissingPackageError,
+)
+from keyphase.files.parts import split_part
 
 if TYPE_CHECKING:
     from keyphase.demonstration import Demonstration
@@ -16,6 +24,8 @@ if TYPE_CHECKING:
 
 HEALTHY, ODD, UNREAD = 0, 1, 2
 """Exit codes: all is read and sound; something is odd; something cannot be read."""
+
+_MAX_SHOWN = 30
 
 
 @dataclass(frozen=True)
@@ -49,14 +59,15 @@ class Inspect:
             raise KeyphaseError(
                 f"Expected recordings in {', '.join(map(str, self.paths))}, but found none."
             )
-        results = [_inspected(path, self.recipe) for path in found]
+        proposals: dict[Path, Proposal | None] = {}
+        results = [_inspected(path, self.recipe, proposals) for path in found]
         if self.write:
-            for result in results:
+            for result in {split_part(one["path"])[0]: one for one in results[::-1]}.values():
                 _write_recipe(result, replace=self.replace)
         if self.json:
             print(json.dumps([_plain(result) for result in results], indent=1))
         else:
-            print("\n".join(line for result in results for line in _lines(result)))
+            print("\n".join(line for alike in _alike(results) for line in _lines(alike)))
         return max(result["code"] for result in results)
 
 
@@ -70,21 +81,52 @@ def _unread_tables(folder: Path, found: list[Path]) -> Iterator[Path]:
             yield path
 
 
-def _inspected(path: Path, recipe: Path | None) -> dict[str, Any]:
+def _inspected(
+    path: Path, recipe: Path | None, proposals: "dict[Path, Proposal | None]"
+) -> dict[str, Any]:
+    """One recording; of those in one file only one is looked at for a proposal."""
     from keyphase.readers import read
 
     try:
         demonstration = read(path, recipe)
     except KeyphaseError as error:
-        return {"path": path, "code": UNREAD, "reason": str(error), "proposal": _proposal(path)}
+        file = split_part(path)[0]
+        if file not in proposals:
+            proposals[file] = _proposal(path)
+        return {"path": path, "code": UNREAD, "reason": str(error), "proposal": proposals[file]}
     odd = set(_oddities(demonstration))
     notices = tuple(notice for notice in demonstration.notices if notice not in odd)
     return {
         "path": path,
         "code": ODD if odd else HEALTHY,
-        "facts": _facts(demonstration),
+        "facts": _facts(demonstration) | {"not_read": _not_read(path, recipe)},
         "notices": notices,
     }
+
+
+def _not_read(path: Path, recipe: Path | None) -> list[str]:
+    """Columns that nobody reads."""
+    from keyphase.readers import load_recipe, own_or_folder_recipe
+    from keyphase.readers.unread import unread_columns
+
+    chosen = recipe or own_or_folder_recipe(path)
+    try:
+        return list(unread_columns(path, load_recipe(chosen) if chosen else None))
+    except KeyphaseError:
+        return []
+
+
+def _alike(results: list[dict[str, Any]]) -> Iterator[list[dict[str, Any]]]:
+    """Recordings of one file that cannot be read for one reason are told together."""
+
+    def reason(result: dict[str, Any]) -> tuple[object, ...]:
+        file, part = split_part(result["path"])
+        if "reason" not in result or part is None:
+            return (result["path"],)
+        return file, result["reason"].replace(f"#{part}", "")
+
+    for _, alike in groupby(results, reason):
+        yield list(alike)
 
 
 def _oddities(demonstration: "Demonstration") -> Iterator[str]:
@@ -128,7 +170,7 @@ def _proposal(path: Path) -> "Proposal | None":
 
     try:
         return propose(path)
-    except DemonstrationError:
+    except (DemonstrationError, MissingPackageError):
         return None
 
 
@@ -138,7 +180,7 @@ def _write_recipe(result: dict[str, Any], *, replace: bool) -> None:
     from keyphase.readers import RECIPE_SUFFIX
 
     proposal: Proposal | None = result.get("proposal")
-    path: Path = result["path"]
+    path = split_part(result["path"])[0]
     if proposal is None:
         return
     recipe = path.with_name(f"{path.name}{RECIPE_SUFFIX}")
@@ -160,8 +202,10 @@ def _plain(result: dict[str, Any]) -> dict[str, Any]:
     return shown
 
 
-def _lines(result: dict[str, Any]) -> Iterator[str]:
-    yield f"{result['path']}:"
+def _lines(alike: list[dict[str, Any]]) -> Iterator[str]:
+    result = alike[0]
+    more = f" to {alike[-1]['path']} ({len(alike)} recordings)" if len(alike) > 1 else ""
+    yield f"{result['path']}{more}:"
     if "reason" in result:
         yield f"  cannot be read: {result['reason']}"
         yield from _proposed_lines(result)
@@ -171,6 +215,16 @@ def _lines(result: dict[str, Any]) -> Iterator[str]:
     yield f"  {facts['rows']} rows, {facts['duration_s']:g} s, {facts['rate_hz']:g} Hz: {channels}"
     yield from (f"  {notice}" for notice in result["notices"])
     yield from (f"  odd: {oddity}" for oddity in facts["odd"])
+    if facts["not_read"]:
+        yield f"  not read: {_listed(facts['not_read'])}"
+
+
+def _listed(names: list[str]) -> str:
+    """Names, those of one array as one."""
+    counts = Counter(name.partition("[")[0] if name.endswith("]") else name for name in names)
+    shown = [f"{name[:60]} ({count})" if count > 1 else name[:60] for name, count in counts.items()]
+    more = f" and {len(shown) - _MAX_SHOWN} more" if len(shown) > _MAX_SHOWN else ""
+    return ", ".join(shown[:_MAX_SHOWN]) + more
 
 
 def _proposed_lines(result: dict[str, Any]) -> Iterator[str]:

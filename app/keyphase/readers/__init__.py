@@ -25,6 +25,7 @@ from keyphase.readers.finding import (
 from keyphase.readers.foreign import foreign_kind
 from keyphase.readers.formats.known import format_of
 from keyphase.readers.formats.reader import fingerprint_of, read_format
+from keyphase.readers.known_tables import preset_of_header, preset_recipe
 from keyphase.readers.native_csv import has_native_header, read_csv, save_csv
 from keyphase.readers.native_npz import MAGIC, npz_data, read_npz, save_npz
 from keyphase.readers.recipes.file import load_recipe, parse_recipe
@@ -115,6 +116,9 @@ def _read_table(
 
 def _read_undescribed(file: WholeFile, limit_bytes: int) -> Demonstration:
     """A table without a recipe; of one that is not native the way to a recipe is told."""
+    name = None if has_native_header(file.data) else preset_of_header(file.data)
+    if name is not None:
+        return read_by_recipe(file, preset_recipe(name, file.name), limit_bytes)
     try:
         return read_csv(file, limit_bytes)
     except DemonstrationError as error:

@@ -9,6 +9,7 @@ from keyphase.errors import DemonstrationError
 from keyphase.files.parts import split_part, with_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, first_bytes, read_whole
 from keyphase.readers.formats.known import Format, format_of
+from keyphase.readers.known_tables import begins_known
 from keyphase.readers.native_csv import MAX_HEADER_BYTES, has_native_header
 from keyphase.readers.recipes.file import load_recipe
 from keyphase.readers.recipes.presets import preset_sides
@@ -205,4 +206,10 @@ def _is_recording(path: Path, recipe_given: bool) -> bool:
         return format_of(path) is not None
     if not name.endswith(_TABLE_SUFFIXES):
         return False
-    return bool(recipe_given or own_recipe(path) or folder_recipe(path) or begins_native(path))
+    return bool(
+        recipe_given
+        or own_recipe(path)
+        or folder_recipe(path)
+        or begins_native(path)
+        or begins_known(path)
+    )

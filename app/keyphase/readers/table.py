@@ -8,10 +8,11 @@ to name.
 import csv
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.errors import DemonstrationError
@@ -23,6 +24,9 @@ _BYTES_PER_LINE = 200
 """A limit of 2 GiB in memory lets ten million lines in: eleven hours at 250 Hz."""
 _BYTES_PER_CHARACTER = 4
 """What a character costs while a table is decoded, split and parsed."""
+
+UNMEASURED = frozenset(("", "nan", "-nan", "null", "none", "na", "n/a"))
+"""What recorders write, in any case, where nothing was measured."""
 
 _QUOTED_OR_PLAIN = re.compile(r'"([^"]*)"|(\S+)')
 _NUMBER = re.compile(
@@ -36,7 +40,8 @@ class TableForm:
     """How the text of a table is laid out; the defaults are those of a plain CSV.
 
     `separator` is one character, or None for any white space. `skip_lines` lines are passed over,
-    then comes one line of column names if `header`.
+    then comes one line of column names if `header`, and after it `lines_after_header` that say
+    more of the columns, such as their units.
     """
 
     separator: str | None = ","
@@ -44,6 +49,7 @@ class TableForm:
     header: bool = True
     encoding: str = "utf-8-sig"
     decimal: str = "."
+    lines_after_header: int = 0
 
 
 class Columned(Protocol):
@@ -62,6 +68,8 @@ class Columned(Protocol):
     def line(self, row: int) -> int: ...  # noqa: D102
     def text(self, column: int) -> list[str]: ...  # noqa: D102
     def numbers(self, columns: Sequence[int]) -> Array: ...  # noqa: D102
+    def measured(self, columns: Sequence[int]) -> NDArray[np.bool_]: ...  # noqa: D102
+    def only(self, kept: NDArray[np.bool_]) -> "Columned": ...  # noqa: D102
 
 
 @dataclass(frozen=True)
@@ -121,6 +129,19 @@ class Table:
             )
         return values
 
+    def measured(self, columns: Sequence[int]) -> NDArray[np.bool_]:
+        """Which rows (N,) hold more than nothing or NaN in each of these columns."""
+        lines, separator, used = self._plain(columns)
+        rows = (line.split(separator) for line in lines)
+        found = [all(row[i].strip().lower() not in UNMEASURED for i in used) for row in rows]
+        return np.array(found, dtype=bool)
+
+    def only(self, kept: NDArray[np.bool_]) -> "Table":
+        """The rows that are kept (N,), with the numbers of their lines."""
+        rows = np.flatnonzero(kept).tolist()
+        lines, numbers = [self.lines[r] for r in rows], [self.line_numbers[r] for r in rows]
+        return replace(self, lines=lines, line_numbers=numbers)
+
     def _plain(self, columns: Sequence[int]) -> tuple[Sequence[str], str | None, Sequence[int]]:
         """Lines NumPy can read, their separator and the columns in them: no quotes, points."""
         lines, separator, used = self.lines, self.form.separator, columns
@@ -162,14 +183,14 @@ def open_table(file: str, data: bytes, form: TableForm, limit_bytes: int) -> Tab
     `limit_bytes` of memory, tables without rows, and rows of another length.
     """
     lines = _lines(file, data, form, limit_bytes)
-    body_at = form.skip_lines + form.header
+    body_at = form.skip_lines + form.header + form.lines_after_header
     body, numbers = _body(lines, body_at)
     if not body:
         raise DemonstrationError(
             f"{file}: expected rows of numbers after line {body_at}, but there are none; "
             "record or export the file again."
         )
-    names = _names(lines[form.skip_lines], form) if form.header else ()
+    names = header_names(lines[form.skip_lines], form) if form.header else ()
     width = len(split_cells(body[0], form.separator))
     notices = _end_notices(body, numbers, width, form) if lines[-1].strip() else ()
     quoted = any('"' in line for line in body)
@@ -244,7 +265,7 @@ def _refuse_too_large(file: str, data: bytes, limit_bytes: int) -> None:
         )
 
 
-def _names(line: str, form: TableForm) -> tuple[str, ...]:
+def header_names(line: str, form: TableForm) -> tuple[str, ...]:
     """A header that stands behind a comment mark is read as if it did not."""
     bare = line.strip().lstrip("#%") if line.lstrip().startswith(("#", "%")) else line
     return tuple(cell.strip() for cell in split_cells(bare, form.separator))

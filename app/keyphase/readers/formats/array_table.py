@@ -7,7 +7,7 @@ An array (N, D) called `pose` is the columns `pose[0]`, `pose[1]`, …; one of (
 import hashlib
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -96,6 +96,14 @@ class ArrayTable:
             return list(self.texts[name])
         return [f"{value:.17g}" for value in self.numbers([column])[:, 0]]
 
+    def length(self, column: int) -> int:
+        """How many rows one column of numbers has."""
+        return len(self._column(column))
+
+    def first(self, column: int, count: int) -> Array:
+        """The first `count` numbers of one column, whatever they are."""
+        return self._column(column)[:count].astype(np.float64)
+
     def numbers(self, columns: Sequence[int]) -> Array:
         """Some columns (N, len(columns)) as finite numbers.
 
@@ -118,6 +126,18 @@ class ArrayTable:
                 f"{values[row, at]}; cut the rows that were not measured or fill them first."
             )
         return values
+
+    def measured(self, columns: Sequence[int]) -> NDArray[np.bool_]:
+        """Which rows (N,) are finite in each of these columns."""
+        return np.all([np.isfinite(self._column(column)) for column in columns], axis=0)
+
+    def only(self, kept: NDArray[np.bool_]) -> "ArrayTable":
+        """The rows that are kept (N,), of the arrays that have so many."""
+        arrays = {
+            name: values[kept] if len(values) == len(kept) else values
+            for name, values in self.arrays.items()
+        }
+        return replace(self, arrays=arrays)
 
     def fingerprint(self) -> str:
         """SHA-256 (hex) of all names, types and numbers, whatever file they are in."""

@@ -1,7 +1,7 @@
 """The table of formats that the documents show, made from the code."""
 
 from keyphase.readers.formats.known import FORMATS
-from keyphase.readers.recipes.presets import preset_names, preset_values
+from keyphase.readers.recipes.presets import left_open, preset_names, preset_values
 
 _SHOWN = (
     *("pose", "position", "orientation", "force", "torque", "joints", "joint_torques", "gripper"),
@@ -27,11 +27,15 @@ def presets_table() -> str:
         channels = [section for section in _SHOWN if section in every]
         if tools:
             channels.append(f"each of {' and '.join(tools)}")
-        wrench = values.get("wrench", {})
-        has_load = "force" in values or "torque" in values
-        missing = [] if "time" in values else ["`[time] rate_hz`"]
-        missing += [f"`[wrench] {k}`" for k in ("frame", "sign") if has_load and k not in wrench]
-        missing += ["`[robot]`"] if not {"pose", "position"} & every.keys() else []
-        missing += ["`[joint_torques] sign`"] if "joint_torques" in values else []
+        missing = [
+            f"`[{section}]{'' if section == 'robot' else _key(line)}`"
+            for section, lines in left_open(name).items()
+            for line in (lines[:1] if section == "robot" else lines)
+        ]
         rows.append(f"| `{name}` | {', '.join(channels)} | {', '.join(missing) or 'nothing'} |")
     return "\n".join(rows)
+
+
+def _key(line: str) -> str:
+    """The key a commented line of a recipe is about."""
+    return " " + line.removeprefix("#").partition("=")[0].strip()

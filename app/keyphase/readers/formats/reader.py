@@ -9,8 +9,8 @@ from keyphase.files.parts import sha256_of_part, with_part
 from keyphase.files.reading import WholeFile
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.known import Format
-from keyphase.readers.recipes.file import recipe_of
-from keyphase.readers.recipes.presets import fitting_preset, preset_values
+from keyphase.readers.known_tables import preset_recipe
+from keyphase.readers.recipes.presets import fitting_preset
 from keyphase.readers.recipes.reader import demonstration_of
 from keyphase.readers.recipes.recipe import Recipe
 from keyphase.readers.recipes.several import recipe_of_part
@@ -28,15 +28,23 @@ def read_format(
     Raises DemonstrationError for what cannot be read, RecipeError where no preset fits or the
     recipe does not fit, MissingPackageError where the format's package is not installed.
     """
-    inner, side = _split(form, path, part)
-    table = form.table(path, inner, limit_bytes)
-    chosen = recipe_of_part(recipe or _preset(table), side, str(path))
+    table, chosen = table_and_recipe(path, part, form, recipe, limit_bytes)
+    side = _split(form, path, part)[1]
     source = Source(
         with_part(path, part) if part else path, sha256_of_part(table.fingerprint(), side)
     )
     file = WholeFile(b"", source)
     demonstration = demonstration_of(table, file, chosen, limit_bytes)
     return _with_notices(demonstration, table.notices)
+
+
+def table_and_recipe(
+    path: Path, part: str | None, form: Format, recipe: Recipe | None, limit_bytes: int
+) -> tuple[ArrayTable, Recipe]:
+    """The columns of a recording and how they are read; errors as in `read_format`."""
+    inner, side = _split(form, path, part)
+    table = form.table(path, inner, limit_bytes)
+    return table, recipe_of_part(recipe or _preset(table), side, str(path))
 
 
 def fingerprint_of(path: Path, part: str | None, form: Format, limit_bytes: int) -> str:
@@ -58,16 +66,10 @@ def _preset(table: ArrayTable) -> Recipe:
     name = fitting_preset(table.names)
     if name is None:
         raise RecipeError(
-            f"{table.file}: no preset knows these columns, so a recipe must say what they are; "
-            f"there are {_shown(table.names)}."
+            f"{table.file}: no preset knows these columns, so a recipe must say what they are, "
+            f"which `keyphase inspect --write` proposes; there are {_shown(table.names)}."
         )
-    try:
-        return recipe_of(preset_values(name, name), f"preset {name}")
-    except RecipeError as error:
-        raise RecipeError(
-            f"{table.file}: its columns are those of the preset {name!r}, which leaves something "
-            f'open ({error}); say it in a recipe that begins with preset = "{name}".'
-        ) from error
+    return preset_recipe(name, table.file)
 
 
 def _shown(names: tuple[str, ...]) -> str:

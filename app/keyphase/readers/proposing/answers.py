@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
 from keyphase.errors import RecipeError
+from keyphase.readers.proposing.guess import Guess
 from keyphase.readers.proposing.proposal import Proposal
-from keyphase.readers.proposing.roles import Guess
 
 Part = Literal[
     "ignore", "time", "seconds", "nanoseconds", "x", "y", "z", "qw", "qx", "qy", "qz",

@@ -21,11 +21,15 @@ _COMMA = re.compile(r"[+-]?\d*,\d+(e[+-]?\d+)?|[+-]?\d+(e[+-]?\d+)?|nan|inf", re
 
 @dataclass(frozen=True)
 class Layout:
-    """A layout, its encoding as a recipe writes it, and why each is thought to be so."""
+    """A layout, its encoding as a recipe writes it, and why each is thought to be so.
+
+    below  what the line below the names says of each column, such as its unit; else none
+    """
 
     form: TableForm
     encoding: str
     evidence: dict[str, str]
+    below: tuple[str, ...] = ()
 
     @property
     def separator(self) -> str:
@@ -51,13 +55,16 @@ def layout_of(data: bytes) -> Layout:
         )
     header = best.header is not None
     skip = best.header if best.header is not None else best.body
-    form = TableForm(best.separator, skip, header, codec, best.decimal)
+    between = best.body - skip - 1 if header else 0
+    form = TableForm(best.separator, skip, header, codec, best.decimal, between)
     evidence |= {
         "separator": f"{best.width} cells in {best.rows} of {best.rows} rows",
         "decimal": best.decimal_evidence,
         "header": f"line {skip + 1} names the columns" if header else "numbers from the first line",
     }
-    return Layout(form, encoding, evidence)
+    below = _cells(lines[best.body - 1], best.separator) if between else []
+    evidence["below"] = f"line {best.body} says more of the columns"
+    return Layout(form, encoding, evidence, tuple(cell.strip("[](){} ") for cell in below))
 
 
 @dataclass(frozen=True)
@@ -116,13 +123,21 @@ def _fitted(lines: Sequence[str], separator: str | None, decimal: str) -> _Fit:
 
 
 def _header(cells: Sequence[Sequence[str]], body: int, width: int) -> int | None:
-    """The last line with words before the numbers begin, if it has a word for each column."""
-    for at in range(body - 1, -1, -1):
-        row = cells[at]
-        if not row:
-            continue
-        return at if len(_without_mark(row)) in (width, width - 1) else None
-    return None
+    """The last line with words before the numbers begin, if it has a word for each column.
+
+    Where the last says the same of several columns, such as their unit, and the one before it has
+    a word of its own for each, that one names them.
+    """
+    before = [at for at in range(body) if any(cells[at])]
+    if not before:
+        return None
+    last, fitting = before[-1], (width, width - 1)
+    if before[-2:] == [body - 2, body - 1] and len(cells[last]) in fitting:
+        names, units = _without_mark(cells[last - 1]), [cell for cell in cells[last] if cell]
+        distinct = len(names) in fitting and len(set(names)) == len(names)
+        if distinct and len(set(units)) < len(units):
+            return last - 1
+    return last if len(_without_mark(cells[last])) in fitting else None
 
 
 def _without_mark(row: Sequence[str]) -> list[str]:
@@ -130,8 +145,7 @@ def _without_mark(row: Sequence[str]) -> list[str]:
 
 
 def _cells(line: str, separator: str | None) -> list[str]:
-    cells = [cell.strip() for cell in split_cells(line, separator)]
-    return cells[:-1] if cells and cells[-1] == "" and separator is not None else cells
+    return [cell.strip() for cell in split_cells(line, separator)]
 
 
 def _share(row: Sequence[str], number: re.Pattern[str]) -> float:

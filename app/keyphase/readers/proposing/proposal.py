@@ -1,156 +1,177 @@
-"""A recipe proposed for an unknown table, with the evidence for each line and what is left open."""
+"""A recipe proposed for an unknown recording, with the evidence for each line and what is open."""
 
-import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
-from keyphase.demonstration import Array
 from keyphase.errors import DemonstrationError
+from keyphase.files.parts import split_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
+from keyphase.readers.formats.known import format_of
+from keyphase.readers.proposing.columns import Looked, looked_at_arrays, looked_at_table
+from keyphase.readers.proposing.guess import Guess
 from keyphase.readers.proposing.layout import Layout, layout_of
-from keyphase.readers.proposing.roles import Guess, guesses_of
-from keyphase.readers.table import Table, open_table
-
-_LOOKED_AT_ROWS = 2000
+from keyphase.readers.proposing.roles import guesses_of
+from keyphase.readers.proposing.times import (
+    RESTARTS,
+    clock_guess,
+    demonstrations_of,
+    stamps_of,
+    time_of_numbers,
+)
+from keyphase.readers.proposing.written import (
+    guess_lines,
+    preset_lines,
+    section_of,
+    table_lines,
+    toml,
+    unread_lines,
+    without_time,
+)
+from keyphase.readers.recipes.presets import WRENCH_QUESTIONS, fitting_preset, left_open
+from keyphase.readers.table import open_table
 
 
 @dataclass(frozen=True)
 class Proposal:
-    """How a table would be read if a person agrees.
+    """How a recording would be read if a person agrees.
 
+    layout  of the text, None for a binary format
     names   of the columns, or their numbers where there is no header
     open    what only a person knows, as the keys of a recipe: `wrench.frame`, `wrench.sign`, …
+    clocks  the clock of a section where it has its own
+    split   the column that tells several demonstrations apart
+    preset  the one that knows these columns, with what it leaves open by section; else None
+    gaps    sections with cells without a number
     """
 
-    layout: Layout
+    layout: Layout | None
     names: tuple[str, ...]
     guesses: tuple[Guess, ...]
     open: tuple[str, ...]
+    clocks: dict[str, str] = field(default_factory=dict)
+    split: Guess | None = None
+    preset: tuple[str, dict[str, list[str]]] | None = None
+    gaps: tuple[str, ...] = ()
 
     def recipe_text(self) -> str:
         """The recipe as TOML, the evidence as comments; what is open stands as a comment, too."""
-        lines = [*_table_lines(self.layout), *self._time_lines()]
+        restarts = any(guess.detail == RESTARTS for guess in self.guesses)
+        lines = table_lines(self.layout, self.split, restarts, self.names)
+        if self.preset is not None:
+            return "\n".join([*preset_lines(*self.preset), "", *lines]).rstrip() + "\n"
+        if not any(guess.role == "time" for guess in self.guesses):
+            lines += without_time()
         for guess in self.guesses:
-            lines += self._section_lines(guess)
-        roles = {guess.role for guess in self.guesses}
-        if roles & {"force", "torque"}:
-            lines += [
-                "",
-                "[wrench]",
-                '# frame = "base"    # or "tool": in whose axes is the wrench written?',
-                "# sign = 1          # 1: pressing down on a table gives a force upwards; else -1",
-            ]
-        return "\n".join(lines) + "\n"
+            lines += guess_lines(guess, self._chosen(guess), self.clocks.get(section_of(guess)))
+        if {guess.role for guess in self.guesses} & {"force", "torque"}:
+            lines += ["", "[wrench]", *WRENCH_QUESTIONS.values()]
+        if self.gaps:
+            told = f"# {', '.join(self.gaps)}: not in all rows is there a number"
+            lines += ["", told, "[rows]", f"empty = {toml('leave_out')}"]
+        return "\n".join([*lines, *unread_lines(self.unread)]) + "\n"
 
-    def _time_lines(self) -> list[str]:
-        if any(guess.role == "time" for guess in self.guesses):
-            return []
+    @property
+    def unread(self) -> tuple[str, ...]:
+        """Columns that the recipe would not read."""
+        used = {column for guess in self.guesses for column in guess.columns}
+        used |= set(self.split.columns) if self.split else set()
+        clocks = set(self.clocks.values())
+        return tuple(
+            name for i, name in enumerate(self.names) if i not in used and name not in clocks
+        )
+
+    def _chosen(self, guess: Guess) -> list[str | int]:
+        has_names = self.layout is None or self.layout.form.header
         return [
-            "",
-            "[time]",
-            "# rate_hz = 100    # no column rises like a time: how many rows a second?",
+            self.names[i] if has_names and self.names.count(self.names[i]) == 1 else i
+            for i in guess.columns
         ]
-
-    def _section_lines(self, guess: Guess) -> list[str]:
-        chosen = [self.names[i] if self.layout.form.header else i for i in guess.columns]
-        section = {"quaternion": "orientation", "euler": "orientation"}.get(guess.role, guess.role)
-        lines = ["", *(f"# {reason}" for reason in guess.evidence), f"[{section}]"]
-        if guess.detail == "seconds and nanoseconds":
-            return [*lines, f"seconds = {_toml(chosen[0])}", f"nanoseconds = {_toml(chosen[1])}"]
-        if guess.role == "time":
-            lines.append(f"column = {_toml(chosen[0])}")
-        else:
-            kind = {"quaternion": '"quaternion"', "euler": '"euler"'}.get(guess.role)
-            lines += [f"kind = {kind}"] if kind else []
-            lines.append(f"columns = {_toml(chosen)}")
-        if guess.role == "quaternion":
-            lines.append(_said("order", guess.detail, '"wxyz" or "xyzw"'))
-        elif guess.role == "euler":
-            lines += ['# sequence = "xyz"    # fixed axes: roll, pitch, yaw; or "ZYX" and the like']
-            lines.append(_said("unit", guess.unit, '"rad" or "deg"'))
-        else:
-            lines.append(_said("unit", guess.unit, "the unit of these numbers"))
-        return lines
 
 
 def propose(path: Path, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> Proposal:
-    """A proposal for the table at `path`.
+    """A proposal for the recording at `path`, a table or one of a binary format.
 
-    Raises DemonstrationError for what is no table of numbers.
+    Raises DemonstrationError for what holds no numbers, MissingPackageError where the format's
+    package is not installed.
     """
-    file = read_whole(path, limit_bytes)
+    file, part = split_part(path)
+    form = format_of(file)
+    if form is not None:
+        part = part.rpartition("+")[0] or part if part else part
+        return _of_arrays(looked_at_arrays(form.table(file, part, limit_bytes)))
+    whole = read_whole(file, limit_bytes)
     try:
-        layout = layout_of(file.data)
+        layout = layout_of(whole.data)
     except DemonstrationError as error:
-        raise DemonstrationError(f"{file.name}: {error}") from error
-    table = open_table(file.name, file.data, layout.form, limit_bytes)
-    names = tuple(
-        table.names[i] if i < len(table.names) and table.names[i] else f"column {i}"
-        for i in range(table.width)
-    )
-    guesses = guesses_of(names, _numbers(table))
-    return Proposal(layout, names, tuple(guesses), _open_questions(guesses))
+        raise DemonstrationError(f"{whole.name}: {error}") from error
+    table = open_table(whole.name, whole.data, layout.form, limit_bytes)
+    return _of_table(looked_at_table(table, layout), layout)
+
+
+def _of_table(looked: Looked, layout: Layout) -> Proposal:
+    preset = _preset_of(looked.names)
+    told = looked.told
+    split = demonstrations_of(looked.names, looked.cells)
+    taken = split.columns if split else ()
+    numeric = np.isfinite(looked.values).any(axis=0)
+    free = [i for i in range(len(told)) if numeric[i] and i not in taken]
+    rows = looked.first_demonstration(split)
+    time = time_of_numbers(told, rows, free) or stamps_of(looked.texts)
+    taken = (*taken, *(time.columns if time else ()))
+    guesses = ((time,) if time else ()) + tuple(guesses_of(told, looked.values, taken))
+    gaps = tuple(section_of(g) for g in guesses if g.role != "time" and looked.has_gaps(g.columns))
+    questions = _open_questions(guesses) if preset is None else tuple(preset[1])
+    return Proposal(layout, looked.names, guesses, questions, {}, split, preset, gaps)
+
+
+def _of_arrays(looked: Looked) -> Proposal:
+    """Of arrays each of which may have its own clock; that of the place is the main one."""
+    preset = _preset_of(looked.names)
+    clocks = looked.clocks()
+    found = guesses_of(looked.told, looked.values, tuple(clocks))
+    leading = next((g for r in ("pose", "position", "joints") for g in found if g.role == r), None)
+    main = looked.clock_of(leading, clocks) if leading else next(iter(clocks), None)
+    if main is not None:
+        time = clock_guess(looked.told, looked.values, main)
+    else:
+        used = {column for guess in found for column in guess.columns}
+        free = [i for i in range(len(looked.told)) if i not in used]
+        time = time_of_numbers(looked.told, looked.values, free)
+    own, questions = {}, list(_open_questions([*([time] if time else []), *found]))
+    for guess in found:
+        clock = looked.clock_of(guess, clocks)
+        if clock is not None and main is not None and clock != main:
+            own[section_of(guess)] = looked.names[clock]
+        elif clock is None and looked.length(guess) != (looked.length(leading) if leading else 0):
+            questions.append(f"{section_of(guess)}.time")
+    guesses = ((time,) if time else ()) + tuple(found)
+    gaps = tuple(section_of(g) for g in found if looked.has_gaps(g.columns))
+    questions = list(preset[1]) if preset else questions
+    return Proposal(None, looked.names, guesses, tuple(questions), own, None, preset, gaps)
+
+
+def _preset_of(names: Sequence[str]) -> tuple[str, dict[str, list[str]]] | None:
+    name = fitting_preset(names)
+    return None if name is None else (name, left_open(name))
 
 
 def _open_questions(guesses: Sequence[Guess]) -> tuple[str, ...]:
     by_role = {guess.role: guess for guess in guesses}
-    questions = [f"{role} is missing" for role in ("time", "position") if role not in by_role]
+    placed = "position" in by_role or "pose" in by_role
+    questions = [] if "time" in by_role else ["time is missing"]
+    questions += [] if placed else ["position is missing"]
+    without_unit = ("quaternion", "rot6d", "matrix", "demonstration")
     questions += [
-        f"{g.role}.unit" for g in guesses if not (g.unit or g.role == "quaternion" or g.detail)
+        f"{g.role}.unit" for g in guesses if not (g.unit or g.role in without_unit or g.detail)
     ]
     if "quaternion" in by_role and not by_role["quaternion"].detail:
         questions.append("orientation.order")
-    if "euler" in by_role:
-        questions.append("orientation.sequence")
+    questions += ["orientation.sequence"] if "euler" in by_role else []
+    questions += ["orientation.kind"] if "turn" in by_role else []
+    questions += ["orientation.layout"] if "matrix" in by_role else []
     if "force" in by_role or "torque" in by_role:
         questions += ["wrench.frame", "wrench.sign"]
     return tuple(questions)
-
-
-def _numbers(table: Table) -> Array:
-    """The first rows as numbers (N, D); a column with anything else in it is NaN throughout."""
-    values = np.full((min(len(table), _LOOKED_AT_ROWS), table.width), np.nan)
-    for column in range(table.width):
-        cells = table.text(column)[:_LOOKED_AT_ROWS] if table.quoted else None
-        try:
-            numbers = _parsed(table, column, cells)
-        except ValueError:
-            continue
-        values[:, column] = numbers
-    return values
-
-
-def _parsed(table: Table, column: int, cells: list[str] | None) -> list[float]:
-    if cells is None:
-        separator = table.form.separator
-        cells = [line.split(separator)[column] for line in table.lines[:_LOOKED_AT_ROWS]]
-    return [float(cell.strip().replace(table.form.decimal, ".")) for cell in cells]
-
-
-def _table_lines(layout: Layout) -> list[str]:
-    form, evidence = layout.form, layout.evidence
-    values = {
-        "encoding": (layout.encoding, "utf-8"),
-        "separator": (layout.separator, ","),
-        "decimal": (form.decimal, "."),
-    }
-    lines = [
-        f"{key} = {_toml(value)}    # {evidence[key]}"
-        for key, (value, usual) in values.items()
-        if value != usual
-    ]
-    lines += [f"skip_lines = {form.skip_lines}"] if form.skip_lines else []
-    lines += [] if form.header else [f"header = false    # {evidence['header']}"]
-    return ["[table]", *lines] if lines else []
-
-
-def _said(key: str, value: str, question: str) -> str:
-    return f"{key} = {_toml(value)}" if value else f"# {key} =    # {question}"
-
-
-def _toml(value: object) -> str:
-    """Texts, numbers and lists are written alike in TOML and JSON."""
-    return json.dumps(value, ensure_ascii=False)

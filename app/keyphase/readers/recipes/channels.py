@@ -20,6 +20,7 @@ from keyphase.readers.orientation import (
 )
 from keyphase.readers.recipes.clocks import on_one_clock
 from keyphase.readers.recipes.columns import Columns
+from keyphase.readers.recipes.measured import MeasuredRows
 from keyphase.readers.recipes.recipe import (
     Euler,
     Load,
@@ -85,43 +86,53 @@ def channels_of(table: Columned, recipe: Recipe) -> Noted:
 
     Raises RecipeError and DemonstrationError as `read_by_recipe` does.
     """
-    time, notices = _time(table, recipe)
+    rows = MeasuredRows(table, recipe)
+    time, notices = _time(rows.table, recipe)
     channels = {"time_s": time}
     if recipe.pose:
-        channels |= _pose(table, recipe.pose)
+        channels |= _pose(rows.of(recipe.pose.columns), recipe.pose)
     if recipe.position:
-        channels["position_m"] = _scaled(table, recipe.position)
+        channels["position_m"] = _scaled(rows.of(recipe.position.columns), recipe.position)
     if recipe.orientation:
-        channels["orientation_wxyz"], more = _orientation(table, recipe.orientation)
+        own = rows.of(recipe.orientation.columns)
+        channels["orientation_wxyz"], more = _orientation(own, recipe.orientation)
         notices += more
-    if recipe.joint_torques:
-        channels[JOINT_TORQUES] = _scaled(table, recipe.joint_torques)
     for name, form in _loads_and_joints(recipe).items():
-        channels[name] = _scaled(table, form)
+        channels[name] = _scaled(rows.of(form.columns), form)
     if recipe.gripper:
-        channels["gripper"] = _opening(table, recipe.gripper)
+        channels["gripper"] = _opening(rows.of(recipe.gripper.columns), recipe.gripper)
     for name, column in recipe.named.items():
-        channels[named_key(name)] = table.numbers(column.find(table))
-    return _on_one_clock(table, recipe, channels, notices)
+        own = rows.of(column)
+        channels[named_key(name)] = own.numbers(column.find(own))
+    return _on_one_clock(rows, recipe, channels, notices + rows.notices())
 
 
 def _on_one_clock(
-    table: Columned, recipe: Recipe, channels: Channels, notices: tuple[str, ...]
+    rows: MeasuredRows, recipe: Recipe, channels: Channels, notices: tuple[str, ...]
 ) -> Noted:
     """Nothing to do where no channel has a clock of its own."""
     time = channels.pop("time_s")
-    sections = SECTIONS | {named_key(name): (named_key(name),) for name in recipe.named}
     clocks = {
-        channel: _clock(table, recipe, recipe.clocks[section]) if section in recipe.clocks else time
-        for section, made in sections.items()
-        for channel in made
-        if channel in channels
+        channel: (
+            _clock(rows.of(columns), recipe, recipe.clocks[section])
+            if section in recipe.clocks
+            else rows.times(columns, time)
+        )
+        for section, columns in _columns_of(recipe).items()
+        for channel in SECTIONS.get(section, (section,))
     }
     lengths = {len(values) for values in channels.values()} | {len(time)}
     if not recipe.clocks and len(lengths) == 1:
         return {"time_s": time, **channels}, notices
     brought, more = on_one_clock(channels, clocks, recipe.name)
     return brought, notices + more
+
+
+def _columns_of(recipe: Recipe) -> dict[str, Columns]:
+    """What each section, or further channel, is read from."""
+    forms = {section: getattr(recipe, section) for section in SECTIONS}
+    found = {section: form.columns for section, form in forms.items() if form is not None}
+    return found | {named_key(name): column for name, column in recipe.named.items()}
 
 
 def _clock(table: Columned, recipe: Recipe, column: Columns) -> Array:
@@ -143,6 +154,7 @@ def _opening(table: Columned, form: Scaled) -> Array:
 
 def _loads_and_joints(recipe: Recipe) -> dict[str, Scaled]:
     forms: dict[str, Load | Scaled | None] = {
+        JOINT_TORQUES: recipe.joint_torques,
         "force_N": recipe.force,
         "torque_Nm": recipe.torque,
         "joints_rad": recipe.joints,

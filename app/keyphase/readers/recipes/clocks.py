@@ -7,6 +7,7 @@ The channel that came most often keeps its samples; the others are interpolated 
 from collections.abc import Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.errors import RecipeError
@@ -16,8 +17,14 @@ from keyphase.readers.resampling import interpolate
 _STEERING = ("position_m", "orientation_wxyz", "force_N", "torque_Nm")
 """Whose clock all others follow: one of what is segmented by."""
 
+_MIN_BLIND_S, _BLIND_STEPS = 0.25, 10
+"""Over longer gaps, in seconds and in its usual steps, nobody knows what a channel did."""
+
 _BY_JOINTS = ("joints_rad", "joint_torques_Nm")
 """The same where it is by its joints that is known where the tool was."""
+
+
+_WATCHED = frozenset((*_STEERING, *_BY_JOINTS))
 
 
 def on_one_clock(
@@ -42,13 +49,16 @@ def on_one_clock(
     lead = clocks[leading]
     begin = max(float(clock[0]) for clock in clocks.values())
     end = min(float(clock[-1]) for clock in clocks.values())
-    time = lead[(lead >= begin) & (lead <= end)]
+    kept = (lead >= begin) & (lead <= end)
+    blind = {channel: _blind(clocks[channel], lead) for channel in channels if channel in _WATCHED}
+    for between in blind.values():
+        kept &= ~between
+    time = lead[kept]
     if len(time) < 2:
         raise RecipeError(
             f"{recipe}: the clocks of the channels do not overlap (from {begin:.3f} to {end:.3f} "
             "s); check their columns and whether all have one unit and one zero."
         )
-    kept = (lead >= time[0]) & (lead <= time[-1])
     moved = {channel for channel in channels if not np.array_equal(clocks[channel], lead)}
     brought = {
         channel: (
@@ -58,7 +68,27 @@ def on_one_clock(
         )
         for channel, values in channels.items()
     }
-    return {"time_s": time, **brought}, _notices(clocks, leading, moved, time)
+    told = _notices(clocks, leading, moved, time) + _blind_notices(blind, lead)
+    return {"time_s": time, **brought}, told
+
+
+def _blind(clock: Array, lead: Array) -> NDArray[np.bool_]:
+    """Which times of the leading channel (N,) lie where another one was not measured for long."""
+    steps = np.diff(clock)
+    long = steps > max(_MIN_BLIND_S, _BLIND_STEPS * float(np.median(steps)))
+    after = np.searchsorted(clock, lead)
+    inside = (after > 0) & (after < len(clock))
+    step = np.clip(after - 1, 0, len(steps) - 1)
+    return inside & long[step] & (lead != clock[np.clip(after, 0, len(clock) - 1)])
+
+
+def _blind_notices(blind: Mapping[str, NDArray[np.bool_]], lead: Array) -> tuple[str, ...]:
+    step = float(np.median(np.diff(lead)))
+    return tuple(
+        Caution(f"Left out {step * int(rows.sum()):.3g} s in which {channel} was not measured.")
+        for channel, rows in blind.items()
+        if rows.any()
+    )
 
 
 def _notices(

@@ -154,6 +154,7 @@ class Rows:
 
     outliers  rows to which the tool jumps faster than any arm, and back
     missing   rows whose whole place holds this number, as it stands in the table
+    empty     cells without a number: each channel goes without the rows in which it has one
     """
 
     repeated: Literal["refuse", "drop"] = "refuse"
@@ -162,6 +163,7 @@ class Rows:
     held: Literal["leave", "interpolate"] = "leave"
     outliers: Literal["leave", "drop"] = "leave"
     missing: float | None = None
+    empty: Literal["refuse", "leave_out"] = "refuse"
 
 
 @dataclass(frozen=True)

@@ -72,7 +72,13 @@ def table_of(keys: Keys | None) -> TableForm:
         header=keys.flag("header", True),
         encoding=keys.choice("encoding", ENCODINGS, "utf-8"),
         decimal=keys.choice("decimal", {".": ".", ",": ","}, "."),
+        lines_after_header=keys.count("lines_after_header", 0),
     )
+    if form.lines_after_header and not form.header:
+        raise RecipeError(
+            f"{keys.where}: lines_after_header are lines below the column names; where there are "
+            "none, say skip_lines."
+        )
     keys.finish()
     return form
 
@@ -128,6 +134,7 @@ def rows_of(keys: Keys | None) -> Rows:
         held=keys.choice("held", {"leave": "leave", "interpolate": "interpolate"}, "leave"),
         outliers=keys.choice("outliers", {"leave": "leave", "drop": "drop"}, "leave"),
         missing=keys.number("missing"),
+        empty=keys.choice("empty", {"refuse": "refuse", "leave_out": "leave_out"}, "refuse"),
     )
     if (rows.irregular == "resample") != (rows.rate_hz is not None):
         raise RecipeError(

@@ -17,6 +17,12 @@ from keyphase.errors import RecipeError
 _ENDING = ".toml"
 _NEEDS = "needs"
 
+WRENCH_QUESTIONS = {
+    "frame": '# frame = "base"    # or "tool": in whose axes is the wrench written?',
+    "sign": "# sign = 1          # 1: pressing down on a table gives a force upwards; else -1",
+}
+"""What a person says of a wrench, by key, each as a comment to complete."""
+
 
 @cache
 def preset_names() -> tuple[str, ...]:
@@ -47,6 +53,27 @@ def preset_sides(columns: Iterable[str]) -> tuple[str, ...]:
     name = fitting_preset(columns)
     several = _shipped(name).get("demonstration", ()) if name else ()
     return tuple(one["name"] for one in several)
+
+
+def left_open(name: str) -> dict[str, list[str]]:
+    """What a preset leaves for a person to say, by section, each as a comment to complete."""
+    values = _shipped(name)
+    several = values.get("demonstration") or ({},)
+    every = {**values, **several[0]}
+    wrench, loaded = every.get("wrench", {}), bool({"force", "torque"} & every.keys())
+    found: dict[str, list[str]] = {}
+    if "time" not in every:
+        found["time"] = ["# rate_hz = 50    # how many rows a second?"]
+    if loaded and not {"frame", "sign"} <= wrench.keys():
+        found["wrench"] = [line for key, line in WRENCH_QUESTIONS.items() if key not in wrench]
+    if not {"pose", "position"} & every.keys():
+        found["robot"] = [
+            '# urdf = "arm.urdf"',
+            '# tool_frame = "tool0"    # the link that is the tool',
+        ]
+    if "joint_torques" in every:
+        found["joint_torques"] = ["# sign = 1    # 1: torques that act on the robot; else -1"]
+    return found
 
 
 def merged(below: Mapping[str, Any], above: Mapping[str, Any]) -> dict[str, Any]:

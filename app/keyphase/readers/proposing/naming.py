@@ -1,0 +1,85 @@
+"""What the names of columns say: which quantity, which axis, which unit."""
+
+import re
+from collections.abc import Mapping, Sequence
+
+AXIS = re.compile(r"(|.*?[^a-z]|.*?[a-z])([xyz])(|[\W_].*|\d*)")
+TIME = re.compile(r"time|zeit|stamp|^t$|^t[\W_]|sec|(^|[\W_])tm($|[\W_])", re.I)
+POSITION = re.compile(
+    r"pos|tcp|tool|ee|pose|^[xyz]$|^[xyz][\W_]|^p?[xyz]$|translation|punkt|xyz", re.I
+)
+NO_POSITION = re.compile(
+    r"vel|speed|acc|cmd|soll|target|desired|action|goal|force|torque|wrench|quat|orient|ori[\W_]"
+    r"|roll|pitch|yaw|kraft|moment|joint|gripper|finger|rot|covariance"
+    r"|(^|[\W_])[ftmq]\d?[\W_]?[xyz]($|[\W_])",
+    re.I,
+)
+FORCE = re.compile(r"force|kraft|(^|[\W_])f[\W_]?[xyz]|^f\d?[xyz]|^f$", re.I)
+TORQUE = re.compile(r"torque|moment|(^|[\W_])[tm][\W_]?[xyz]($|[\W_])|^(tau|m)$", re.I)
+WRENCH = re.compile(r"wrench|force|(^|[\W_])ft($|[\W_])|f_?ext|kraft", re.I)
+QUATERNION = re.compile(r"quat|orient|(^|[\W_])q[\W_]?[wxyz0-3]|(^|[\W_])u[0-3]$", re.I)
+EULER = re.compile(r"roll|pitch|yaw|euler|rpy|(^|[\W_])r[xyz]|rot", re.I)
+TURN = re.compile(r"rot|axis.?angle|euler|rpy|orient", re.I)
+GRIPPER = re.compile(r"grip|greifer|width|opening|finger|backe", re.I)
+JOINT = re.compile(r"joint|achse|axis_?\d|(^|[\W_])[qj]_?\d|qpos", re.I)
+NO_JOINT = re.compile(
+    r"header|stamp|seq|vel|qd|effort|torque|current|cmd|soll|target|action|tau", re.I
+)
+COMMANDED = re.compile(
+    r"cmd|command|soll|target|desired|action|goal|vel|speed|twist|acc|jerk|covariance|_[dc]$"
+    r"|demo_start|start_pose",
+    re.I,
+)
+"""What is no measurement of where the tool was or what acted on it."""
+
+TOOL = re.compile(r"eef|(^|[\W_])ee|tcp|tool|flange|end.?effector|cartesian", re.I)
+RAW = re.compile(r"raw|bias|uncomp|offset", re.I)
+COUNTER = re.compile(r"^$|sample|frame|index|idx|count|seq|^#$|^nr?$|row|zeile|^i$|^id$", re.I)
+DEMONSTRATION = re.compile(
+    r"(^|[\W_])(episode|demo|demonstration|trial|run|take|repetition|rep|traj|trajectory|versuch)"
+    r"([\W_]?(id|idx|index|nr|no|num|number))?$",
+    re.I,
+)
+
+
+def bare(name: str) -> str:
+    """A name without the unit in brackets."""
+    return re.sub(r"\s*[(\[{][^)\]}]*[A-Za-zµ°-][^)\]}]*[)\]}]\s*$", "", name).strip()
+
+
+def unit_in(name: str, units: Mapping[str, float]) -> str:
+    """A unit written in a name, as in `px [mm]`, `t_ms` or `Fx(N)`; "" where there is none."""
+    found = re.findall(r"[(\[{]\s*([A-Za-zµ·*]+)\s*[)\]}]", name) or re.findall(
+        r"[_\s]([A-Za-zµ]+)$", name
+    )
+    plain = {unit.lower(): unit for unit in units}
+    aliases = {"radian": "rad", "degree": "deg", "degrees": "deg", "µs": "us", "m": "m"}
+    aliases |= {"seconds": "s", "sec": "s", "milliseconds": "ms", "nanoseconds": "ns"}
+    for one in found:
+        word = one.replace("·", "").replace("*", "").lower()
+        word = aliases.get(word, word)
+        if word in plain:
+            return plain[word]
+    return ""
+
+
+_NUMBERED = re.compile(r"(.*?)[\s_.]?[\[(]?(\d{1,2})[\])]?")
+
+
+def vectors(names: Sequence[str], free: Sequence[int]) -> list[tuple[str, tuple[int, ...]]]:
+    """Columns whose names differ in a number only, counted from 0 or 1 without a gap: what they
+    are called without it, and their columns in that order."""
+    found: dict[str, dict[int, int]] = {}
+    for column in free:
+        match = _NUMBERED.fullmatch(names[column])
+        if match:
+            found.setdefault(match[1], {}).setdefault(int(match[2]), column)
+    grown = []
+    for stem, members in found.items():
+        numbers = sorted(members)
+        begins = numbers[0] in (0, 1) and numbers == list(
+            range(numbers[0], numbers[0] + len(numbers))
+        )
+        if begins and len(numbers) > 2 and stem != "column":
+            grown.append((stem, tuple(members[n] for n in numbers)))
+    return grown

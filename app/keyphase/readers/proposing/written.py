@@ -1,0 +1,121 @@
+"""A proposal as the text of a recipe: evidence and what is open stand in it as comments."""
+
+import json
+from collections.abc import Mapping, Sequence
+
+from keyphase.readers.proposing.guess import Guess
+from keyphase.readers.proposing.layout import Layout
+from keyphase.readers.proposing.times import RESTARTS
+
+_SECTIONS = {
+    **dict.fromkeys(("quaternion", "euler", "turn", "rot6d", "matrix"), "orientation"),
+}
+_KINDS = ("quaternion", "euler", "rot6d", "matrix")
+_MAX_SHOWN = 30
+
+
+def section_of(guess: Guess) -> str:
+    """The section of a recipe in which it stands."""
+    return _SECTIONS.get(guess.role, guess.role)
+
+
+def table_lines(
+    layout: Layout | None, split: Guess | None, restarts: bool, names: Sequence[str]
+) -> list[str]:
+    """How the text is laid out, and what tells demonstrations in it apart."""
+    lines = [] if layout is None else _layout_lines(layout)
+    if split is not None:
+        lines.append(f"demonstration = {toml(names[split.columns[0]])}    # {split.evidence[0]}")
+    elif restarts:
+        lines.append("time_starts_again = true")
+    return ["[table]", *lines] if lines else []
+
+
+def _layout_lines(layout: Layout) -> list[str]:
+    form, evidence = layout.form, layout.evidence
+    values = {
+        "encoding": (layout.encoding, "utf-8"),
+        "separator": (layout.separator, ","),
+        "decimal": (form.decimal, "."),
+    }
+    lines = [
+        f"{key} = {toml(value)}    # {evidence[key]}"
+        for key, (value, usual) in values.items()
+        if value != usual
+    ]
+    lines += [f"skip_lines = {form.skip_lines}"] if form.skip_lines else []
+    if form.lines_after_header:
+        lines.append(f"lines_after_header = {form.lines_after_header}    # {evidence['below']}")
+    return lines + ([] if form.header else [f"header = false    # {evidence['header']}"])
+
+
+def guess_lines(guess: Guess, chosen: Sequence[str | int], clock: str | None) -> list[str]:
+    """One section; `chosen` are its columns by name or index, `clock` its own or None."""
+    lines = ["", *(f"# {reason}" for reason in guess.evidence), f"[{section_of(guess)}]"]
+    if guess.role == "time":
+        return lines + _time_lines(guess, chosen)
+    lines += [f"kind = {toml(guess.role)}"] if guess.role in _KINDS else []
+    lines.append(f"columns = {toml(list(chosen))}")
+    lines += _detail_lines(guess)
+    if guess.role not in ("quaternion", "rot6d", "matrix"):
+        lines.append(_said("unit", guess.unit, "the unit of these numbers"))
+    return lines + ([f"time = {toml(clock)}"] if clock else [])
+
+
+def _detail_lines(guess: Guess) -> list[str]:
+    match guess.role:
+        case "quaternion":
+            return [_said("order", guess.detail, '"wxyz" or "xyzw"'), "normalise = true"]
+        case "euler":
+            likely = guess.detail or "xyz"
+            told = "small letters: about the fixed axes, as roll, pitch, yaw; else the turned ones"
+            return [f"# sequence = {toml(likely)}    # {told}"]
+        case "turn":
+            return ['# kind = "rotation_vector"    # or kind = "euler" with sequence = "xyz"']
+        case "pose" | "matrix":
+            return [_said("layout", guess.detail, '"row_major" or "column_major"')]
+    return []
+
+
+def _time_lines(guess: Guess, chosen: Sequence[str | int]) -> list[str]:
+    if guess.detail == "seconds and nanoseconds":
+        return [f"seconds = {toml(chosen[0])}", f"nanoseconds = {toml(chosen[1])}"]
+    lines = [f"column = {toml(chosen[0])}"]
+    if guess.detail and guess.detail != RESTARTS:
+        return [*lines, f"format = {toml(guess.detail)}"]
+    return [*lines, _said("unit", guess.unit, '"s", "ms", "us" or "ns"'), "from_zero = true"]
+
+
+def without_time() -> list[str]:
+    """What is asked where no column rises like a time."""
+    return [
+        "",
+        "[time]",
+        "# rate_hz = 100    # no column rises like a time: how many rows a second?",
+    ]
+
+
+def unread_lines(unread: Sequence[str]) -> list[str]:
+    """What the recipe would not read."""
+    if not unread:
+        return []
+    shown = ", ".join(name[:60] for name in unread[:_MAX_SHOWN])
+    more = f" and {len(unread) - _MAX_SHOWN} more" if len(unread) > _MAX_SHOWN else ""
+    return ["", f"# Not read: {shown}{more}"]
+
+
+def preset_lines(name: str, left_open: Mapping[str, Sequence[str]]) -> list[str]:
+    """A recipe that begins with a preset, and what that leaves open, by section."""
+    lines = [f"preset = {toml(name)}    # all columns it needs are there"]
+    for section, open_lines in left_open.items():
+        lines += ["", f"[{section}]", *open_lines]
+    return lines
+
+
+def _said(key: str, value: str, question: str) -> str:
+    return f"{key} = {toml(value)}" if value else f"# {key} =    # {question}"
+
+
+def toml(value: object) -> str:
+    """Texts, numbers and lists are written alike in TOML and JSON."""
+    return json.dumps(value, ensure_ascii=False)
