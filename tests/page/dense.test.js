@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { eachColumn } from "../../app/keyphase/web/page/js/timeline/dense_curve.js";
+import { eachColumn } from "../../app/keyphase/web/page/js/timeline/curves/columns.js";
 import { seriesOf } from "./documents.js";
 
 const columnsOf = (series, view, width) => {

@@ -6,7 +6,8 @@
 import { cssColor } from "../lib/colors.js";
 import { el, svg } from "../lib/dom.js";
 import { signed } from "../lib/format.js";
-import { createCurves, normOf } from "../timeline/curves.js";
+import { createCurves } from "../timeline/curves/curves.js";
+import { normOf } from "../timeline/curves/series.js";
 import { createReadout } from "../timeline/gutter.js";
 import { axisStep, multiples } from "../lib/scale.js";
 import { tickLabels } from "../timeline/tracks.js";

@@ -3,7 +3,7 @@
 import { cssColor } from "../lib/colors.js";
 import { byId } from "../lib/dom.js";
 import { time as timeText } from "../lib/format.js";
-import { eachSample, extent } from "./curves.js";
+import { eachSample, extent } from "./curves/series.js";
 
 const WIDTH = 216;
 const HEIGHT = 128;

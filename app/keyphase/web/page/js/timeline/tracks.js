@@ -3,7 +3,8 @@
 import { svg } from "../lib/dom.js";
 import { plain, signed } from "../lib/format.js";
 import { curvesOf, valueAt } from "../model/signals.js";
-import { createCurves, extent, normOf } from "./curves.js";
+import { createCurves } from "./curves/curves.js";
+import { extent, normOf } from "./curves/series.js";
 import { createReadout } from "./gutter.js";
 import { textWidth } from "../lib/text_width.js";
 import { axisStep, multiples } from "../lib/scale.js";

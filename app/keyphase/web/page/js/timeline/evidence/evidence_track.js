@@ -7,7 +7,7 @@ import { cssColor } from "../../lib/colors.js";
 import { el } from "../../lib/dom.js";
 import { heightOf, LINES, linesOf, lineValue } from "../../model/evidence.js";
 import { curvesOf, valueAt } from "../../model/signals.js";
-import { createCurves, fillAbove } from "../curves.js";
+import { createCurves, fillAbove } from "../curves/curves.js";
 import { createReadout } from "../gutter.js";
 import { tickLabels } from "../tracks.js";
 import { drawCandidates, nearestCandidate, showNote } from "./candidates.js";

@@ -3,9 +3,9 @@
  * overlay's, so that all rows share one time axis and one look.
  */
 
-import { cssColor } from "../lib/colors.js";
-import { upperBound, valueAt } from "../model/signals.js";
-import { eachColumn, isDense } from "./dense_curve.js";
+import { cssColor } from "../../lib/colors.js";
+import { eachColumn, isDense } from "./columns.js";
+import { eachSample } from "./series.js";
 
 /** uPlot comes as a classic script, before the modules. */
 const { uPlot } = /** @type {any} */ (window);
@@ -130,9 +130,9 @@ export function createCurves(parent, pens, drawBelow) {
       } else chart?.setSize({ width, height });
     },
     /**
-     * @param {import("../model/types.js").Series[]} series as many as pens
+     * @param {import("../../model/types.js").Series[]} series as many as pens
      * @param {Range} nextRange
-     * @param {import("../model/types.js").View} nextView
+     * @param {import("../../model/types.js").View} nextView
      */
     draw(series, nextRange, nextView) {
       if (size.width < 2 || size.height < 2) return;
@@ -172,7 +172,7 @@ export function createCurves(parent, pens, drawBelow) {
 
 /**
  * uPlot wants all series on one set of times; ours are decimated one by one.
- * @param {import("../model/types.js").Series[]} series
+ * @param {import("../../model/types.js").Series[]} series
  * @param {(value: number) => number} map
  */
 function alignedData(series, map) {
@@ -183,43 +183,6 @@ function alignedData(series, map) {
     ({ times }) => times.length === first.length && times.every((t, k) => t === first[k]),
   );
   return alike ? [first, ...tables.map(([, values]) => values)] : uPlot.join(tables);
-}
-
-/**
- * The length of a vector of series, on the times of its first: what a folded track shows.
- * @param {import("../model/types.js").Series[]} series
- * @returns {import("../model/types.js").Series}
- */
-export function normOf(series) {
-  if (series.length === 1) return series[0];
-  const { times } = series[0];
-  const squares = Float64Array.from(times, (time, k) => {
-    const others = series.slice(1).reduce((sum, one) => sum + (valueAt(one, time) || 0) ** 2, 0);
-    return series[0].values[k] ** 2 + others;
-  });
-  return { key: "norm", times, values: squares.map(Math.sqrt) };
-}
-
-/** Least and greatest value of several series. @param {import("../model/types.js").Series[]} series */
-export function extent(series) {
-  let low = Infinity;
-  let high = -Infinity;
-  for (const { values } of series) {
-    for (const value of values) {
-      if (value < low) low = value;
-      if (value > high) high = value;
-    }
-  }
-  return Number.isFinite(low) ? { low, high } : { low: 0, high: 1 };
-}
-
-/** Calls `visit` with every sample between two times and one beyond on either side. */
-export function eachSample({ times, values }, from, to, visit) {
-  const start = Math.max(0, upperBound(times, from) - 1);
-  for (let k = start; k < times.length; k++) {
-    visit(times[k], values[k]);
-    if (times[k] > to) return;
-  }
 }
 
 /** Fills what of the curve stands above the threshold. */

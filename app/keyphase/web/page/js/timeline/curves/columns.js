@@ -4,7 +4,7 @@
  * through thousands of such points takes a tenth of a second, and the bars a thousandth.
  */
 
-import { upperBound } from "../model/signals.js";
+import { upperBound } from "../../model/signals.js";
 
 /** With more samples in view than so many for each pixel a curve is dense. */
 const DENSE_PER_PX = 1.8;
@@ -15,8 +15,8 @@ export function samplesIn({ times }, { from, to }) {
 }
 
 /**
- * @param {import("../model/types.js").Series[]} series
- * @param {import("../model/types.js").View} view
+ * @param {import("../../model/types.js").Series[]} series
+ * @param {import("../../model/types.js").View} view
  * @param {number} width px
  */
 export function isDense(series, view, width) {
@@ -25,8 +25,8 @@ export function isDense(series, view, width) {
 
 /**
  * The least and greatest height in every column of pixels in view, joined to the one before.
- * @param {import("../model/types.js").Series} series
- * @param {import("../model/types.js").View} view
+ * @param {import("../../model/types.js").Series} series
+ * @param {import("../../model/types.js").View} view
  * @param {number} width in columns
  * @param {(value: number) => number} y height of a value, downwards
  * @param {(column: number, top: number, bottom: number) => void} visit
