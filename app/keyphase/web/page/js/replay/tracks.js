@@ -35,11 +35,10 @@ const identity = (value) => value;
 export function createReplayTrack(key, { plot, marks, gutter, texts }) {
   const { curves, width, pale, digits, least } = PENS[key];
   let laid = [];
-  let scale = null;
   const open = createCurves(
     plot,
     curves.map(({ color }) => ({ color, width })),
-    (chart, box) => drawBelow(chart, box),
+    { pale: demonstratedLines },
   );
   const folded = createCurves(plot, [{ color: "--text-3", width: 1 }]);
   const note = el("div", { class: "replay-notes" });
@@ -49,27 +48,15 @@ export function createReplayTrack(key, { plot, marks, gutter, texts }) {
   if (key === "off") note.append(el("div", { class: "gutter-note" }, "now ", now));
   const readout = key === "off" ? null : createReadout(gutter, curves);
 
-  function drawBelow({ ctx }, box) {
-    if (key === "off") return;
-    ctx.lineWidth = pale;
-    ctx.lineJoin = "round";
-    ctx.globalAlpha = 0.28;
-    for (const { shift, data } of laid) {
-      curves.forEach((curve) => {
-        const values = data[`${key}_${curve.key}`];
-        if (values) strokeLine(ctx, data.time_s, values, shift, box, cssColor(curve.color));
-      });
-    }
-    ctx.globalAlpha = 1;
-  }
-
-  function strokeLine(ctx, times, values, shift, box, color) {
-    ctx.strokeStyle = color;
-    ctx.beginPath();
-    times.forEach((time, k) =>
-      ctx[k ? "lineTo" : "moveTo"](scale.x(time + shift), box.y(values[k])),
+  function demonstratedLines() {
+    return laid.flatMap(({ shift, data }) =>
+      curves.flatMap(({ key: axis, color }) => {
+        const values = data[`${key}_${axis}`];
+        if (!values) return [];
+        const times = data.time_s.map((time) => time + shift);
+        return [{ series: { key: axis, times, values }, color: cssColor(color), width: pale }];
+      }),
     );
-    ctx.stroke();
   }
 
   return {
@@ -78,8 +65,7 @@ export function createReplayTrack(key, { plot, marks, gutter, texts }) {
      * @param {import("./schedule.js").Slot[]} slots
      * @param {import("../model/rows.js").Row} row
      */
-    draw(samples, slots, nextScale, row) {
-      scale = nextScale;
+    draw(samples, slots, scale, row) {
       laid = key === "off" ? [] : layDemonstrated(slots, samples);
       plot.classList.toggle("folded", row.folded);
       (row.folded ? open : folded).hide();

@@ -8,7 +8,7 @@ import { el, svg } from "../lib/dom.js";
 import { height as heightText } from "../lib/format.js";
 import { valueInForce } from "../model/parameters.js";
 import { curvesOf, valueAt } from "../model/signals.js";
-import { createCurves, fillAbove } from "./curves/curves.js";
+import { createCurves } from "./curves/curves.js";
 import { extent } from "./curves/series.js";
 import { glyph } from "./glyphs.js";
 import { textWidth } from "../lib/text_width.js";
@@ -43,8 +43,9 @@ export function createErrorTrack({ plot, marks, gutter, texts }, store) {
     { color: "--origin-force", width: 1, dash: [1.5, 3] },
     { color: "--curve", width: 1.2 },
   ];
-  let above = { threshold: null, series: null, view: null, color: cssColor("--origin-force") };
-  const curves = createCurves(plot, pens, (chart, box) => fillAbove(chart, box, above));
+  let shades = [];
+  let color = cssColor("--origin-force");
+  const curves = createCurves(plot, pens, { shades: () => shades });
   const folded = createCurves(plot, [{ color: "--text-3", width: 1 }]);
   const legend = createLegend(gutter, store);
   let scaled = { source: null, ratio: 0, series: null };
@@ -76,7 +77,8 @@ export function createErrorTrack({ plot, marks, gutter, texts }, store) {
         folded.draw([series[0]], range, state.view);
         return marks.replaceChildren();
       }
-      above = { ...above, threshold: thresholdOf(state), series: series[0], view: state.view };
+      const above = thresholdOf(state);
+      shades = above === null ? [] : [{ series: series[0], above, color }];
       curves.resize(scale.width, row.height, false);
       curves.draw(scaled.series, range, state.view);
       return marks.replaceChildren(
@@ -90,7 +92,8 @@ export function createErrorTrack({ plot, marks, gutter, texts }, store) {
       legend.value(series ? valueAt(series[0], time) : NaN);
     },
     recolor() {
-      above = { ...above, color: cssColor("--origin-force") };
+      color = cssColor("--origin-force");
+      shades = shades.map((shade) => ({ ...shade, color }));
       curves.recolor();
       folded.recolor();
     },

@@ -31,7 +31,7 @@ export function createTimeline(pane, store, actions) {
     playhead: createPlayhead(groups.playhead),
     film: createFilmStrip(store, groups.cameras, scale),
     scale,
-    bottom: () => pane.clientHeight,
+    bottom: () => store.state.paneHeight,
   };
   const tracks = createTrackRows(content, store, actions);
   arrangeOn(pane, content, store, stage, tracks);

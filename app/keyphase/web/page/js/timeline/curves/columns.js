@@ -1,13 +1,15 @@
 /**
- * A curve with more samples in view than pixels goes up and down in every one of them. It is drawn
- * as a bar in each, from the least to the greatest: where the browser draws in software, a line
- * through thousands of such points takes a tenth of a second, and the bars a thousandth.
+ * A curve in columns of pixels: how far up and down the line through its samples goes in each. Of a
+ * thousand samples in one column, and of the stretch between two samples over a thousand columns,
+ * that is all that can be seen.
  */
 
 import { upperBound } from "../../model/signals.js";
 
-/** With more samples in view than so many for each pixel a curve is dense. */
-const DENSE_PER_PX = 1.8;
+/**
+ * @typedef {{top: Float64Array, bottom: Float64Array}} Columns  heights downwards, the least and
+ *   the greatest of each column; where there is no curve the least is infinite
+ */
 
 /** How many samples of a series are in view. */
 export function samplesIn({ times }, { from, to }) {
@@ -15,42 +17,45 @@ export function samplesIn({ times }, { from, to }) {
 }
 
 /**
- * @param {import("../../model/types.js").Series[]} series
- * @param {import("../../model/types.js").View} view
- * @param {number} width px
- */
-export function isDense(series, view, width) {
-  return series.some((one) => samplesIn(one, view) > DENSE_PER_PX * width);
-}
-
-/**
- * The least and greatest height in every column of pixels in view, joined to the one before.
  * @param {import("../../model/types.js").Series} series
  * @param {import("../../model/types.js").View} view
  * @param {number} width in columns
  * @param {(value: number) => number} y height of a value, downwards
- * @param {(column: number, top: number, bottom: number) => void} visit
+ * @returns {Columns}
  */
-export function eachColumn({ times, values }, view, width, y, visit) {
+export function columnsOf({ times, values }, view, width, y) {
+  const columns = {
+    top: new Float64Array(width).fill(Infinity),
+    bottom: new Float64Array(width).fill(-Infinity),
+  };
   const perSecond = width / (view.to - view.from);
   const end = Math.min(times.length, upperBound(times, view.to) + 1);
-  let column = -1;
-  let top = Infinity;
-  let bottom = -Infinity;
+  let x = NaN;
+  let level = NaN;
   for (let k = Math.max(0, upperBound(times, view.from) - 1); k < end; k++) {
-    const level = y(values[k]);
-    const now = Math.floor((times[k] - view.from) * perSecond);
-    if (now !== column) {
-      if (column >= 0) visit(column, top, bottom);
-      // The line comes from the last sample of the column before.
-      const last = k > 0 ? y(values[k - 1]) : level;
-      column = now;
-      top = Math.min(level, last);
-      bottom = Math.max(level, last);
-    } else {
-      top = Math.min(top, level);
-      bottom = Math.max(bottom, level);
-    }
+    const nextX = (times[k] - view.from) * perSecond;
+    const nextLevel = y(values[k]);
+    // Neither before the first sample, nor where nothing was recorded.
+    if (Number.isFinite(level) && Number.isFinite(nextLevel))
+      joinSamples(columns, width, x, level, nextX, nextLevel);
+    x = nextX;
+    level = nextLevel;
   }
-  if (column >= 0 && column < width) visit(column, top, bottom);
+  return columns;
+}
+
+/**
+ * The straight line from one sample to the next, in every column it passes.
+ * @param {Columns} columns
+ */
+function joinSamples(columns, width, x, level, nextX, nextLevel) {
+  const first = Math.max(Math.floor(x), 0);
+  const last = Math.min(Math.floor(nextX), width - 1);
+  const slope = nextX > x ? (nextLevel - level) / (nextX - x) : 0;
+  for (let column = first; column <= last; column++) {
+    const from = column <= x ? level : level + (column - x) * slope;
+    const to = column + 1 >= nextX ? nextLevel : level + (column + 1 - x) * slope;
+    columns.top[column] = Math.min(columns.top[column], from, to);
+    columns.bottom[column] = Math.max(columns.bottom[column], from, to);
+  }
 }

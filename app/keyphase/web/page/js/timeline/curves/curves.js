@@ -4,28 +4,34 @@
  */
 
 import { cssColor } from "../../lib/colors.js";
-import { eachColumn, isDense } from "./columns.js";
-import { eachSample } from "./series.js";
+import { columnsOf, samplesIn } from "./columns.js";
+import { paintAbove, paintLine } from "./raster.js";
 
 /** uPlot comes as a classic script, before the modules. */
 const { uPlot } = /** @type {any} */ (window);
 
 const PADDING_PX = { top: 7, bottom: 6 };
 const FOLDED_PADDING_PX = { top: 3, bottom: 3 };
+/** With more samples of a curve in view than so many, uPlot's lines cost more than pixels. */
+const MOST_STROKED = 100;
+const SHADE_OPACITY = 0.26;
+const PALE_OPACITY = 0.28;
 
 /**
  * @typedef {{color: string, width: number, dash?: number[]}} Pen  color: a CSS variable's name
  * @typedef {{low: number, high: number, ticks: number[], map: (value: number) => number}} Range
  *   `map` takes a value to where it is drawn (identity, or a logarithm); low and high are mapped.
+ * @typedef {{series: import("../../model/types.js").Series, above: number, color: string}} Shade
+ *   what of a curve stands above a value is filled; color: as CSS has it now
+ * @typedef {{series: import("../../model/types.js").Series, color: string, width: number}} PaleLine
  */
 
 /**
  * @param {HTMLElement} parent
  * @param {Pen[]} pens one per series
- * @param {(chart: any, box: Box) => void} [drawBelow] paints under the curves
- * @typedef {{left: number, top: number, width: number, height: number, y: (value: number) => number}} Box
+ * @param {{pale?: () => PaleLine[], shades?: () => Shade[]}} [under] what is painted under the curves
  */
-export function createCurves(parent, pens, drawBelow) {
+export function createCurves(parent, pens, { pale = () => [], shades = () => [] } = {}) {
   /** @type {Range} */
   let range = { low: 0, high: 1, ticks: [], map: (value) => value };
   let view = { from: 0, to: 1 };
@@ -33,9 +39,10 @@ export function createCurves(parent, pens, drawBelow) {
   let chart = null;
   let data = [[], ...pens.map(() => [])];
   let shown = null;
-  /** What uPlot was given; dense curves it is not. */
+  /** What uPlot was given to stroke. */
   let given = null;
-  let dense = false;
+  let stroked = true;
+  const raster = createRaster();
   let penColors = pens.map((pen) => cssColor(pen.color));
   let gridColor = cssColor("--grid");
 
@@ -61,24 +68,43 @@ export function createCurves(parent, pens, drawBelow) {
       ctx.lineTo(bbox.width / ratio, level);
     }
     ctx.stroke();
-    drawBelow?.(plot, { left: 0, top: 0, width: size.width, height: size.height, y });
     ctx.restore();
+    paintPixels(plot);
   }
 
-  /** Dense curves, which uPlot was told to leave out. */
-  function paintBars({ ctx, bbox }) {
-    if (!dense) return;
+  /** What stands above a line, and the curves that uPlot was told to leave out. */
+  function paintPixels({ ctx, bbox }) {
     const ratio = devicePixelRatio;
-    shown.forEach((series, k) => {
-      ctx.fillStyle = penColors[k];
-      eachColumn(
-        series,
-        view,
-        bbox.width,
-        (value) => ratio * y(value),
-        (column, top, bottom) =>
-          ctx.fillRect(column, Math.floor(top), 1, Math.max(1, Math.round(bottom - top))),
-      );
+    const width = Math.round(bbox.width);
+    const lines = stroked
+      ? []
+      : shown.map((series, k) => ({ series, pen: pens[k], color: penColors[k] }));
+    const [filled, wide] = [shades(), pale()];
+    if (!lines.length && !filled.length && !wide.length) return;
+    const known = new Map();
+    const columns = (series) => {
+      if (!known.has(series))
+        known.set(
+          series,
+          columnsOf(series, view, width, (value) => ratio * y(value)),
+        );
+      return known.get(series);
+    };
+    raster.paint(ctx, width, Math.round(ratio * size.height), (pixels, rgbOf) => {
+      for (const { series, above, color } of filled)
+        paintAbove(pixels, columns(series), ratio * y(above), rgbOf(color), SHADE_OPACITY);
+      for (const { series, color, width: thick } of wide)
+        paintLine(pixels, columns(series), {
+          rgb: rgbOf(color),
+          width: ratio * thick,
+          opacity: PALE_OPACITY,
+        });
+      for (const { series, pen, color } of lines)
+        paintLine(pixels, columns(series), {
+          rgb: rgbOf(color),
+          width: ratio * pen.width,
+          dash: pen.dash?.map((one) => ratio * one),
+        });
     });
   }
 
@@ -107,10 +133,10 @@ export function createCurves(parent, pens, drawBelow) {
             dash: pen.dash,
             spanGaps: true,
             points: { show: false },
-            paths: (...asked) => (dense ? null : line(...asked)),
+            paths: (...asked) => (stroked ? line(...asked) : null),
           })),
         ],
-        hooks: { drawClear: [paintGround], draw: [paintBars] },
+        hooks: { drawClear: [paintGround] },
       },
       data,
       parent,
@@ -140,9 +166,9 @@ export function createCurves(parent, pens, drawBelow) {
         range.low === nextRange.low && range.high === nextRange.high && range.map === nextRange.map;
       range = nextRange;
       view = nextView;
-      dense = isDense(series, view, size.width);
+      stroked = series.every((one) => samplesIn(one, view) <= MOST_STROKED);
       shown = series;
-      if (!dense && (given !== series || !sameRange)) {
+      if (stroked && (given !== series || !sameRange)) {
         data = alignedData(series, range.map);
         given = series;
         chart?.setData(data, false);
@@ -157,10 +183,6 @@ export function createCurves(parent, pens, drawBelow) {
     hide() {
       chart?.destroy();
       chart = null;
-    },
-    /** Draws the same curves again: the threshold below them moved. */
-    repaint() {
-      chart?.redraw(false);
     },
     recolor() {
       penColors = pens.map((pen) => cssColor(pen.color));
@@ -185,30 +207,35 @@ function alignedData(series, map) {
   return alike ? [first, ...tables.map(([, values]) => values)] : uPlot.join(tables);
 }
 
-/** Fills what of the curve stands above the threshold. */
-export function fillAbove({ ctx }, { width, y }, { threshold, series, view, color }) {
-  if (threshold === null || !series) return;
-  const level = y(threshold);
-  const perSecond = width / (view.to - view.from);
-  ctx.save();
-  ctx.globalAlpha = 0.26;
-  ctx.fillStyle = color;
-  if (isDense([series], view, width)) {
-    eachColumn(series, view, width, y, (column, top) => {
-      if (top < level) ctx.fillRect(column, Math.floor(top), 1, level - Math.floor(top));
-    });
-    ctx.restore();
-    return;
-  }
-  ctx.beginPath();
-  ctx.rect(0, 0, width, Math.max(0, level));
-  ctx.clip();
-  ctx.beginPath();
-  ctx.moveTo(0, level);
-  eachSample(series, view.from, view.to, (time, value) =>
-    ctx.lineTo((time - view.from) * perSecond, y(value)),
-  );
-  ctx.lineTo(width, level);
-  ctx.fill();
-  ctx.restore();
+/** @param {string|undefined} digits of a colour that has opacity, too, nothing */
+const hex = (digits) => parseInt(digits ?? "80", 16);
+
+/** Pixels that are painted, and laid on a canvas. */
+function createRaster() {
+  const canvas = document.createElement("canvas");
+  const ground = canvas.getContext("2d");
+  let pixels = null;
+  /** @param {string} color any of CSS @returns {import("./raster.js").Rgb} */
+  const rgbOf = (color) => {
+    ground.fillStyle = color;
+    const [, red, green, blue] = /^#(..)(..)(..)$/.exec(String(ground.fillStyle)) ?? [];
+    return [hex(red), hex(green), hex(blue)];
+  };
+  return {
+    /**
+     * @param {CanvasRenderingContext2D} ctx
+     * @param {(pixels: import("./raster.js").Pixels, rgbOf: (color: string) => import("./raster.js").Rgb) => void} draw
+     */
+    paint(ctx, width, height, draw) {
+      if (width < 1 || height < 1) return;
+      if (pixels?.width !== width || pixels.height !== height) {
+        [canvas.width, canvas.height] = [width, height];
+        pixels = ground.createImageData(width, height);
+      }
+      pixels.data.fill(0);
+      draw(pixels, rgbOf);
+      ground.putImageData(pixels, 0, 0);
+      ctx.drawImage(canvas, 0, 0);
+    },
+  };
 }

@@ -7,7 +7,7 @@ import { cssColor } from "../../lib/colors.js";
 import { el } from "../../lib/dom.js";
 import { heightOf, LINES, linesOf, lineValue } from "../../model/evidence.js";
 import { curvesOf, valueAt } from "../../model/signals.js";
-import { createCurves, fillAbove } from "../curves/curves.js";
+import { createCurves } from "../curves/curves.js";
 import { createReadout } from "../gutter.js";
 import { tickLabels } from "../tracks.js";
 import { drawCandidates, nearestCandidate, showNote } from "./candidates.js";
@@ -37,8 +37,9 @@ export function createEvidenceTrack({ plot, marks, gutter, texts }, _store, acti
     LINES.map(({ kind }, k) => ({ key: kind, color: pens[k].color })),
   );
   const heldBack = createHeldBack(plot, actions);
-  let shades = { lines: [], series: [], view: null, colors: colorsOf(pens) };
-  const curves = createCurves(plot, pens, (chart, box) => paintShades(chart, box, shades));
+  let colors = colorsOf(pens);
+  let shades = [];
+  const curves = createCurves(plot, pens, { shades: () => shades });
   let paired = { source: null, series: [] };
 
   /** Contact and motion in this order, whichever there are. */
@@ -69,7 +70,7 @@ export function createEvidenceTrack({ plot, marks, gutter, texts }, _store, acti
       }
       const series = pairOf(source);
       const lines = linesOf(state);
-      shades = { ...shades, lines, series, view: state.view };
+      shades = shadesOf(lines, series, colors);
       curves.resize(scale.width, row.height, false);
       curves.draw(series, range, state.view);
       showNote(note, state, scale, curves.y, row.height);
@@ -85,7 +86,7 @@ export function createEvidenceTrack({ plot, marks, gutter, texts }, _store, acti
       readout.show(pairOf(series ?? []).map((one) => shareText(valueAt(one, time))));
     },
     recolor() {
-      shades = { ...shades, colors: colorsOf(pens) };
+      colors = colorsOf(pens);
       curves.recolor();
       folded.recolor();
     },
@@ -122,10 +123,10 @@ const ranges = new Map(
 );
 const rangeOf = (small) => ranges.get(Boolean(small));
 
-function paintShades(chart, box, { lines, series, view, colors }) {
-  LINES.forEach(({ kind }, k) => {
+/** What of each curve stands above its line. @returns {import("../curves/curves.js").Shade[]} */
+function shadesOf(lines, series, colors) {
+  return LINES.flatMap(({ kind }, k) => {
     const line = lines.find((one) => one.kind === kind);
-    if (line)
-      fillAbove(chart, box, { threshold: line.value, series: series[k], view, color: colors[k] });
+    return line ? [{ series: series[k], above: line.value, color: colors[k] }] : [];
   });
 }
