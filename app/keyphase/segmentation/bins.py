@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.segmentation.order_statistics import median
 
 BIN_S = 0.02
 """Width of a bin: 50 Hz is enough for a hand's motion and for finding a contact."""
@@ -20,7 +21,7 @@ def bin_starts(time_s: Array, width_s: float = BIN_S) -> Indices:
     Bins are counted in time, not in samples, because rates are irregular. They begin half a
     sample early, so that jitter does not move samples of a regular recording between bins.
     """
-    half_a_step = 0.5 * float(np.median(np.diff(time_s)))
+    half_a_step = 0.5 * median(np.diff(time_s)) if len(time_s) > 1 else 0.0
     bins = np.floor((time_s - time_s[0] + half_a_step) / width_s)
     return np.flatnonzero(np.diff(bins, prepend=-1.0))
 
@@ -68,7 +69,7 @@ def bins_of(demonstration: Demonstration) -> Bins:
 
 def typical_step_s(time_s: Array) -> float:
     """Median distance between neighbouring times (N at least 2); BIN_S for a single one."""
-    return float(np.median(np.diff(time_s))) if len(time_s) > 1 else BIN_S
+    return median(np.diff(time_s)) if len(time_s) > 1 else BIN_S
 
 
 def count_in(duration_s: float, step_s: float, least: int, most: int) -> int:

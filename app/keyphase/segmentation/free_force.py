@@ -4,6 +4,7 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.bins import bins_of
+from keyphase.segmentation.order_statistics import column_medians, quantile
 
 MIN_FORCE_N = 0.5
 """No force below this above the free level counts as contact."""
@@ -23,11 +24,11 @@ def free_force(demonstration: Demonstration) -> Array:
     if force is None:
         return np.zeros(3)
     size = np.linalg.norm(force, axis=1)
-    if np.quantile(size, 0.05) <= least_contact(size):
+    if quantile(size, 0.05) <= least_contact(size):
         return np.zeros(3)
-    return np.median(force[time <= time[0] + _REST_S], axis=0)
+    return column_medians(force[time <= time[0] + _REST_S])
 
 
 def least_contact(size_N: Array) -> float:
     """The least force that counts as contact beside the sizes (n,) that were recorded [N]."""
-    return max(MIN_FORCE_N, _SHARE_OF_STRONGEST * float(np.quantile(size_N, 0.95)))
+    return max(MIN_FORCE_N, _SHARE_OF_STRONGEST * quantile(size_N, 0.95))

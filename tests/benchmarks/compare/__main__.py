@@ -5,7 +5,9 @@
 
 prints one table in Markdown and writes it beside pictures. `--claspy` names the interpreter of an
 environment with claspy, which needs older packages than keyphase; without it that column is left
-out, and the output says so.
+out, and the output says so. No method may take longer than `--budget` seconds of processor time
+over all recordings, nor than `--limit` for one length: the table says who was stopped, and how many
+recordings of a set it had done by then. So the whole ends within minutes.
 """
 
 import argparse
@@ -13,7 +15,7 @@ import json
 import sys
 import tempfile
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -21,11 +23,11 @@ sys.path.insert(0, str(Path(__file__).parent))
 import clasp
 import methods
 from report import draw, macro, table
+from scoring_within import Judged, by_set, in_turns, scored
 from sets import Recording, made_recordings, real_recordings
 from timing import LENGTHS_S, long_demonstration, timed
 
-from keyphase.scoring import Claim, Tally, judge
-from keyphase.scoring.counting import together
+from keyphase.scoring import judge
 
 
 def main() -> None:
@@ -35,16 +37,23 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         scratch = Path(folder)
         if given.choose_penalty:
-            _choose_penalty(list(made_recordings(given.count, scratch, first=6_000_000)))
+            recordings = list(made_recordings(given.count, scratch, first=6_000_000))
+            _choose_penalty(recordings, given.budget)
             return
         recordings = list(made_recordings(given.count, scratch))
         if given.real:
             recordings += real_recordings(given.real)
-        scores = {m.name: _scored(recordings, m.find) for m in methods.METHODS}
-        times = {m.name: _times(m.name) for m in methods.METHODS} if not given.no_times else {}
+        recordings = in_turns(recordings)
+        scores, times = {}, {}
+        for method in methods.METHODS:
+            scores[method.name] = scored(method.name, recordings, given.budget)
+            _say(method.name, scores[method.name])
+            if not given.no_times:
+                times[method.name] = _times(method.name, given.limit)
         if given.claspy:
-            scores[clasp.NAME] = _scored_claspy(given.claspy, recordings, scratch / "accuracy")
-            times[clasp.NAME] = _times_claspy(given.claspy, scratch)
+            scores[clasp.NAME] = _scored_claspy(given, recordings, scratch / "accuracy")
+            if not given.no_times:
+                times[clasp.NAME] = _times_claspy(given, scratch)
         else:
             print("without claspy: no --claspy PYTHON was given", file=sys.stderr)
     made = {each.set for each in recordings if each.made}
@@ -61,50 +70,55 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--real", type=Path, help="a folder of recordings with a truth.json")
     parser.add_argument("--claspy", type=Path, help="python of an environment with claspy")
     parser.add_argument("--output", type=Path, default=Path("tests/pictures"))
+    parser.add_argument("--budget", type=float, default=60.0, help="for accuracy, a method [s]")
+    parser.add_argument("--limit", type=float, default=30.0, help="for one length, a method [s]")
     parser.add_argument("--no-times", action="store_true")
     parser.add_argument("--choose-penalty", action="store_true")
     return parser.parse_args()
 
 
-def _scored(recordings: Sequence[Recording], find) -> dict[str, Tally]:
-    sets: dict[str, list[Tally]] = {}
-    for each in recordings:
-        claims: list[Claim] = find(each.demonstration, each.truth)
-        sets.setdefault(each.set, []).append(judge(each.truth.judged, claims).tally)
-    return {name: together(tallies) for name, tallies in sets.items()}
+def _say(name: str, sets: Mapping[str, Judged]) -> None:
+    done, of = sum(each.done for each in sets.values()), sum(each.of for each in sets.values())
+    print(json.dumps([name, f"{done} of {of}", macro(sets)]), file=sys.stderr, flush=True)
 
 
-def _scored_claspy(python: Path, recordings: Sequence[Recording], scratch: Path) -> dict:
-    answers = clasp.run(python, {each.key: each for each in recordings}, scratch, 1800.0)
+def _scored_claspy(
+    given: argparse.Namespace, recordings: Sequence[Recording], scratch: Path
+) -> dict[str, Judged]:
+    known = {each.key: each for each in recordings}
+    answers = clasp.run(given.claspy, known, scratch, given.budget)
+    tallies = {
+        key: judge(known[key].truth.judged, methods.found_by_others(found, known[key].truth)).tally
+        for key, (found, _) in answers.items()
+    }
+    sets = by_set(recordings, tallies)
+    _say(clasp.NAME, sets)
+    return sets
 
-    def find(demonstration, truth):
-        key = next(each.key for each in recordings if each.demonstration is demonstration)
-        return methods.found_by_others(answers.get(key, ([], 0.0))[0], truth)
 
-    return _scored(recordings, find)
-
-
-def _times(name: str) -> dict[float, float | str]:
+def _times(name: str, limit_s: float) -> dict[float, float | str]:
     times: dict[float, float | str] = {}
     for length in LENGTHS_S:
-        times[length] = timed(name, length)
+        times[length] = timed(name, length, limit_s)
         print(json.dumps([name, length, times[length]]), file=sys.stderr, flush=True)
     return times
 
 
-def _times_claspy(python: Path, scratch: Path) -> dict[float, float | str]:
+def _times_claspy(given: argparse.Namespace, scratch: Path) -> dict[float, float | str]:
     times: dict[float, float | str] = {}
     for length in LENGTHS_S:
         recording = Recording("", "long", *long_demonstration(length), made=True)
-        answers = clasp.run(python, {"long": recording}, scratch / f"{length:g}", 240.0)
-        times[length] = answers["long"][1] if "long" in answers else "> 240 s"
+        answers = clasp.run(given.claspy, {"long": recording}, scratch / f"{length:g}", given.limit)
+        times[length] = answers["long"][1] if "long" in answers else f"> {given.limit:.0f} s"
+        print(json.dumps([clasp.NAME, length, times[length]]), file=sys.stderr, flush=True)
     return times
 
 
-def _choose_penalty(recordings: Sequence[Recording]) -> None:
+def _choose_penalty(recordings: Sequence[Recording], budget_s: float) -> None:
+    name = "ruptures, penalty"
     for penalty in (3.0, 6.0, 12.0, 25.0, 50.0, 100.0):
         methods.PENALTY = penalty
-        print(penalty, macro(_scored(recordings, methods.kernel_penalty)))
+        print(penalty, macro(scored(name, in_turns(recordings), budget_s)), flush=True)
 
 
 if __name__ == "__main__":

@@ -5,9 +5,9 @@ from pathlib import Path
 from statistics import mean
 from typing import Any
 
-from keyphase.scoring import Tally
+from scoring_within import Judged
 
-Scores = Mapping[str, Mapping[str, Tally]]
+Scores = Mapping[str, Mapping[str, Judged]]
 Times = Mapping[str, Mapping[float, float | str]]
 
 
@@ -18,14 +18,9 @@ def table(scores: Scores, times: Times, made: set[str]) -> str:
     lines = [_row("judged F1", methods), _row("---", ["---"] * len(methods))]
     for name in sets:
         values = [scores[method][name] for method in methods]
-        lines.append(
-            _row(
-                name,
-                _best([each.f1 if each.recall is not None else None for each in values])
-                if values[0].recall is not None
-                else [f"{each.false} false" for each in values],
-            )
-        )
+        figures = _best([each.f1 for each in values])
+        cells = [_cell(each, f1) for each, f1 in zip(values, figures, strict=True)]
+        lines.append(_row(name, cells))
     for title, chosen in (("made", made), ("real", set(sets) - made)):
         named = [name for name in sets if name in chosen]
         if named:
@@ -38,9 +33,9 @@ def table(scores: Scores, times: Times, made: set[str]) -> str:
     return "\n".join(lines)
 
 
-def macro(sets: Mapping[str, Tally]) -> float | None:
-    """Mean F1 of the sets with events."""
-    values = [each.f1 for each in sets.values() if each.recall is not None and each.f1 is not None]
+def macro(sets: Mapping[str, Judged]) -> float | None:
+    """Mean F1 of the sets with events, of those of which anything was done."""
+    values = [each.f1 for each in sets.values() if each.f1 is not None]
     return mean(values) if values else None
 
 
@@ -53,13 +48,15 @@ def draw(scores: Scores, times: Times, made: set[str], path: Path) -> None:
     FigureCanvasAgg(figure)
     accuracy, speed = figure.subplots(1, 2, width_ratios=[2.2, 1.0])
     methods = list(scores)
-    sets = [n for n, tally in scores[methods[0]].items() if tally.recall is not None]
+    sets = [n for n, judged in scores[methods[0]].items() if judged.f1 is not None]
     for method, colour in zip(methods, _COLOURS, strict=False):
-        values = [scores[method][name].f1 or 0.0 for name in sets]
+        values = [scores[method][name].f1 for name in sets]
         bold = {"s": 70, "zorder": 3} if method == "keyphase" else {"s": 28}
-        accuracy.scatter(values, range(len(sets)), color=colour, label=method, **bold)
-        known = {s: t for s, t in times.get(method, {}).items() if isinstance(t, float)}
-        speed.plot(list(known), list(known.values()), "o-", color=colour, label=method)
+        places = [place for place, value in enumerate(values) if value is not None]
+        known = [value for value in values if value is not None]
+        accuracy.scatter(known, places, color=colour, label=method, **bold)
+        taken = {s: t for s, t in times.get(method, {}).items() if isinstance(t, float)}
+        speed.plot(list(taken), list(taken.values()), "o-", color=colour, label=method)
     accuracy.set(yticks=range(len(sets)), xlim=(-0.02, 1.02), xlabel="judged F1")
     accuracy.set_yticklabels(sets)
     for label, name in zip(accuracy.get_yticklabels(), sets, strict=True):
@@ -81,6 +78,14 @@ _COLOURS = ("#d1495b", "#2f6fb3", "#7aa6d6", "#5b8c5a", "#a3c293", "#e0a030", "#
 def _best(values: list[float | None]) -> list[str]:
     most = max((value for value in values if value is not None), default=None)
     return ["–" if v is None else f"**{v:.2f}**" if v == most else f"{v:.2f}" for v in values]
+
+
+def _cell(judged: Judged, f1: str) -> str:
+    if not judged.done:
+        return "stopped"
+    if judged.f1 is None and judged.tally.recall is None:
+        f1 = f"{judged.tally.false} false"
+    return f1 if judged.whole else f"{f1} ({judged.done} of {judged.of})"
 
 
 def _row(first: str, cells: list[str]) -> str:

@@ -1,10 +1,16 @@
 """A heavy tool behind the sensor shows newtons as it sets off and stops; that is no contact."""
 
 import numpy as np
+import pytest
 
 import synthetic
 from keyphase.demonstration import Demonstration
+from keyphase.making import make
 from keyphase.segmentation import segment
+from keyphase.segmentation.evidence.grid import grid_of
+from keyphase.segmentation.evidence.inertia import without_inertia
+from keyphase.segmentation.evidence.speed import speed_of
+from keyphase.segmentation.motion import motion_of
 
 TOUCHED_S, LEFT_S = 4.0, 6.5
 
@@ -39,3 +45,10 @@ def test_a_light_tool_is_taken_as_it_was_recorded():
     found = segment(there_and_back_with_a_tool(0.0))
     contacts = [b.time_s for b in found.boundaries if b.contact_change]
     np.testing.assert_allclose(contacts, [TOUCHED_S, LEFT_S], atol=0.06)
+
+
+@pytest.mark.parametrize(("family", "seed"), [("screw", 1_000_004), ("insert", 1_000_007)])
+def test_a_contact_that_rattles_while_the_tool_all_but_stands_tells_of_no_mass(family, seed):
+    recorded = make(family, seed).demonstration
+    grid = grid_of(recorded, motion_of(recorded))
+    assert without_inertia(grid, speed_of(grid)) is grid

@@ -18,6 +18,7 @@ from keyphase.segmentation.evidence.speed import Speed
 from keyphase.segmentation.evidence.state_view import StateView, state_view
 from keyphase.segmentation.evidence.wander import least_step
 from keyphase.segmentation.evidence.windows import Sides, Windows
+from keyphase.segmentation.order_statistics import median
 
 CONTACT_TERMS: Mapping[str, str] = {
     "over_quiet_side": "step over the unrest on its quieter side",
@@ -182,7 +183,7 @@ def _wander(look: _Look) -> float:
     grid = look.grid
     cells = np.arange(0, len(grid), max(1, round(0.1 * grid.rate_hz)))
     ordinary = Sides(look.windows, cells, round(0.15 * grid.rate_hz), grid.cells(0.6))
-    return float(np.median(ordinary.jump_size))
+    return median(ordinary.jump_size)
 
 
 def _around(look: _Look) -> dict[str, Array]:
@@ -214,9 +215,9 @@ def _echo(look: _Look) -> Array:
     first, last = (round(seconds * grid.rate_hz) for seconds in _ECHO_S)
     lags = np.arange(first + 1, min(last, len(row) - 1) + 1)
     faded = np.exp(-lags / grid.rate_hz / _ECHO_FADES_S)
-    strongest = np.zeros(len(at))
-    for lag, part in zip(lags.tolist(), faded.tolist(), strict=True):
-        np.maximum(strongest, np.where(at >= lag, row[at - lag], 0.0) * part, out=strongest)
+    earlier = at[:, None] - lags
+    echoes = np.where(earlier >= 0, row[earlier], 0.0) * faded
+    strongest = echoes.max(axis=1, initial=0.0)
     return np.log((strongest + 0.01) / (np.maximum(look.tops.max(axis=0), row[at]) + 0.01))
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.grid import Grid
+from keyphase.segmentation.order_statistics import quantile
 
 SCALES_S = (0.06, 0.12, 0.24, 0.64, 1.4)
 """What the filters average over."""
@@ -94,7 +95,7 @@ def peaks(curves: ForceCurves, rate_hz: float) -> Indices:
 
     found = []
     for row, scale in zip(curves.step, SCALES_S, strict=True):
-        height = max(_MIN_PEAK, 3.0 * float(np.quantile(row, 0.1)))
+        height = max(_MIN_PEAK, 3.0 * quantile(row, 0.1))
         distance = max(1, int(scale * rate_hz))
         padded = np.concatenate([[0.0], row, [0.0]])
         found.append(find_peaks(padded, height=height, distance=distance)[0] - 1)

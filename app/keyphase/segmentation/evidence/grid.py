@@ -14,6 +14,7 @@ from keyphase.segmentation.bins import (
 )
 from keyphase.segmentation.filters import fast_part
 from keyphase.segmentation.motion import METRES_PER_RADIAN, Motion
+from keyphase.segmentation.order_statistics import column_medians, quantile
 
 LEVER_M = METRES_PER_RADIAN
 """A torque counts as the force that gives it on this lever."""
@@ -97,8 +98,8 @@ def _wrench(demonstration: Demonstration, cells: Array, even: Array) -> tuple[Ar
 
 
 def _in_sizes(wrench: Array) -> tuple[Array | None, float]:
-    wrench = wrench - np.median(wrench, axis=0)
-    size = float(np.quantile(np.linalg.norm(wrench, axis=1), _SIZE_QUANTILE))
+    wrench = wrench - column_medians(wrench)
+    size = quantile(np.linalg.norm(wrench, axis=1), _SIZE_QUANTILE)
     return (wrench / size, size) if size > 1e-9 else (None, 0.0)
 
 

@@ -10,9 +10,14 @@ from keyphase.demonstration import Array
 from keyphase.segmentation.evidence.grid import Grid
 from keyphase.segmentation.evidence.speed import SMOOTHING_HZ, Speed
 from keyphase.segmentation.filters import smoothed
+from keyphase.segmentation.order_statistics import column_medians, median, quantile
 
 EXPLAINED = 0.5
 """Share of the force's variance that inertia must explain."""
+
+JUMPS_EXPLAINED = 0.3
+"""And of the force's changes within a tenth of a second where the acceleration changes most: a
+contact that rattles while the tool all but stands agrees with any mass."""
 
 MASSES_KG = (0.05, 15.0)
 """Of what is taken for a tool; forces may be told with either sign."""
@@ -22,6 +27,8 @@ _MIN_CELLS = 30
 _MOVING = 0.1
 _FREE_SHARE = 0.6
 _ROUNDS = 6
+_JUMP_S = 0.1
+_FASTEST = 0.3
 
 
 def without_inertia(grid: Grid, speed: Speed) -> Grid:
@@ -37,6 +44,8 @@ def without_inertia(grid: Grid, speed: Speed) -> Grid:
     mass, explained, free = _mass_kg(force[moving], acceleration[moving])
     if explained < EXPLAINED or not MASSES_KG[0] <= abs(mass) <= MASSES_KG[1]:
         return grid
+    if _jumps_explained(force, acceleration, moving, mass, grid.cells(_JUMP_S)) < JUMPS_EXPLAINED:
+        return grid
     wrench = grid.wrench * grid.size_N
     wrench[:, :3] -= mass * acceleration
     if wrench.shape[1] > 3:
@@ -46,9 +55,25 @@ def without_inertia(grid: Grid, speed: Speed) -> Grid:
     return grid.with_wrench(wrench)
 
 
+def _jumps_explained(
+    force: Array, acceleration: Array, moving: np.ndarray, mass: float, lag: int
+) -> float:
+    """Share of the squared changes of the force over `lag` cells that mass times the change of
+    acceleration explains, in the median of the moments at which that changes most."""
+    force = (force[lag:] - force[:-lag])[moving[lag:]]
+    acceleration = (acceleration[lag:] - acceleration[:-lag])[moving[lag:]]
+    if len(force) < _MIN_CELLS:
+        return 0.0
+    changed = np.square(acceleration).sum(axis=1)
+    most = changed >= quantile(changed, 1.0 - _FASTEST)
+    whole = median(np.square(force[most]).sum(axis=1))
+    left = median(np.square(force[most] - mass * acceleration[most]).sum(axis=1))
+    return 1.0 - left / (whole + 1e-12)
+
+
 def _lever(torque: Array, acceleration: Array) -> Array:
     """The vector (3,) whose cross product with the acceleration is nearest to the torque."""
-    around = torque - np.median(torque, axis=0)
+    around = torque - column_medians(torque)
     square = float(np.square(acceleration).sum()) * np.eye(3) - acceleration.T @ acceleration
     return np.linalg.lstsq(square, np.cross(acceleration, around).sum(axis=0))[0]
 
@@ -62,10 +87,12 @@ def _mass_kg(force: Array, acceleration: Array) -> tuple[float, float, np.ndarra
     kept, mass = np.ones(len(force), dtype=bool), 0.0
     around, misfit = force, np.zeros(len(force))
     for _ in range(_ROUNDS):
-        around = force - np.median(force[kept], axis=0)
+        around = force - column_medians(force[kept])
         square = float(np.square(acceleration[kept]).sum())
         mass = float((around[kept] * acceleration[kept]).sum()) / (square + 1e-12)
         misfit = np.square(around - mass * acceleration).sum(axis=1)
-        kept = misfit <= np.quantile(misfit, _FREE_SHARE)
+        before, kept = kept, misfit <= quantile(misfit, _FREE_SHARE)
+        if np.array_equal(before, kept):
+            break
     whole = float(np.square(around[kept]).sum())
     return mass, 1.0 - float(misfit[kept].sum()) / (whole + 1e-12), kept

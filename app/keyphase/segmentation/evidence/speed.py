@@ -11,6 +11,7 @@ from keyphase.segmentation.evidence.grid import MIN_CELLS, Grid
 from keyphase.segmentation.evidence.rests import rests
 from keyphase.segmentation.evidence.windows import Windows
 from keyphase.segmentation.filters import smoothed
+from keyphase.segmentation.order_statistics import quantile
 
 SMOOTHING_HZ = 3.0
 
@@ -55,5 +56,5 @@ def speed_of(grid: Grid) -> Speed:
     pose = smoothed(pose, min(SMOOTHING_HZ, 0.35 * grid.rate_hz), grid.rate_hz)
     velocity = np.gradient(pose, 1.0 / grid.rate_hz, axis=0)
     speed = np.linalg.norm(velocity, axis=1)
-    fast = float(np.quantile(speed, _FAST_QUANTILE))
+    fast = quantile(speed, _FAST_QUANTILE)
     return Speed(grid, pose, speed, fast if fast > MIN_FAST_M_S else 0.0)

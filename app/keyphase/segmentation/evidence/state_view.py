@@ -13,6 +13,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.grid import Grid
+from keyphase.segmentation.order_statistics import column_medians, median, quantile
 
 RATE_HZ = 10.0
 MIN_DURATION_S = 6.0
@@ -76,14 +77,14 @@ def state_view(grid: Grid) -> StateView:
     contact = states[np.minimum(cells // block, count - 1)]
     distance = np.linalg.norm(grid.wrench - core, axis=1)
     free = distance[~contact] if (~contact).any() else distance[:1]
-    touching = float(np.median(distance[contact])) if contact.any() else float(np.median(free))
+    touching = median(distance[contact]) if contact.any() else median(free)
     return StateView(
         np.interp(cells, middle, odds),
         contact,
         (np.flatnonzero(np.diff(states)) + 1) * block,
         distance,
         float(np.linalg.norm(spread)),
-        (touching + 0.01) / (float(np.quantile(free, 0.95)) + 0.01),
+        (touching + 0.01) / (quantile(free, 0.95) + 0.01),
         touching,
     )
 
@@ -99,12 +100,12 @@ def _begins_on_a_level(means: Array, contact: np.ndarray, core: Array) -> bool:
 
 
 def _no_view(wrench: Array) -> StateView:
-    core = np.median(wrench, axis=0)
+    core = column_medians(wrench)
     distance = np.linalg.norm(wrench - core, axis=1)
     spread = float(np.linalg.norm(wrench.std(axis=0))) + _FLOOR
     none = np.zeros(0, dtype=np.intp)
     zero = np.zeros(len(wrench))
-    return StateView(zero, zero > 0.0, none, distance, spread, 1.0, float(np.median(distance)))
+    return StateView(zero, zero > 0.0, none, distance, spread, 1.0, median(distance))
 
 
 def _core_and_rest(means: Array) -> tuple[Array, Array, Array]:
@@ -119,37 +120,42 @@ def _core_and_rest(means: Array) -> tuple[Array, Array, Array]:
     sums = table.sum(axis=0)
     rest = np.repeat(middle[None], len(core), axis=0)
     rest_var = np.repeat((1.5 * means.var(axis=0) + _FLOOR**2)[None], len(core), axis=0)
-    prior = np.full(len(core), 0.5)
-    core_var = np.repeat(start_var[:, None], channels, axis=1)
+    # Both Gaussians of every start in one array, the core first.
+    mean = np.stack([core, rest])
+    variance = np.stack([np.repeat(start_var[:, None], channels, axis=1), rest_var])
+    prior = np.full((2, len(core)), 0.5)
     for _ in range(_ROUNDS):
-        odds = _density(rest, rest_var, 1.0 - prior) - _density(core, core_var, prior)
-        share = 1.0 / (1.0 + np.exp(np.minimum(odds @ table.T, _MAX_LOG)))
+        density = _density(mean, variance, prior)
+        share = 1.0 / (1.0 + np.exp(np.minimum((density[1] - density[0]) @ table.T, _MAX_LOG)))
         inside = share @ table
-        outside = sums - inside
-        core, core_var = _moments(inside, channels)
-        core_var += _FLOOR**2
-        rest, rest_var = _moments(outside, channels)
-        rest_var = np.maximum(rest_var, 2.0 * core_var)
-        prior = np.minimum(np.maximum(inside[:, -1] / len(means), _PRIOR[0]), _PRIOR[1])
-    a = _density(core, core_var, prior) @ table.T
-    b = _density(rest, rest_var, 1.0 - prior) @ table.T
+        mean, variance = _moments(np.stack([inside, sums - inside]), channels)
+        variance[0] += _FLOOR**2
+        np.maximum(variance[1], 2.0 * variance[0], out=variance[1])
+        prior[0] = np.minimum(np.maximum(inside[:, -1] / len(means), _PRIOR[0]), _PRIOR[1])
+        prior[1] = 1.0 - prior[0]
+    density = _density(mean, variance, prior)
+    core, a, b = mean[0], density[0] @ table.T, density[1] @ table.T
     worth = np.logaddexp(a, b).mean(axis=1) - _APART * np.linalg.norm(core, axis=1)
     best = int(np.argmax(worth))
-    return b[best] - a[best], core[best], np.sqrt(core_var[best])
+    return b[best] - a[best], core[best], np.sqrt(variance[0, best])
 
 
 def _density(mean: Array, variance: Array, prior: Array) -> Array:
-    """Log of prior times density, but for a constant, as factors (S, 2 D + 1) of the table."""
-    precision = 1.0 / variance
-    constant = (mean * mean * precision + np.log(variance)).sum(axis=1)
-    return np.column_stack([-0.5 * precision, mean * precision, np.log(prior) - 0.5 * constant])
+    """Log of prior times density, but for a constant, as factors (2, S, 2 D + 1) of the table."""
+    channels, precision = mean.shape[-1], 1.0 / variance
+    factors = np.empty((*prior.shape, 2 * channels + 1))
+    np.multiply(precision, -0.5, out=factors[..., :channels])
+    np.multiply(mean, precision, out=factors[..., channels:-1])
+    constant = (mean * mean * precision + np.log(variance)).sum(axis=-1)
+    factors[..., -1] = np.log(prior) - 0.5 * constant
+    return factors
 
 
 def _moments(sums: Array, channels: int) -> tuple[Array, Array]:
-    """Mean and variance (S, D) from sums (S, 2 D + 1) over blocks."""
-    count = sums[:, -1:] + 1e-9
-    mean = sums[:, channels:-1] / count
-    return mean, np.maximum(sums[:, :channels] / count - mean * mean, 0.0)
+    """Mean and variance (2, S, D) from sums (2, S, 2 D + 1) over blocks."""
+    count = sums[..., -1:] + 1e-9
+    mean = sums[..., channels:-1] / count
+    return mean, np.maximum(sums[..., :channels] / count - mean * mean, 0.0)
 
 
 def _tight_places(means: Array) -> tuple[Array, Array]:

@@ -13,6 +13,7 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.bins import bins_of
+from keyphase.segmentation.order_statistics import median
 from keyphase.segmentation.parameters import Engine, Parameters
 from keyphase.segmentation.segmentation import ErrorCurve
 
@@ -63,7 +64,7 @@ def _robust_variance(values: Array) -> float:
         values = values[~held]
     if len(values) <= _MIN_DIFFERENCES:
         return 0.0
-    return float(1.4826 * np.median(np.abs(values - np.median(values)))) ** 2
+    return (1.4826 * median(np.abs(values - median(values)))) ** 2
 
 
 def given_noise(measurement_noise: float, channels: int) -> Array:
@@ -191,9 +192,9 @@ def binned_noise(binned: Array, parameters: Parameters) -> Array:
 
 def chi_square_level(bins: int, channels: int) -> float:
     """Level that one of `bins` normalized errors exceeds once in a hundred demonstrations."""
-    from scipy.stats import chi2
+    from scipy.special import chdtri
 
-    return float(chi2.isf(FALSE_ALARMS / bins, channels))
+    return float(chdtri(channels, FALSE_ALARMS / bins))
 
 
 def running_median(time_s: Array, error: Array) -> Array:

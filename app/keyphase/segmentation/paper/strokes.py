@@ -8,6 +8,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.motion import Motion
+from keyphase.segmentation.order_statistics import quantile
 
 IDLE_M_S = 5e-3
 """Slower than this, or than IDLE_FRACTION of the fast moments, the tool is idle."""
@@ -21,7 +22,7 @@ _DIP_REACH_S = 0.15
 
 def idle_speed(motion: Motion) -> float:
     """Speed below which the tool counts as idle in this recording [m/s]."""
-    return max(IDLE_M_S, IDLE_FRACTION * float(np.quantile(motion.speed, 0.98)))
+    return max(IDLE_M_S, IDLE_FRACTION * quantile(motion.speed, 0.98))
 
 
 def mean_velocity(motion: Motion, begin: int, end: int) -> Array:

@@ -130,11 +130,15 @@ class Told:
 
     def _alone(self, kind: CandidateKind, index: int) -> float:
         """Calibrated log-odds of a candidate as if nothing were beside it."""
-        contact = kind == "contact"
-        weights = self._weights
-        calibration = weights.contact_calibration if contact else weights.motion_calibration
-        odds = (self._evidence.contact_odds if contact else self._evidence.motion_odds)[index]
-        return float(calibration.log_odds(np.array([odds]))[0])
+        return float((self._contact_alone if kind == "contact" else self._motion_alone)[index])
+
+    @cached_property
+    def _contact_alone(self) -> Array:
+        return self._weights.contact_calibration.log_odds(self._evidence.contact_odds)
+
+    @cached_property
+    def _motion_alone(self) -> Array:
+        return self._weights.motion_calibration.log_odds(self._evidence.motion_odds)
 
     def _worth_telling(self) -> list[tuple[float, CandidateKind, int]]:
         scores = self._scores
