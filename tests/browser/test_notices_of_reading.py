@@ -1,28 +1,37 @@
-"""What was done on reading, and stretches without data, are seen on the page."""
+"""What is odd about a recording, and stretches without data, are seen on the page."""
 
-import numpy as np
-from driver import Serve, Visit
+from pathlib import Path
 
-from keyphase.demonstration import Demonstration
-from keyphase.readers import save_npz
+from driver import KeyphasePage, LookAt
+
+from odd_recordings import KINDS, save_odd_recordings
 
 
-def test_notes_on_reading_are_counted_and_a_gap_is_hatched(tmp_path, serve: Serve, visit: Visit):
-    time = np.arange(400) / 100.0
-    way = np.column_stack([0.1 * time, 0.0 * time, 0.3 + 0.0 * time])
-    gap = Demonstration("gap", time + 1.5 * (time > 2), way)
-    save_npz(gap, tmp_path / "gap.npz")
-
-    page = visit(serve(tmp_path / "gap.npz"), scene=False)
-    page.wait_for_document()
-    assert page.text("#read-notices-count") == "2"
-    assert "low" in (page.page.locator("#read-notices").get_attribute("class") or "")
+def _listed(page: KeyphasePage) -> str:
+    """The notes on reading, as the count beside the file's facts opens them."""
     page.page.locator("#read-notices").click()
-    assert "1.51 s without data at 2.00 s" in page.text("#read-notices-list")
-    page.page.keyboard.press("Escape")
+    listed = page.text("#read-notices-list")
+    page.press("Escape")
+    return listed
 
+
+def test_every_oddity_is_counted_and_listed(tmp_path: Path, look_at: LookAt) -> None:
+    save_odd_recordings(tmp_path)
+    page = look_at(*(tmp_path / f"{name}.npz" for name in KINDS))
+    for name, (_, said) in KINDS.items():
+        page.until(f"keyphase.state.document?.name === '{name}' && keyphase.state.whole")
+        count = page.page.locator("#read-notices-count")
+        count.wait_for()
+        assert int(count.inner_text()) >= 1, name
+        assert said in _listed(page), name
+        page.press("PageDown")
+
+
+def test_a_gap_is_hatched_and_says_so_under_the_pointer(tmp_path: Path, look_at: LookAt) -> None:
+    save_odd_recordings(tmp_path)
+    page = look_at(tmp_path / "gap.npz")
     row = page.row("segments")
-    page.page.mouse.move(page.x(2.7), row.y + row.height / 2)
+    page.page.mouse.move(page.x(4.7), row.y + row.height / 2)
     page.page.wait_for_selector(".surface[title*='without data']")
     assert page.page.locator("rect.break").count() == 1
     page.picture("gap")
