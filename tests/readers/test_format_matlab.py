@@ -36,7 +36,7 @@ def test_an_array_is_read_by_the_numbers_of_its_columns(tmp_path: Path) -> None:
 def test_objects_are_never_unpickled(tmp_path: Path) -> None:
     path = tmp_path / "run.npy"
     np.save(path, np.array([{"a": 1}], dtype=object), allow_pickle=True)
-    with pytest.raises(DemonstrationError, match="not as an object"):
+    with pytest.raises(DemonstrationError, match="pickled Python objects"):
         read(
             path,
             parse_recipe("time.rate_hz = 1\nposition = {columns = [0, 1, 2], unit = 'm'}", "r"),

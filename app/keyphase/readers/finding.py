@@ -23,7 +23,7 @@ EXPORTS_FOLDER = "keyphase_exports"
 """Copies of recordings with their segments, which are no recordings of their own."""
 
 _TABLE_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".log", ".asc")
-_BINARY_SUFFIXES = (".hdf5", ".h5", ".zip", ".bag", ".mcap", ".mat", ".npy")
+_BINARY_SUFFIXES = (".hdf5", ".h5", ".zip", ".bag", ".mcap", ".mat", ".npy", ".parquet")
 _SEGMENTS_SUFFIXES = (".segments.csv", ".segments.mcap")
 
 

@@ -1,11 +1,6 @@
 """Files that are neither text nor a format keyphase reads, known by their first bytes."""
 
 _KNOWN: tuple[tuple[bytes, str], ...] = (
-    (
-        b"PAR1",
-        "it is a Parquet file, which is read as part of a LeRobot dataset: name the dataset's "
-        "folder, or save its columns with numpy.savez",
-    ),
     (b"\x80\x02", "it is a pickle, which can run programs and is never loaded: save plain arrays "
                   "with numpy.savez"),
     (b"\x1f\x8b", "it is packed with gzip: unpack it first"),
@@ -14,7 +9,6 @@ _KNOWN: tuple[tuple[bytes, str], ...] = (
     (b"SQLite format 3\0", "it is a database; of a ROS 2 bag name the folder it lies in"),
     (b"\xd0\xcf\x11\xe0", "it is a workbook of Excel: save the sheet as CSV"),
     (b"ARROW1", "it is an Arrow file: save its columns with numpy.savez"),
-    (b"MATLAB 7.3", "it is a MATLAB file of version 7.3: save it with save -v7"),
 )  # fmt: skip
 
 _PICKLES = tuple(b"\x80" + bytes([protocol]) for protocol in (2, 3, 4, 5))

@@ -31,6 +31,7 @@ class ArrayTable:
     texts    columns of text, by name
     notices  what was done on the way out of the file
     names_of further names of an array's columns, such as the features of a LeRobot state
+    remarks  what the file says of its columns that a person should know who describes them
     """
 
     file: str
@@ -38,6 +39,7 @@ class ArrayTable:
     texts: Mapping[str, Sequence[str]]
     notices: tuple[str, ...]
     names_of: Mapping[str, Sequence[str]]
+    remarks: tuple[str, ...] = ()
 
     form = TableForm()
 

@@ -4,6 +4,7 @@ Links to other files, virtual and externally stored data are passed over: a file
 """
 
 import json
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -25,8 +26,15 @@ MAGIC = b"\x89HDF\r\n\x1a\n"
 EXTRA = "hdf5"
 
 _EPISODES = "data"
-_MAX_DEPTH = 8
-_MAX_ARRAYS = 20_000
+_NUMBERED = re.compile(
+    r"(episode|ep|demo|demonstration|trial|run|traj|trajectory|take|recording|rollout|sequence)"
+    r"[\s_-]?\d+",
+    re.I,
+)
+"""How groups are called that are a recording each."""
+
+MAX_DEPTH = 8
+MAX_ARRAYS = 20_000
 _MAX_DEFLATED = 1032
 """Deflate packs no better."""
 _MIN_ROOM_BYTES = 1024**2
@@ -35,17 +43,14 @@ _MIN_ROOM_BYTES = 1024**2
 def parts_of_hdf5(path: Path) -> tuple[str, ...]:
     """The demonstrations of a file with many (`data/demo_0`, …), or none where it is one."""
     with opened(path) as file:
-        group = _group(file, _EPISODES)
-        if group is None:
-            return ()
-        names = [name for name in group if _group(group, name) is not None]
-        return tuple(in_natural_order(names))
+        group = _episodes(file)
+        return () if group is None else tuple(in_natural_order(_groups(group)))
 
 
 def names_in_hdf5(path: Path, part: str | None) -> tuple[str, ...]:
     """What the columns of a demonstration are called, without reading any; none where it is not."""
     with opened(path) as file:
-        episodes = _group(file, _EPISODES)
+        episodes = _episodes(file)
         group = file if episodes is None else _group(episodes, part) if part else None
         if group is None:
             return ()
@@ -60,13 +65,13 @@ def table_of_hdf5(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     """
     shown = str(path) if part is None else f"{path}#{part}"
     with opened(path) as file:
-        episodes = _group(file, _EPISODES)
+        episodes = _episodes(file)
         group = file if episodes is None else _group(episodes, part) if part else None
         if group is None or (episodes is None and part is not None):
             raise unknown_part(str(path), part, parts_of_hdf5(path))
         found = dict(_signals(group))
         refuse_too_large(found.values(), shown, limit_bytes)
-        _refuse_empty_space(found)
+        refuse_hollow(found)
         arrays = {name: np.asarray(dataset[()]) for name, dataset in found.items()}
         texts = {}
         notices = ()
@@ -85,6 +90,19 @@ def opened(path: Path) -> Iterator[Any]:
         yield file
 
 
+def _episodes(file: Any) -> Any:
+    """The group whose groups are a recording each, or None where the file is one recording."""
+    group = _group(file, _EPISODES)
+    if group is not None and len(_groups(group)) == len(group):
+        return group
+    numbered = [name for name in _groups(file) if _NUMBERED.fullmatch(name)]
+    return file if numbered and len(numbered) == len(_groups(file)) else None
+
+
+def _groups(parent: Any) -> list[str]:
+    return [name for name in parent if _group(parent, name) is not None]
+
+
 def _group(parent: Any, name: str) -> Any:
     """A group that lies in this file, or None."""
     import h5py
@@ -98,7 +116,7 @@ def _group(parent: Any, name: str) -> Any:
 def _signals(group: Any, before: str = "", depth: int = 0) -> Iterator[tuple[str, Any]]:
     import h5py
 
-    if depth > _MAX_DEPTH or len(group) > _MAX_ARRAYS:
+    if depth > MAX_DEPTH or len(group) > MAX_ARRAYS:
         raise ValueError("it is nested deeper, or holds more, than a recording does")
     for name in group:
         if not isinstance(group.get(name, getlink=True), h5py.HardLink):
@@ -106,18 +124,37 @@ def _signals(group: Any, before: str = "", depth: int = 0) -> Iterator[tuple[str
         item = group[name]
         if isinstance(item, h5py.Group):
             yield from _signals(item, f"{before}{name}/", depth + 1)
-        elif _is_own_signal(item):
-            yield f"{before}{name}", item
+        elif is_own_data(item):
+            signals = [("", item)] if item.dtype.names is None else _fields(item)
+            yield from ((f"{before}{name}{at}", one) for at, one in signals if is_signal(one))
 
 
-def _is_own_signal(item: Any) -> bool:
+def is_own_data(item: Any) -> bool:
+    """Whether it is an array whose numbers lie in this file."""
     import h5py
 
-    own = isinstance(item, h5py.Dataset) and not (item.is_virtual or item.external)
-    return own and is_signal(item)
+    return isinstance(item, h5py.Dataset) and not (item.is_virtual or item.external)
 
 
-def _refuse_empty_space(found: dict[str, Any]) -> None:
+class _Field:
+    """One column of a table of records, as an array."""
+
+    def __init__(self, records: Any, name: str) -> None:
+        self._records, self._name = records, name
+        dtype = records.dtype[name]
+        self.dtype, self.shape = dtype.base, (*records.shape, *dtype.shape)
+        self.id, self.nbytes = records.id, records.nbytes
+
+    def __getitem__(self, _all: Any) -> Any:
+        return self._records[self._name]
+
+
+def _fields(records: Any) -> Iterator[tuple[str, Any]]:
+    for name in records.dtype.names:
+        yield f"/{name}", _Field(records, name)
+
+
+def refuse_hollow(found: dict[str, Any]) -> None:
     """A shape that what is stored cannot fill was never recorded, however small the file is."""
     for name, dataset in found.items():
         stored = dataset.id.get_storage_size()

@@ -26,6 +26,11 @@ from keyphase.readers.formats.matlab import (
     table_of_mat,
     table_of_npy,
 )
+from keyphase.readers.formats.matlab73 import MAGIC as MAT73_MAGIC
+from keyphase.readers.formats.matlab73 import table_of_mat73
+from keyphase.readers.formats.numpy_archive import is_foreign_archive, table_of_npz
+from keyphase.readers.formats.parquet import MAGIC as PARQUET_MAGIC
+from keyphase.readers.formats.parquet import table_of_parquet
 from keyphase.readers.formats.zarr_store import is_zarr, parts_of_zarr, table_of_zarr
 
 
@@ -82,15 +87,20 @@ BAG = Format(
     "ROS 1 and ROS 2 bag, MCAP", "ros", ".bag .mcap, a folder", "run.bag", _one, table_of_bag
 )
 MAT = Format("MATLAB 5 to 7.2", "", ".mat", "run.mat", _one, table_of_mat)
+MAT73 = Format("MATLAB 7.3", "hdf5", ".mat", "run.mat", _one, table_of_mat73)
 NPY = Format("NumPy array", "", ".npy", "run.npy", _one, table_of_npy)
+NPZ = Format("NumPy archive with other names", "", ".npz", "run.npz", _one, table_of_npz)
+PARQUET = Format("Parquet", "lerobot", ".parquet", "run.parquet", _one, table_of_parquet)
 
-FORMATS = (LEROBOT, HDF5, ZARR, BAG, MAT, NPY)
+FORMATS = (LEROBOT, HDF5, ZARR, BAG, MAT, MAT73, NPY, NPZ, PARQUET)
 
 _MAGIC = (
     (HDF5_MAGIC, HDF5),
     (ROS1_MAGIC, BAG),
     (MCAP_MAGIC, BAG),
     (MAT_MAGIC, MAT),
+    (MAT73_MAGIC, MAT73),
+    (PARQUET_MAGIC, PARQUET),
     (NPY_MAGIC, NPY),
 )
 MAX_MAGIC_LENGTH = max(len(magic) for magic, _ in _MAGIC)
@@ -106,6 +116,8 @@ def format_of(path: Path) -> Format | None:
             return _folder_format(path)
         if is_zarr(path):
             return ZARR
+        if is_foreign_archive(path):
+            return NPZ
         head = first_bytes(path, MAX_MAGIC_LENGTH)
     except (OSError, ValueError):
         return None

@@ -51,9 +51,9 @@ def table_of_lerobot(path: Path, part: str | None, limit_bytes: int) -> ArrayTab
     with damage_told(path, "LeRobot dataset"):
         table = _episode(path, info, number)
         shown = f"{path}#{part}"
-        columns = dict(_columns(table))
+        columns = dict(columns_of_parquet(table))
         refuse_too_large(columns.values(), shown, limit_bytes)
-        texts = dict(_texts(table))
+        texts = dict(texts_of_parquet(table))
     return ArrayTable(shown, columns, texts, (), _feature_names(info))
 
 
@@ -138,7 +138,7 @@ def episode_row(path: Path, number: int, columns: Sequence[str]) -> Mapping[str,
     raise _damaged(path, f"meta/episodes does not say where episode {number} is")
 
 
-def _columns(table: Any) -> Iterator[tuple[str, NDArray[Any]]]:
+def columns_of_parquet(table: Any) -> Iterator[tuple[str, NDArray[Any]]]:
     """Columns of numbers and of lists of equally many numbers."""
     types = package("pyarrow.types", EXTRA, Path())
     for name in table.column_names:
@@ -156,7 +156,8 @@ def _columns(table: Any) -> Iterator[tuple[str, NDArray[Any]]]:
                     yield name, flat.reshape(len(table), width)
 
 
-def _texts(table: Any) -> Iterator[tuple[str, list[str]]]:
+def texts_of_parquet(table: Any) -> Iterator[tuple[str, list[str]]]:
+    """Columns of words."""
     types = package("pyarrow.types", EXTRA, Path())
     for name in table.column_names:
         if types.is_string(table[name].type) or types.is_large_string(table[name].type):

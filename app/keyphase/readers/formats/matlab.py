@@ -5,12 +5,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.lib import format as npy
 from numpy.typing import NDArray
 
 from keyphase.errors import DemonstrationError
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.damage import damage_told
 from keyphase.readers.formats.numeric import is_signal, refuse_too_large
+from keyphase.readers.formats.upright import upright
 
 NPY_MAGIC = b"\x93NUMPY"
 MAT_MAGIC = b"MATLAB 5.0 MAT-file"
@@ -24,14 +26,29 @@ def table_of_npy(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     Raises DemonstrationError for what is no whole array of numbers.
     """
     _refuse_part(path, part)
-    with damage_told(path, "array", "save it again with numpy.save, not as an object"):
+    with damage_told(path, "array", "save it again with numpy.save"):
+        _refuse_pickled(path)
         mapped = np.load(path, mmap_mode="r", allow_pickle=False)
         if not isinstance(mapped, np.ndarray):
             raise ValueError("it holds no array")
         refuse_too_large([mapped], str(path), limit_bytes)
         array = np.array(mapped)
     named = {name: array[name] for name in array.dtype.names or ()} or {"array": array}
-    return ArrayTable(str(path), _signals(named, str(path)), {}, (), {})
+    signals, notices = _signals(named, str(path))
+    return ArrayTable(str(path), signals, {}, notices, {})
+
+
+def _refuse_pickled(path: Path) -> None:
+    with path.open("rb") as stream:
+        version = npy.read_magic(stream)
+        reading = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
+        pickled = version in ((1, 0), (2, 0)) and reading(stream)[2].hasobject
+    if pickled:
+        raise DemonstrationError(
+            f"{path}: it holds pickled Python objects, which can run programs and are never "
+            "loaded; load it where you trust it and save its arrays: "
+            "numpy.savez('run.npz', **numpy.load('run.npy', allow_pickle=True).item())."
+        )
 
 
 def table_of_mat(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
@@ -50,7 +67,8 @@ def table_of_mat(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     with damage_told(path, "MATLAB file", "save it again with save -v7"):
         content = loadmat(path, struct_as_record=True, squeeze_me=False)
     variables = {name: value for name, value in content.items() if not name.startswith("__")}
-    return ArrayTable(str(path), _signals(dict(_flat(variables)), str(path)), {}, (), {})
+    signals, notices = _signals(dict(_flat(variables)), str(path))
+    return ArrayTable(str(path), signals, {}, notices, {})
 
 
 def _flat(values: dict[str, Any], before: str = "", depth: int = 0) -> Iterator[tuple[str, Any]]:
@@ -64,18 +82,15 @@ def _flat(values: dict[str, Any], before: str = "", depth: int = 0) -> Iterator[
             yield f"{before}{name}", value
 
 
-def _signals(arrays: dict[str, Any], file: str) -> dict[str, NDArray[Any]]:
+def _signals(arrays: dict[str, Any], file: str) -> tuple[dict[str, NDArray[Any]], tuple[str, ...]]:
     """Columns stand upright: a row (1, N) of MATLAB is a column of N numbers."""
-    upright = {
-        name: value.reshape(-1) if value.ndim == 2 and 1 in value.shape else value
-        for name, value in arrays.items()
-    }
-    found = {name: value for name, value in upright.items() if is_signal(value)}
+    standing, notices = upright(arrays)
+    found = {name: value for name, value in standing.items() if is_signal(value)}
     if not found:
         raise DemonstrationError(
             f"{file}: expected arrays of numbers, one row a sample, but it holds none."
         )
-    return found
+    return found, notices
 
 
 def _refuse_part(path: Path, part: str | None) -> None:

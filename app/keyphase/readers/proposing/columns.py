@@ -27,6 +27,7 @@ class Looked:
     cells    their first cells as text; none for a binary format
     texts    the same of columns that hold no numbers
     lengths  how many rows each column has
+    remarks  what the file says of them
     """
 
     names: tuple[str, ...]
@@ -35,6 +36,7 @@ class Looked:
     cells: tuple[tuple[str, ...], ...]
     texts: tuple[tuple[str, ...], ...]
     lengths: tuple[int, ...]
+    remarks: tuple[str, ...] = ()
 
     def has_gaps(self, columns: Sequence[int]) -> bool:
         """Whether one of these has rows without a number."""
@@ -89,7 +91,7 @@ def looked_at_arrays(table: ArrayTable) -> Looked:
         if lengths[column] > _FEW_ROWS * longest:
             values[:, column] = table.first(column, count)
     empty: tuple[tuple[str, ...], ...] = ((),) * len(names)
-    return Looked(names, names, values, empty, empty, lengths)
+    return Looked(names, names, values, empty, empty, lengths, table.remarks)
 
 
 def looked_at_table(table: Table, layout: Layout) -> Looked:

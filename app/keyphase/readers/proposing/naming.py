@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping, Sequence
 
 AXIS = re.compile(r"(|.*?[^a-z]|.*?[a-z])([xyz])(|[\W_].*|\d*)")
-TIME = re.compile(r"time|zeit|stamp|^t$|^t[\W_]|sec|(^|[\W_])tm($|[\W_])", re.I)
+TIME = re.compile(r"time|zeit|stamp|(^|[\W_])t($|[\W_])|sec|(^|[\W_])tm($|[\W_])", re.I)
 POSITION = re.compile(
     r"pos|tcp|tool|ee|pose|^[xyz]$|^[xyz][\W_]|^p?[xyz]$|translation|punkt|xyz", re.I
 )
@@ -14,8 +14,8 @@ NO_POSITION = re.compile(
     r"|(^|[\W_])[ftmq]\d?[\W_]?[xyz]($|[\W_])",
     re.I,
 )
-FORCE = re.compile(r"force|kraft|(^|[\W_])f[\W_]?[xyz]|^f\d?[xyz]|^f$", re.I)
-TORQUE = re.compile(r"torque|moment|(^|[\W_])[tm][\W_]?[xyz]($|[\W_])|^(tau|m)$", re.I)
+FORCE = re.compile(r"force|kraft|(^|[\W_])f[\W_]?[xyz]|^f\d?[xyz]|(^|[./])f$", re.I)
+TORQUE = re.compile(r"torque|moment|(^|[\W_])[tm][\W_]?[xyz]($|[\W_])|(^|[./])(tau|m)$", re.I)
 WRENCH = re.compile(r"wrench|force|(^|[\W_])ft($|[\W_])|f_?ext|kraft", re.I)
 QUATERNION = re.compile(r"quat|orient|(^|[\W_])q[\W_]?[wxyz0-3]|(^|[\W_])u[0-3]$", re.I)
 EULER = re.compile(r"roll|pitch|yaw|euler|rpy|(^|[\W_])r[xyz]|rot", re.I)

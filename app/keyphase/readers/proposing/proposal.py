@@ -11,6 +11,7 @@ from keyphase.files.parts import split_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
 from keyphase.readers.formats.known import format_of
 from keyphase.readers.proposing.columns import Looked, looked_at_arrays, looked_at_table
+from keyphase.readers.proposing.frames import other_transforms
 from keyphase.readers.proposing.guess import Guess
 from keyphase.readers.proposing.layout import Layout, layout_of
 from keyphase.readers.proposing.roles import guesses_of
@@ -33,6 +34,8 @@ from keyphase.readers.proposing.written import (
 from keyphase.readers.recipes.presets import WRENCH_QUESTIONS, fitting_preset, left_open
 from keyphase.readers.table import open_table
 
+_MAX_REMARKS = 10
+
 
 @dataclass(frozen=True)
 class Proposal:
@@ -45,6 +48,7 @@ class Proposal:
     split   the column that tells several demonstrations apart
     preset  the one that knows these columns, with what it leaves open by section; else None
     gaps    sections with cells without a number
+    remarks what the file says of its columns
     """
 
     layout: Layout | None
@@ -55,6 +59,7 @@ class Proposal:
     split: Guess | None = None
     preset: tuple[str, dict[str, list[str]]] | None = None
     gaps: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
 
     def recipe_text(self) -> str:
         """The recipe as TOML, the evidence as comments; what is open stands as a comment, too."""
@@ -67,7 +72,8 @@ class Proposal:
         for guess in self.guesses:
             lines += guess_lines(guess, self._chosen(guess), self.clocks.get(section_of(guess)))
         if {guess.role for guess in self.guesses} & {"force", "torque"}:
-            lines += ["", "[wrench]", *WRENCH_QUESTIONS.values()]
+            remarks = [f"# {remark}" for remark in self.remarks[:_MAX_REMARKS]]
+            lines += ["", *remarks, "[wrench]", *WRENCH_QUESTIONS.values()]
         if self.gaps:
             told = f"# {', '.join(self.gaps)}: not in all rows is there a number"
             lines += ["", told, "[rows]", f"empty = {toml('leave_out')}"]
@@ -131,7 +137,8 @@ def _of_arrays(looked: Looked) -> Proposal:
     """Of arrays each of which may have its own clock; that of the place is the main one."""
     preset = _preset_of(looked.names)
     clocks = looked.clocks()
-    found = guesses_of(looked.told, looked.values, tuple(clocks))
+    passed_over = other_transforms(looked.names, looked.values, looked.remarks)
+    found = guesses_of(looked.told, looked.values, (*clocks, *passed_over))
     leading = next((g for r in ("pose", "position", "joints") for g in found if g.role == r), None)
     main = looked.clock_of(leading, clocks) if leading else next(iter(clocks), None)
     if main is not None:
@@ -150,7 +157,9 @@ def _of_arrays(looked: Looked) -> Proposal:
     guesses = ((time,) if time else ()) + tuple(found)
     gaps = tuple(section_of(g) for g in found if looked.has_gaps(g.columns))
     questions = list(preset[1]) if preset else questions
-    return Proposal(None, looked.names, guesses, tuple(questions), own, None, preset, gaps)
+    return Proposal(
+        None, looked.names, guesses, tuple(questions), own, None, preset, gaps, looked.remarks
+    )
 
 
 def _preset_of(names: Sequence[str]) -> tuple[str, dict[str, list[str]]] | None:

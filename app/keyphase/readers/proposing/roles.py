@@ -38,7 +38,8 @@ def guesses_of(names: Sequence[str], values: Array, taken: Sequence[int] = ()) -
     free = [i for i in range(len(names)) if numeric[i] and i not in taken]
     found: list[Guess] = []
     for look in (_quaternion, _force, _torque, _euler, _gripper, _joints, _position):
-        guess = look(names, values, free)
+        turned = look is _euler and any(guess.role == "quaternion" for guess in found)
+        guess = None if turned else look(names, values, free)
         if guess is not None:
             found.append(guess)
             free = [i for i in free if i not in guess.columns]

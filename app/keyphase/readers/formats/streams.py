@@ -1,0 +1,148 @@
+"""The topics of a bag while it is read: columns and clocks of each, within a limit of memory."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, fields, is_dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from keyphase.errors import DemonstrationError
+from keyphase.notices import Caution
+from keyphase.readers.formats.messages import Plain, numbers_in, stamp_of
+from keyphase.readers.formats.numeric import MAX_NUMBERS_A_ROW
+
+_MAX_DEPTH = 8
+STATIC = "/tf_static["
+"""How the topics of transforms begin that hold for good and are sent once."""
+
+
+@dataclass
+class _Stream:
+    """One topic as it is read; `frame` is what the header of its first message names."""
+
+    getters: dict[str, Callable[[Any], Any]]
+    stamped: bool
+    frame: str = ""
+    rows: list[list[Any]] = field(default_factory=list)
+    stamps_ns: list[int] = field(default_factory=list)
+    logs_ns: list[int] = field(default_factory=list)
+
+
+class Streams:
+    """All topics; messages are added in the order of the file."""
+
+    def __init__(self, file: str, limit_bytes: int) -> None:
+        self._file, self._limit = file, limit_bytes
+        self._streams: dict[str, _Stream] = {}
+        self._numbers = 0
+
+    def add(self, topic: str, log_ns: int, message: Any) -> None:
+        """One message of ROS more."""
+        if topic not in self._streams:
+            stamped = hasattr(message, "header")
+            frame = str(getattr(message.header, "frame_id", "")) if stamped else ""
+            self._streams[topic] = _Stream(dict(_numbers_of(message)), stamped, frame)
+        stream = self._streams[topic]
+        stamp = message.header.stamp if stream.stamped else None
+        ns = None if stamp is None else stamp.sec * 10**9 + stamp.nanosec
+        self._append(stream, log_ns, ns, [get(message) for get in stream.getters.values()])
+
+    def add_plain(self, topic: str, log_ns: int, content: Plain) -> None:
+        """One message in JSON or Protobuf more."""
+        numbers, ns = dict(numbers_in(content)), stamp_of(content)
+        if topic not in self._streams:
+            getters = {name: _getter(name) for name in numbers}
+            frame = str(content.get("frame_id", ""))[:100]
+            self._streams[topic] = _Stream(getters, ns is not None, frame)
+        stream = self._streams[topic]
+        if not stream.getters.keys() <= numbers.keys() or (stream.stamped and ns is None):
+            missing = sorted(stream.getters.keys() - numbers.keys())[:3] or ["its stamp"]
+            raise ValueError(f"a message of {topic} goes without {', '.join(missing)}")
+        self._append(stream, log_ns, ns, [get(numbers) for get in stream.getters.values()])
+
+    def _append(self, stream: _Stream, log_ns: int, stamp_ns: int | None, row: list[Any]) -> None:
+        self._numbers += sum(np.size(value) for value in row) + 2
+        if 8 * self._numbers > self._limit:
+            raise DemonstrationError(
+                f"{self._file}: the bag takes more memory than the limit of {self._limit} bytes; "
+                "cut it, leave topics out, or raise the limit."
+            )
+        stream.rows.append(row)
+        stream.logs_ns.append(log_ns)
+        if stream.stamped and stamp_ns is not None:
+            stream.stamps_ns.append(stamp_ns)
+
+    def arrays(self) -> dict[str, NDArray[Any]]:
+        """Columns and clocks of every topic with at least two messages, and static transforms."""
+        used = {topic: one for topic, one in self._streams.items() if len(one.rows) > 1}
+        begin = min((one.logs_ns[0] for one in used.values()), default=0)
+        stamped = [one.stamps_ns[0] for one in used.values() if one.stamped and one.stamps_ns[0]]
+        first = min(stamped, default=begin)
+        kept = used | {t: one for t, one in self._streams.items() if t.startswith(STATIC)}
+        found: dict[str, NDArray[Any]] = {}
+        for topic, one in kept.items():
+            found[f"{topic}.log_time"] = (np.array(one.logs_ns) - begin) * 1e-9
+            if one.stamped:
+                found[f"{topic}.stamp"] = (np.array(one.stamps_ns) - first) * 1e-9
+            for name, values in zip(one.getters, zip(*one.rows, strict=True), strict=True):
+                array = _stacked(values)
+                if array is not None:
+                    found[f"{topic}.{name}" if name else topic] = array
+        return found
+
+    def notices(self) -> tuple[str, ...]:
+        """Which topics said too little to be read."""
+        few = [
+            topic
+            for topic, one in self._streams.items()
+            if len(one.rows) < 2 and not topic.startswith(STATIC)
+        ]
+        told = f"Topics of one message were passed over: {', '.join(few[:5])}."
+        return (Caution(told),) if few else ()
+
+    def remarks(self) -> tuple[str, ...]:
+        """In whose axes each topic is written, by the headers of its messages."""
+        named = {t: s.frame for t, s in self._streams.items() if s.frame and ">" not in t}
+        return tuple(f"{topic} is in the frame {frame!r}" for topic, frame in named.items())
+
+
+def _getter(name: str) -> Callable[[dict[str, Any]], Any]:
+    return lambda numbers: numbers[name]
+
+
+def _stacked(values: tuple[Any, ...]) -> NDArray[Any] | None:
+    """Numbers of all messages, or None for lists whose length changes."""
+    if len({np.size(value) for value in values}) > 1:
+        return None
+    array = np.array(values, dtype=np.float64)
+    return array.reshape(len(values), -1) if array.ndim > 1 else array
+
+
+def _numbers_of(
+    value: Any,
+    before: str = "",
+    get: Callable[[Any], Any] = lambda message: message,
+    depth: int = 0,
+) -> Iterator[tuple[str, Callable[[Any], Any]]]:
+    """The numbers in a message, by the path to each, and how to fetch it from another one."""
+    if depth > _MAX_DEPTH:
+        return
+    for one in fields(value):
+        if one.name in ("header", "__msgtype__") or one.name.startswith("_"):
+            continue
+        inner = getattr(value, one.name)
+        name = f"{before}{one.name}"
+
+        def fetch(message: Any, get: Callable[[Any], Any] = get, key: str = one.name) -> Any:
+            return getattr(get(message), key)
+
+        if is_dataclass(inner):
+            yield from _numbers_of(inner, f"{name}.", fetch, depth + 1)
+        elif isinstance(inner, bool | int | float) or _is_row(inner):
+            yield name, fetch
+
+
+def _is_row(value: Any) -> bool:
+    is_numbers = isinstance(value, np.ndarray) and value.dtype.kind in "fiub"
+    return is_numbers and 0 < value.size <= MAX_NUMBERS_A_ROW
