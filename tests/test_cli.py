@@ -36,6 +36,7 @@ def test_help_loads_nothing_heavy() -> None:
     assert done.stderr.strip() == ""
 
 
+@pytest.mark.slow
 def test_segment_writes_one_segment_file_for_each_recording(
     recording: Path, tmp_path: Path
 ) -> None:
@@ -61,6 +62,7 @@ def test_segment_twice_gives_the_same_bytes(recording: Path, tmp_path: Path) -> 
     assert (tmp_path / "0.json").read_bytes() == (tmp_path / "1.json").read_bytes()
 
 
+@pytest.mark.slow
 def test_score_prints_figures_for_machines(
     recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

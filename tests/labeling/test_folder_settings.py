@@ -176,6 +176,7 @@ def _write_names(folder, first):
         change_folder_settings(folder, learn(f"{first}{number}"))
 
 
+@pytest.mark.slow
 def test_two_programs_that_write_at_once_lose_nothing(tmp_path):
     context = multiprocessing.get_context("fork")
     writers = [context.Process(target=_write_names, args=(tmp_path, first)) for first in "ab"]

@@ -40,6 +40,7 @@ def nested(depth):
     return inner
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "how",
     [

@@ -131,6 +131,7 @@ def test_whoever_comes_after_the_writer_may_write(demo):
     assert reopened(demo).read_only is None
 
 
+@pytest.mark.slow
 def test_the_lock_of_a_killed_writer_does_not_stay(demo):
     program = (
         "import os, sys; sys.path.insert(0, sys.argv[2]); from pathlib import Path;"
@@ -264,6 +265,7 @@ def test_a_journal_of_a_later_version_is_refused_and_left_alone(demo):
     assert editor.journal.path.read_bytes() == later
 
 
+@pytest.mark.slow
 def test_a_long_journal_is_rewritten_and_leads_to_the_same(demo):
     editor = Editor(demo)
     editor.makes(Add(3.0), Add(5.0))

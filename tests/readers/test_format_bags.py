@@ -12,6 +12,8 @@ from rosbags.typesys import Stores, get_typestore
 from keyphase.errors import DemonstrationError
 from keyphase.readers import find_recordings, parse_recipe, read
 
+pytestmark = pytest.mark.slow
+
 RECIPE = """
 time = {column = "/pose.stamp", unit = "s"}
 position = {columns = "/pose.pose.position.?", unit = "m"}

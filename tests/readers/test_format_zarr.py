@@ -31,6 +31,7 @@ def umi(tmp_path: Path) -> Path:
     return store(tmp_path / "umi.zarr", data, {"episode_ends": [40, 100]})
 
 
+@pytest.mark.slow
 def test_a_replay_buffer_is_a_list_of_episodes(umi: Path) -> None:
     names = [found.path.name for found in find_recordings([umi.parent])]
     assert names == ["umi.zarr#episode_0", "umi.zarr#episode_1"]

@@ -70,6 +70,7 @@ def refused(path, reason):
     assert path.name in str(caught.value)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("compress", "method"),
     [(lambda data: bz2.compress(data), 12), (lambda data: lzma.compress(data), 14)],

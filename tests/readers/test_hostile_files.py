@@ -53,6 +53,7 @@ def reads_or_says_why(path: Path) -> None:
     assert "\n" not in refusal
 
 
+@pytest.mark.slow
 @fuzz
 @given(data=st.binary(max_size=300))
 @example(data=b"\xff\xfe\x00")

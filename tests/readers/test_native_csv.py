@@ -22,6 +22,7 @@ def write(folder: Path, *lines: str, newline: str = "\n", encoding: str = "utf-8
     return path
 
 
+@pytest.mark.slow
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(demonstration=demonstrations())
 def test_what_is_saved_is_read_back(tmp_path: Path, demonstration: Demonstration) -> None:

@@ -34,6 +34,7 @@ def archive(tmp_path: Path) -> Archive:
     return write
 
 
+@pytest.mark.slow
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(demonstration=demonstrations())
 def test_what_is_saved_is_read_back(tmp_path: Path, demonstration: Demonstration) -> None:
@@ -56,6 +57,7 @@ def test_what_is_saved_is_read_back(tmp_path: Path, demonstration: Demonstration
         np.testing.assert_array_equal(back.channels[name], values)
 
 
+@pytest.mark.slow
 @settings(max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(demonstration=demonstrations())
 def test_the_same_demonstration_gives_the_same_bytes(

@@ -86,6 +86,7 @@ def test_what_is_no_table_is_refused(data: bytes) -> None:
         layout_of(data)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
     ["iiwa_tagged.csv", "lund_two_hand_assembly_trial_2.csv", "dfki_subject1_run1.tsv"],

@@ -66,6 +66,7 @@ def test_held_poses_and_uneven_rows_are_said(real_data: Path) -> None:
     assert "(about 199 Hz)" in notices
 
 
+@pytest.mark.slow
 def test_every_real_archive_is_read(real_data: Path) -> None:
     archives = sorted(real_data.glob("*/*.npz"))
     assert archives

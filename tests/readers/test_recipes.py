@@ -282,6 +282,7 @@ def test_the_offset_is_taken_out_before_sign_and_frame(tmp_path: Path) -> None:
     np.testing.assert_allclose(demonstration.force_N, np.tile([0, -1, 0], (4, 1)), atol=1e-12)
 
 
+@pytest.mark.slow
 @settings(max_examples=25)
 @given(seed=st.integers(0, 2**32 - 1))
 def test_turning_the_wrench_keeps_its_length(

@@ -58,6 +58,7 @@ def test_any_valid_demonstration_is_segmented(recording):
     assert_well_formed(segment(recording))
 
 
+@pytest.mark.slow
 @settings(max_examples=25)
 @given(
     demonstrations(),

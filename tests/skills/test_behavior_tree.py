@@ -105,6 +105,7 @@ def test_the_tree_runs_the_plan_to_its_end():
     assert robot.asked == [pytest.approx((0.0, 0.0, 0.3)), pytest.approx((0.0, 0.0, 0.2), abs=1e-3)]
 
 
+@pytest.mark.slow
 def test_a_skill_that_fails_retracts_and_fails_the_plan():
     robot = Robot(plan(), floor_m=-1.0)
     assert robot.tick(behavior_tree(plan(), "plan.skills.json")) == bt.NodeStatus.FAILURE

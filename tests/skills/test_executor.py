@@ -42,6 +42,7 @@ def test_it_presses_as_the_demonstration_did():
     assert robot.force()[2] == pytest.approx(6.0, abs=0.5)
 
 
+@pytest.mark.slow
 def test_without_a_floor_the_plan_stops_and_says_so():
     executor, robot = begun(-1.0)
     executed(executor, robot)
@@ -69,6 +70,7 @@ def test_a_plan_without_skills_is_refused():
         Executor((), PointMass((0.0, 0.0, 0.3)).sense())
 
 
+@pytest.mark.slow
 def test_it_needs_no_simulator():
     program = (
         "import sys; from keyphase.skills import Executor; "

@@ -18,6 +18,7 @@ DATA = Path(__file__).parents[3] / "data"
 LINES = (0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 0.5, 0.7, 0.9, 0.97, 0.99, 0.997, 0.999)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["setup1", "setup2", "wipe"])
 def test_dragging_a_line_over_its_range_changes_the_number_of_segments(name):
     segmenter = Segmenter(read(DATA / f"{name}.npz"))

@@ -2,9 +2,12 @@
 
 import json
 
+import pytest
+
 from keyphase.commands.fit import FitWeights
 
 
+@pytest.mark.slow
 def test_the_same_count_and_seed_give_the_same_bytes(tmp_path):
     files = [tmp_path / "once.json", tmp_path / "again.json"]
     for file in files:

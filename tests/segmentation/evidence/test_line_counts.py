@@ -18,6 +18,7 @@ def segmenter(request: pytest.FixtureRequest) -> Segmenter:
     return Segmenter(read(shipped("data") / f"{request.param}.npz"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turns", ["none", "all"])
 def test_what_is_told_for_a_line_is_what_comes(segmenter: Segmenter, turns: Any) -> None:
     parameters = Parameters(turns=turns)

@@ -73,6 +73,7 @@ def test_the_cut_is_the_one_of_least_bic_among_all(seed, effective):
     assert found.tolist() == exhaustive(samples, grid, 6, effective)
 
 
+@pytest.mark.slow
 @settings(max_examples=15)
 @given(seed=st.integers(0, 10_000), effective=st.floats(20.0, 400.0))
 def test_leaving_out_hopeless_starts_changes_nothing_on_long_motions(seed, effective):

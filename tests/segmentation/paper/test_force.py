@@ -41,6 +41,7 @@ def assert_engines_agree(measured: np.ndarray, noise: np.ndarray, ratio: float) 
     np.testing.assert_allclose(fast, reference, rtol=1e-9, atol=1e-12 * reference.max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BUNDLED)
 @pytest.mark.parametrize("ratio", [0.01, 1.0, 30.0])
 def test_it_agrees_with_filterpy_on_every_bundled_signal(name, ratio):
@@ -49,6 +50,7 @@ def test_it_agrees_with_filterpy_on_every_bundled_signal(name, ratio):
         assert_engines_agree(wrench[:, :channels], noise_variance(wrench[:, :channels]), ratio)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BUNDLED)
 def test_it_agrees_with_filterpy_where_noise_is_correlated(name):
     wrench = bundled_wrench(name)

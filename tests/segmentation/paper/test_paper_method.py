@@ -128,6 +128,7 @@ def test_the_filterpy_engine_gives_the_same_segmentation(bundled):
     assert ours.segments == theirs.segments
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mixture", ["keyphase", "scikit-learn"])
 @pytest.mark.parametrize("count", [1, 4, 9])
 def test_a_given_number_of_gaussians_is_fitted(bundled, mixture, count):

@@ -10,6 +10,8 @@ from keyphase.demonstration import Demonstration
 from keyphase.scoring import read_truth, tally
 from keyphase.segmentation import Parameters, Segmentation, segment
 
+pytestmark = pytest.mark.slow
+
 CHANNELS = ("time_s", "position_m", "orientation_wxyz", "force_N", "torque_Nm")
 
 

@@ -77,6 +77,7 @@ def test_the_literal_variant_by_bic_splits_without_end_as_plain_bic_does():
     assert len(found.segments) > 8
 
 
+@pytest.mark.slow
 def test_the_literal_variant_depends_on_its_seed_alone():
     made = synthetic.setup1(5001, "real").demonstration
 
@@ -166,6 +167,7 @@ def concatenated(count: int) -> tuple[Demonstration, np.ndarray]:
     return Demonstration("long", np.arange(len(path)) / 250.0, path), np.concatenate(switches)[:-1]
 
 
+@pytest.mark.slow
 def test_long_recordings_lose_and_double_nothing_where_windows_meet():
     recording, switches = concatenated(25)
     assert recording.duration_s > 3 * WINDOW_S / 2

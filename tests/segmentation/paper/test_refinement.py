@@ -32,6 +32,7 @@ def test_cuts_move_onto_the_corners(stride):
     assert np.abs(refined - [50, 90]).max() <= 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(8))
 def test_strides_first_find_the_cheapest_cuts_of_all_moves(seed):
     moments, cuts = strokes(seed, (20, 15, 25)), np.array([25, 32])
