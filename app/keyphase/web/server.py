@@ -11,6 +11,7 @@ from keyphase.errors import KeyphaseError
 from keyphase.readers import find_recordings
 from keyphase.robot.arms import robot_arms, yumi_arms
 from keyphase.robot.description import RobotDescription
+from keyphase.web.memory import keep_few_heaps
 from keyphase.web.protocol.conversation import Conversation
 from keyphase.web.scene.scenes import Scenes
 from keyphase.web.scene.shared import Shared
@@ -152,6 +153,7 @@ def open_page(
     Called from the main thread. Raises RobotError for a robot that cannot be used, KeyphaseError
     if nothing can listen on `host` and `port`.
     """
+    keep_few_heaps()
     arms = robot_arms(robot, tool_frame)
     folder = recording_folder(paths)
     if not read_only:
