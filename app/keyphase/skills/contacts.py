@@ -143,10 +143,12 @@ def press_after(
     path, force = demonstration.position_m[inside], demonstration.force_N
     if force is None or not len(path):
         return None
-    pressed = -float((force[inside] @ direction).mean())
-    stayed = pressed >= MIN_FORCE_N and float(np.ptp(path @ direction)) <= STAYED_WITHIN_M
     own = square(direction, kept)
-    return Press(own, pressed, path.mean(axis=0)) if stayed and own is not None else None
+    if own is None or float(np.ptp(path @ direction)) > STAYED_WITHIN_M:
+        return None
+    # What is kept up presses, too: only what lies in this direction is its own.
+    pressed = -float((force[inside] @ own).mean())
+    return Press(own, pressed, path.mean(axis=0)) if pressed >= MIN_FORCE_N else None
 
 
 def kept_force(demonstration: Demonstration, skill: Skill, direction: Array) -> KeptForce | None:

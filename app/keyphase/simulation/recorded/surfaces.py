@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.recorded_force import RATE_HZ, Even, running_mean
+from keyphase.simulation.recorded.stops import Stop, stops_of
 
 STIFFNESS_N_M = 4000.0
 """Of a surface. Harder ones turn a millimetre of tracking error into 20 N."""
@@ -31,7 +32,7 @@ NEAR_M, NEAR_S, WITHIN_S = 0.003, 0.15, 0.6
 SLIPS, STICKS = 0.02, 0.3
 """Friction besides what is in the normal: where the tool slid, and where it stood."""
 
-STANDS_M_S = 0.008
+STANDS_M_S = 0.003
 """A tool slower than this stood."""
 
 BREAKS_OFF_S = 0.1
@@ -45,6 +46,7 @@ class Surface:
     alive_s         from when on the surface stands in the way
     time_s (N,), position_m (N, 3) of the tool, point_m (N, 3) of the unloaded surface,
     normal (N, 3), force_N (N,), friction (N,)
+    stops           where a slide on it ended
     """
 
     made_s: float
@@ -56,6 +58,7 @@ class Surface:
     normal: Array
     force_N: Array
     friction: Array
+    stops: tuple[Stop, ...] = ()
 
     def stands(self, moment_s: float) -> bool:
         """Whether it is there at a moment of the demonstration."""
@@ -134,4 +137,5 @@ def _surface(even: Even, rows: slice, before: int) -> Surface:
         normal=normal,
         force_N=size,
         friction=np.where(speed < STANDS_M_S, STICKS, SLIPS),
+        stops=stops_of(even, rows.start, rows.stop),
     )

@@ -13,7 +13,7 @@ from keyphase.simulation.impedance import RATE_HZ, Gains, Reference
 from keyphase.simulation.part_shapes import Shape
 from keyphase.simulation.recorded.arm_body import ArmBody
 from keyphase.simulation.recorded.body import ToolBody
-from keyphase.simulation.recorded.surfaces import STIFFNESS_N_M, Surface
+from keyphase.simulation.recorded.surfaces import SLIPS, STIFFNESS_N_M, Surface
 from keyphase.simulation.simulation import Sample
 
 if TYPE_CHECKING:
@@ -132,7 +132,7 @@ class RecordedWorld:
     def part_poses(self) -> Mapping[str, tuple[Array, Array]]:
         """The tool, and the surfaces where they are met."""
         poses = {"held": self.tool_pose()}
-        standing = {index: (point, normal) for index, point, normal, _ in self._planes}
+        standing = {index: (point, normal) for index, point, normal, _ in reversed(self._planes)}
         for index, name in enumerate(self.workcell.parts[1:]):
             surface = self.workcell.surfaces[index]
             at = standing.get(index, self._moved(surface.point_m[0], surface.normal[0]))
@@ -161,7 +161,14 @@ class RecordedWorld:
                 aside = away + depth * normal
                 if depth < BEHIND_M and aside.dot(aside) < ASIDE_M**2:
                     found.append((index, point, normal, friction))
+                    found += self._stops_of(index, self._moment)
         return found
+
+    def _stops_of(self, index: int, moment_s: float) -> list[tuple[int, Array, Array, float]]:
+        """What ends a slide on a surface now, as further planes of it."""
+        stops = self.workcell.surfaces[index].stops
+        now = (stop for stop in stops if stop.from_s <= moment_s <= stop.to_s)
+        return [(index, *self._moved(stop.point_m, stop.normal), SLIPS) for stop in now]
 
     def _plane(self, surface: Surface) -> tuple[Array, Array, float]:
         assert self._moment is not None
@@ -187,7 +194,7 @@ class RecordedWorld:
             slip = velocity - closing * normal
             speed = max(float(np.sqrt(slip.dot(slip))), _CREEP_M_S)
             total += pressed * (normal - (friction / speed) * slip)
-            each[index] = pressed
+            each[index] = max(pressed, each.get(index, 0.0))
         return total, each
 
     def _note(self) -> None:

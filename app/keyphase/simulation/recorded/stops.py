@@ -1,0 +1,98 @@
+"""What a tool ran up against as it slid: where its way ended, it does not slide on.
+
+The normal of a surface is the recorded force, and a plane stops nothing along itself. Where a tool
+slid in contact, stood still, and the force rose against its way, something stood in that way. What
+it gives beyond the place where the tool stood is in no recorded force: it is taken to be as stiff
+as the surface.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.recorded_force import RATE_HZ, Even, running_mean
+
+STOOD_S, STOOD_M, STAYED_M = 0.5, 0.001, 0.002
+"""A tool that moved less than a millimetre for so long stood, and stands until it is further away
+than two; its tremor is averaged over 0.2 s."""
+
+SLID_S, SLID_M = 1.0, 0.003
+"""Before it, it slid this far at least within this time."""
+
+AGAINST_N, AGAINST = 1.0, 0.2
+"""The mean force rose against the way by this much at least, and this part of its whole change."""
+
+_SMOOTH_S = 0.2
+_MEAN_S = 0.5
+_STEP = 10
+
+
+@dataclass(frozen=True, eq=False)
+class Stop:
+    """An end of a slide: the place (3,) up to which nothing is felt, and the normal (3,).
+
+    from_s, to_s  while it stands in the way, in the demonstration's time
+    """
+
+    point_m: Array
+    normal: Array
+    from_s: float
+    to_s: float
+
+
+def stops_of(even: Even, first: int, last: int) -> tuple[Stop, ...]:
+    """The stops in a stretch in contact, rows [first, last), in their order."""
+    position = running_mean(even.position_m, _SMOOTH_S)
+    stood = _stood(position, first, last)
+    stops = (_stop(even, position, (first, begun, ended)) for begun, ended in stood)
+    return tuple(stop for stop in stops if stop is not None)
+
+
+def _stood(position: Array, first: int, last: int) -> list[tuple[int, int]]:
+    """Rows [begun, ended) in which the tool stood, each as long as it is."""
+    least, found, begun = round(STOOD_S * RATE_HZ), list[tuple[int, int]](), first
+    while begun + least <= last:
+        ended = begun + least
+        if _away(position, begun, ended) > STOOD_M:
+            begun += _STEP
+            continue
+        away = np.linalg.norm(position[ended:last] - position[begun], axis=1) > STAYED_M
+        ended = ended + int(away.argmax()) if away.any() else last
+        found.append((begun, ended))
+        begun = ended
+    return found
+
+
+def _away(position: Array, begun: int, ended: int) -> float:
+    """How far a stretch gets from where it began."""
+    return float(np.linalg.norm(position[begun:ended] - position[begun], axis=1).max())
+
+
+def _stop(even: Even, position: Array, rows: tuple[int, int, int]) -> Stop | None:
+    """The stop at which a tool stood in rows [begun, ended) of a contact; None where none was."""
+    first, begun, ended = rows
+    before = max(first, begun - round(SLID_S * RATE_HZ))
+    mean = round(_MEAN_S * RATE_HZ)
+    came = even.force_N[max(first, begun - mean) : begun]
+    stood = even.force_N[begun : begun + mean]
+    if not len(came):
+        return None
+    normal = stood.mean(axis=0)
+    normal = normal / (np.linalg.norm(normal) + 1e-12)
+    way = position[begun] - position[before]
+    way = way - float(way @ normal) * normal
+    length = float(np.linalg.norm(way))
+    if length < SLID_M:
+        return None
+    ahead, change = way / length, stood.mean(axis=0) - came.mean(axis=0)
+    against = -float(change @ ahead)
+    if against < max(AGAINST_N, AGAINST * float(np.linalg.norm(change))):
+        return None
+    furthest = even.position_m[begun:ended] @ ahead
+    return Stop(
+        point_m=even.position_m[begun + int(furthest.argmax())],
+        normal=-ahead,
+        from_s=float(even.time_s[before]),
+        to_s=float(even.time_s[ended - 1]),
+    )
