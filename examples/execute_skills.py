@@ -74,6 +74,20 @@ def kept_at(skill, fraction, touching=True, felt=None, firmer=1.0, below=1.0):
             yield d, force
 
 
+def pushed_at(skill, fraction):
+    """What is exerted besides, at a fraction of the demonstrated time."""
+    pushed = np.zeros(3)
+    for kept in skill["kept"]:
+        if rows := kept["pushed_N"]:
+            place = min(max(fraction, 0.0), 1.0) * (len(rows) - 1)
+            before, after = (
+                np.array(rows[int(place)]),
+                np.array(rows[min(int(place) + 1, len(rows) - 1)]),
+            )
+            pushed = pushed + before + (place - int(place)) * (after - before)
+    return pushed
+
+
 class Plan:
     def __init__(self, file, sensed):
         with open(file, encoding="utf-8") as text:
@@ -121,11 +135,12 @@ class Plan:
         self.reference = self.follow()
 
     def kept(self, fraction, dragged=None):
-        felt, e = self.sensed[3], self.e
-        touching = np.linalg.norm(felt) > e["touching_N"]
-        felt = felt if dragged is None else dragged
+        felt, e = self.sensed[3] if dragged is None else dragged, self.e
         firmer, below = e["gripped_firmer"], e["gripped_below"]
-        return list(kept_at(self.skill, fraction, touching, felt, firmer, below))
+        return list(kept_at(self.skill, fraction, self.touching(), felt, firmer, below))
+
+    def touching(self):
+        return np.linalg.norm(self.sensed[3]) > self.e["touching_N"]
 
     def enter(self, stage):
         self.stage, self.in_stage, self.still = stage, 0.0, (*self.reference[:2], np.zeros(6))
@@ -233,6 +248,7 @@ class Plan:
         self.level, self.start_force, self.armed = None, force, False
         self.over = self.beyond = self.stalled = self.best = self.done = 0.0
         self.furthest, self.pressed, self.dragged = -np.inf, self.kept(0.0), force
+        self.pushed = self.touching() * pushed_at(skill, 0.0)
         self.enter("moving")
         away = np.linalg.norm(y - self.shift - needs["position_m"]) if needs else 0.0
         if needs and (
@@ -304,7 +320,10 @@ class Plan:
             share = min(h / self.e["dragged_s"], 1.0)
             self.dragged = self.dragged + share * (self.sensed[3] - self.dragged)
             self.pressed = self.kept(min(shown, 1.0), self.dragged)
+            pushed = self.touching() * pushed_at(self.skill, min(shown, 1.0))
+            self.pushed = self.pushed + min(h / self.e["pushed_s"], 1.0) * (pushed - self.pushed)
         at, wxyz, self.velocity = self.press(self.yr, self.qr, self.vr)
+        at = at + self.pushed / self.file["gains"]["stiffness_N_m"]
         return self.softly(at, wxyz, self.velocity)
 
     def softly(self, position, orientation, velocity):
@@ -358,11 +377,10 @@ class Plan:
             self.vr, self.tau = self.vr + change, tau
 
     def press(self, position, orientation, velocity):
-        at, velocity = position, velocity.copy()
+        at = position
         for d, force in self.pressed:
             here = self.sensed[0] @ d + force / self.file["gains"]["stiffness_N_m"]
             at = at + (min(here, position @ d + self.e["followed_beyond_m"]) - at @ d) * d
-            velocity[:3] -= velocity[:3] @ d * d
         return at, orientation, velocity
 
     def outcome(self, skill):

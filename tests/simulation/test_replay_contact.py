@@ -131,6 +131,26 @@ def test_contacts_are_kept_at_right_angles() -> None:
     assert square(DOWN, (DOWN,)) is None
 
 
+def test_a_press_is_no_harder_than_what_lies_in_its_own_direction() -> None:
+    """Into a wall, a little downwards, on a table that is pressed with 20 N meanwhile."""
+    time = np.arange(500) / 250.0
+    path = np.outer(np.minimum(time, 1.5), (0.05, 0.0, -0.02))
+    force = np.tile((-3.0, 0.0, 20.0), (500, 1))
+    demonstration = Demonstration("to a wall", time, path, force_N=force)
+    segment = type(plan("setup1")[0])(
+        **{
+            **vars(plan("setup1")[0]),
+            "start_s": 0.0,
+            "end_s": 1.5,
+            "end_condition": ContactEnd((-0.93, 0.0, 0.37), 1.0),
+        }
+    )
+    press = press_after(demonstration, skill_of(demonstration, segment), (DOWN,))
+    assert press is not None
+    assert press.direction == pytest.approx([1.0, 0.0, 0.0], abs=1e-6)
+    assert press.force_N == pytest.approx(3.0)
+
+
 def test_a_contact_that_is_gone_is_not_followed_far() -> None:
     path = Reference(np.array([0.0, 0.0, 0.1]), np.array([1.0, 0, 0, 0]), np.zeros(6), np.zeros(6))
     fallen = np.array([0.0, 0.0, 0.05])

@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from drawn_contact import DOWN_S, FRICTION, PRESS_S, PRESSED_N, SLIDE_S, pressed_slide
 from file_alone import both, example
-from replaying import bundled, plan
+from replaying import Drawn, bundled, plan
 
 from keyphase.simulation import Disturbance, workcell
 from keyphase.skills import Executor, Sensed
@@ -26,6 +27,27 @@ def test_the_example_interpreter_does_what_the_replay_does(name, height_m, tmp_p
     replayed, alone = both(workcell(name), skills, demonstration, world, tmp_path)
     assert alone == replayed
     assert len(alone[0]) > 1
+
+
+def test_the_example_interpreter_pushes_what_was_recorded_besides_what_is_pressed(tmp_path) -> None:
+    """Tick by tick in a slide that no skill came into contact for, while its friction is felt."""
+    demonstration = pressed_slide()
+    skills = skills_of(demonstration, [Drawn(DOWN_S, DOWN_S + PRESS_S + SLIDE_S, "slide")])
+    assert skills[0].kept[0].pushed_N is not None
+    file = tmp_path / "slide.skills.json"
+    write_skills(file, library_of(demonstration, skills))
+    position, wxyz = skills[0].primitive.start_position_m, np.array([1.0, 0.0, 0.0, 0.0])
+    force, velocity = np.array([-FRICTION * PRESSED_N, 0.0, PRESSED_N]), np.zeros(6)
+    executor = Executor(skills, Sensed(position, wxyz, velocity, force))
+    alone = example().Plan(file, (position, wxyz, velocity, force))
+    for _ in range(400):
+        wanted = executor.reference
+        np.testing.assert_allclose(alone.reference[0], wanted.position_m, atol=1e-9)
+        np.testing.assert_allclose(alone.reference[2], wanted.velocity, atol=1e-7)
+        velocity = np.r_[0.5 * wanted.velocity[:3], np.zeros(3)]
+        position = position + 0.004 * velocity[:3]
+        executor.step(Sensed(position, wxyz, velocity, force))
+        alone.step((position, wxyz, velocity, force))
 
 
 def test_the_example_interpreter_is_as_soft_as_the_executor(tmp_path) -> None:

@@ -61,10 +61,14 @@ def primitives(draw):
 arrays3 = vectors.map(np.array)
 held = st.lists(st.builds(HeldContact, arrays3, finite), max_size=2).map(tuple)
 kept = st.builds(
-    lambda rows, met: KeptForce(
-        np.array([d for d, _ in rows]), np.array([f for _, f in rows]), met
+    lambda rows, met, pushes: KeptForce(
+        np.array([d for d, _, _ in rows]),
+        np.array([f for _, f, _ in rows]),
+        met,
+        pushed_N=np.array([p for _, _, p in rows]) if pushes else None,
     ),
-    st.lists(st.tuples(vectors, finite), min_size=1, max_size=3),
+    st.lists(st.tuples(vectors, finite, vectors), min_size=1, max_size=3),
+    st.booleans(),
     st.booleans(),
 )
 skills = st.builds(

@@ -12,8 +12,8 @@ from dataclasses import replace
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.recorded_force import evenly, offset_while_moving
 from keyphase.segmentation.end_condition import ContactEnd
-from keyphase.segmentation.free_force import free_force
 from keyphase.segmentation.windows import AFTER_S, LAST_S
 from keyphase.skills.followed import followed_force
 from keyphase.skills.precondition import precondition_of
@@ -66,7 +66,8 @@ def with_contacts(demonstration: Demonstration, skills: Sequence[Skill]) -> tupl
     """
     if demonstration.force_N is None:
         return tuple(replace(s, precondition=precondition_of(s.primitive, ())) for s in skills)
-    free, directions, done = free_force(demonstration), list[Array](), list[Skill]()
+    free = offset_while_moving(evenly(demonstration))
+    directions, done = list[Array](), list[Skill]()
     for skill in skills:
         kept = [kept_force(demonstration, skill, d) for d in directions]
         keeps = tuple(force for force in kept if force is not None)

@@ -4,6 +4,7 @@ import numpy as np
 from scipy.ndimage import uniform_filter1d
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.segmentation.end_condition.travel import RATE_HZ, sampled
 from keyphase.skills.pressed import KeptForce
 from keyphase.skills.skill import Skill
@@ -19,6 +20,10 @@ SLOW_M_S = 0.008
 
 SETTLED_S = 0.1
 """A contact that is made within a skill is followed from so long after it on."""
+
+MET_S, TOWARDS = 0.3, 0.5
+"""What is exerted so shortly before a contact ends the skill, and by more than this part towards
+it, is that contact, and not followed."""
 
 GRID_PER_S, MIN_GRID, MAX_GRID = 25.0, 51, 1001
 """Directions and forces are kept so often, within these numbers."""
@@ -50,14 +55,32 @@ def followed_force(demonstration: Demonstration, skill: Skill, free_N: Array) ->
     size = np.linalg.norm(normal, axis=1)
     along = np.abs((smooth * way).sum(axis=1)) / np.maximum(np.linalg.norm(smooth, axis=1), 1e-9)
     pressed = size > FOLLOWED_N
-    follows = _settled(pressed) & (~moves | (along < MAX_ALONG))
-    if not follows.any():
+    direction = -normal / np.maximum(size, 1e-9)[:, None]
+    free = _ends_it(skill, moments, -smooth)
+    follows = _settled(pressed) & (~moves | (along < MAX_ALONG)) & ~free
+    touched = (np.linalg.norm(smooth, axis=1) > FOLLOWED_N) & ~free
+    if not touched.any():
         return None
+    pushed = np.where(
+        touched[:, None], -smooth - np.where(follows, size, 0.0)[:, None] * direction, 0.0
+    )
     count = int(np.clip(round(GRID_PER_S * (moments[-1] - moments[0])), MIN_GRID, MAX_GRID))
     rows = np.round(np.linspace(0, len(moments) - 1, count)).astype(int)
-    direction = -normal / np.maximum(size, 1e-9)[:, None]
     profile = np.where(follows, size, 0.0)[rows]
-    return KeptForce(direction[rows], profile, met=False) if profile.any() else None
+    return KeptForce(direction[rows], profile, met=False, pushed_N=pushed[rows])
+
+
+def _ends_it(skill: Skill, moments: Array, exerted_N: Array) -> np.ndarray:
+    """Where what the tool exerts (N, 3) is the contact that is to end the skill.
+
+    Followed, it would never rise beyond what was followed.
+    """
+    end = skill.end_condition
+    if not isinstance(end, ContactEnd) or end.release:
+        return np.zeros(len(moments), bool)
+    towards = -exerted_N @ np.asarray(end.direction)
+    near = moments > moments[-1] - MET_S
+    return near & (towards > TOWARDS * np.linalg.norm(exerted_N, axis=1))
 
 
 def _settled(pressed: np.ndarray) -> np.ndarray:

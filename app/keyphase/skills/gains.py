@@ -6,7 +6,7 @@ from math import sqrt
 import numpy as np
 
 from keyphase.demonstration import Demonstration
-from keyphase.segmentation.free_force import free_force
+from keyphase.recorded_force import evenly, offset_while_moving
 from keyphase.skills.coupling import REFERENCE_REACH
 
 STIFFNESS_N_M = (2000.0, 8000.0)
@@ -46,5 +46,7 @@ def demonstrated_peak(demonstration: Demonstration) -> float:
     """The largest force that was demonstrated, its level in free space aside [N]."""
     if demonstration.force_N is None:
         return 0.0
-    size = np.linalg.norm(demonstration.force_N - free_force(demonstration), axis=1)
+    size = np.linalg.norm(
+        demonstration.force_N - offset_while_moving(evenly(demonstration)), axis=1
+    )
     return float(np.quantile(size, _PEAK))

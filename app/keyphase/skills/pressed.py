@@ -32,12 +32,24 @@ class KeptForce:
                else only while the tool touches something
     carries    how much sideways per press was demonstrated, where that was more than what slides:
                what is carried along is then gripped as much harder as it drags; None where it slid
+    pushed_N   (G, 3) what the tool exerts besides while it touches, friction or a push along its
+               way: there the pose is followed, and this added to what pulls towards it; or None
     """
 
     direction: Array
     force_N: Array
     met: bool = True
     carries: float | None = None
+    pushed_N: Array | None = None
+
+    def pushed_at(self, fraction: float) -> Array | None:
+        """What is exerted besides (3,) [N] at a fraction of the demonstrated time, if anything."""
+        if self.pushed_N is None:
+            return None
+        place = min(max(fraction, 0.0), 1.0) * self._last
+        low = int(place)
+        before, after = self.pushed_N[low], self.pushed_N[min(low + 1, self._last)]
+        return before + (place - low) * (after - before)
 
     def at(self, fraction: float) -> tuple[Array, float] | None:
         """Direction (3,) and force [N] at a fraction (0 to 1) of the demonstrated time.

@@ -23,6 +23,9 @@ SLID_S, SLID_M = 1.0, 0.003
 AGAINST_N, AGAINST = 1.0, 0.2
 """The mean force rose against the way by this much at least, and this part of its whole change."""
 
+PUSHED = 0.7
+"""Where more than this part of the force lay along the way, it was a push and no slide."""
+
 _SMOOTH_S = 0.2
 _MEAN_S = 0.5
 _STEP = 10
@@ -78,16 +81,14 @@ def _stop(even: Even, position: Array, rows: tuple[int, int, int]) -> Stop | Non
     stood = even.force_N[begun : begun + mean]
     if not len(came):
         return None
-    normal = stood.mean(axis=0)
-    normal = normal / (np.linalg.norm(normal) + 1e-12)
     way = position[begun] - position[before]
-    way = way - float(way @ normal) * normal
-    length = float(np.linalg.norm(way))
+    length, pressed = float(np.linalg.norm(way)), came.mean(axis=0)
     if length < SLID_M:
         return None
-    ahead, change = way / length, stood.mean(axis=0) - came.mean(axis=0)
+    ahead, change = way / length, stood.mean(axis=0) - pressed
+    pushed = abs(float(pressed @ ahead)) > PUSHED * float(np.linalg.norm(pressed))
     against = -float(change @ ahead)
-    if against < max(AGAINST_N, AGAINST * float(np.linalg.norm(change))):
+    if pushed or against < max(AGAINST_N, AGAINST * float(np.linalg.norm(change))):
         return None
     furthest = even.position_m[begun:ended] @ ahead
     return Stop(

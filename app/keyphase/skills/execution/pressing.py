@@ -25,6 +25,9 @@ TOUCHING_N = 0.5
 FIRMER = 3.0
 """What is carried along is gripped at most so many times as hard as demonstrated."""
 
+PUSHED_S = 0.1
+"""What is exerted besides comes and goes within this time, so that a touch does not jerk."""
+
 DRAGGED_S = 0.1
 """A force that drags is averaged over this time, so that a blow is not gripped against."""
 
@@ -48,6 +51,16 @@ def pressed_now(
     now = ((each, each.at(fraction)) for each in skill.kept if each.met or touching)
     most_N = GRIPPED_BELOW * skill.force_limit_N
     return [_gripped(each, one, drags, most_N) for each, one in now if one is not None]
+
+
+def pushed_now(skill: Skill, fraction: float, force_N: Array) -> Array:
+    """What is exerted besides (3,) at a fraction of the demonstrated time, in a touch [N]."""
+    pushed = np.zeros(3)
+    if float(force_N.dot(force_N)) > TOUCHING_N**2:
+        for each in skill.kept:
+            if (one := each.pushed_at(fraction)) is not None:
+                pushed = pushed + one
+    return pushed
 
 
 def _gripped(kept: KeptForce, now: Pressed, force_N: Array, most_N: float) -> Pressed:
@@ -83,18 +96,17 @@ def pressing(
 ) -> Reference:
     """The reference with the spring pressed as wanted for a tool at `position_m` (3,).
 
-    At rest along what is pressed; a surface that falls away is not followed further than 10 mm
-    beyond the skill's own path.
+    Along what is pressed it moves as the skill does; a surface that falls away is not followed
+    further than 10 mm beyond the skill's own path.
     """
     if not pressed:
         return reference
-    at, velocity = reference.position_m, reference.velocity.copy()
+    at = reference.position_m
     for d, force in pressed:
         here = float(position_m.dot(d)) + force / stiffness_N_m
         wanted = min(here, float(reference.position_m.dot(d)) + MAX_DISTANCE_M)
         at = at + (wanted - float(at.dot(d))) * d
-        velocity[:3] -= float(velocity[:3].dot(d)) * d
-    return changed(reference, position_m=at, velocity=velocity)
+    return changed(reference, position_m=at)
 
 
 def still(position_m: Array, orientation_wxyz: Array) -> Reference:

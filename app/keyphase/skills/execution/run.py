@@ -7,10 +7,18 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.rotations import quaternions
 from keyphase.skills import coupling
+from keyphase.skills.changed import changed
 from keyphase.skills.coupling import Reference
 from keyphase.skills.end_monitor import Outcome, start_monitor
 from keyphase.skills.execution.guard import guard_of
-from keyphase.skills.execution.pressing import DRAGGED_S, given_way, pressed_now, pressing
+from keyphase.skills.execution.pressing import (
+    DRAGGED_S,
+    PUSHED_S,
+    given_way,
+    pressed_now,
+    pressing,
+    pushed_now,
+)
 from keyphase.skills.execution.sensed import Sensed
 from keyphase.skills.execution.softly import softly
 from keyphase.skills.primitive import Primitive, progress
@@ -59,6 +67,7 @@ class SkillRun:
         self._monitor = start_monitor(skill, begin.sensed.force_N, begin.shift_m)
         self._pressed = pressed_now(skill, 0.0, begin.sensed.force_N)
         self._dragged_N = begin.sensed.force_N
+        self._pushed_N = pushed_now(skill, 0.0, begin.sensed.force_N)
         self.velocity = begin.velocity
         """What it moves with (6,), as the next skill takes it over: nowhere soft."""
         self.fraction = 0.0
@@ -105,7 +114,10 @@ class SkillRun:
         self._pressed = pressed_now(
             self.skill, self.demonstrated_fraction, sensed.force_N, self._dragged_N
         )
-        return pressing(wanted, sensed.position_m, self._pressed, self._stiffness_N_m)
+        pushed = pushed_now(self.skill, self.demonstrated_fraction, sensed.force_N)
+        self._pushed_N = self._pushed_N + min(h / PUSHED_S, 1.0) * (pushed - self._pushed_N)
+        at = pressing(wanted, sensed.position_m, self._pressed, self._stiffness_N_m)
+        return changed(at, position_m=at.position_m + self._pushed_N / self._stiffness_N_m)
 
     def outcome(self, sensed: Sensed, h: float, waits: bool) -> Outcome | None:
         """How the skill has ended, if it has; its timeout stands still while it `waits`.

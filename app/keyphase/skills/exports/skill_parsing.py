@@ -81,12 +81,15 @@ def _press(values: Values) -> Press:
 
 def _kept(values: Values) -> KeptForce:
     direction, force = _numbers(values["direction"]), _numbers(values["force_N"])
-    if len(direction) != len(force):
+    pushed = values.get("pushed_N")
+    pushed = None if pushed is None else _numbers(pushed)
+    counts = [len(direction), len(force), len(force if pushed is None else pushed)]
+    if len(set(counts)) != 1:
         raise SkillError(
-            f"A kept force needs as many directions as forces, but the file has {len(direction)} "
-            f"and {len(force)}; export the skills again."
+            f"A kept force needs as many directions as forces, but the file has {counts[0]} "
+            f"and {counts[1]}, and {counts[2]} for what is pushed; export the skills again."
         )
-    return KeptForce(direction, force, values["met"], values.get("carries"))
+    return KeptForce(direction, force, values["met"], values.get("carries"), pushed)
 
 
 def _precondition(values: Values | None) -> Precondition | None:

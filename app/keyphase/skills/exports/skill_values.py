@@ -49,6 +49,7 @@ def execution_values() -> dict[str, float]:
         "touching_N": pressing.TOUCHING_N,
         "gripped_firmer": pressing.FIRMER,
         "dragged_s": pressing.DRAGGED_S,
+        "pushed_s": pressing.PUSHED_S,
         "gripped_below": pressing.GRIPPED_BELOW,
         "touch_N": search.TOUCH_N,
         "touch_smoothed": search.SMOOTHED,
@@ -149,6 +150,7 @@ def _kept(force: KeptForce) -> dict[str, Any]:
         "direction": force.direction.tolist(),
         "force_N": force.force_N.tolist(),
         "carries": force.carries,
+        "pushed_N": None if force.pushed_N is None else force.pushed_N.tolist(),
     }
 
 

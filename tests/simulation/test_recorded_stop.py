@@ -1,0 +1,66 @@
+"""Where a slide ended against something, the world made from the recording stops it again."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from drawn_contact import DOWN_S, PRESS_S, SLID_M, SLIDE_S, pressed_slide
+from replaying import Drawn
+
+from keyphase.demonstration import Demonstration
+from keyphase.segmentation.end_condition import ContactEnd
+from keyphase.simulation.recorded.cell import RecordedCell
+from keyphase.simulation.replay.replay import run
+from keyphase.skills.library import skills_of
+
+WALL_N, STOOD_S, MET_S = 5.0, 1.0, DOWN_S + PRESS_S + SLIDE_S
+PUSHED_S = 0.1
+"""So long before its end the slide runs up against the wall."""
+
+
+def slid_against(wall_N: float) -> Demonstration:
+    """A slide on a table whose end stands still for a second, against a wall or nothing."""
+    slide = pressed_slide()
+    assert slide.force_N is not None
+    stood = round(STOOD_S * 250)
+    time = np.r_[slide.time_s, MET_S + np.arange(1, stood + 1) / 250]
+    position = np.r_[slide.position_m, np.repeat(slide.position_m[-1:], stood, axis=0)]
+    force = np.r_[slide.force_N, np.repeat(slide.force_N[-1:], stood, axis=0)]
+    force[:, 0] -= wall_N * np.clip((time - MET_S + PUSHED_S) / 0.02, 0.0, 1.0)
+    wxyz = np.tile([1.0, 0.0, 0.0, 0.0], (len(time), 1))
+    return Demonstration("slide to a wall", time, position, wxyz, force)
+
+
+def plan() -> list[Drawn]:
+    touched_s = DOWN_S - 0.25
+    wall = ContactEnd((-1.0, 0.0, 0.0), 0.6 * WALL_N)
+    return [
+        Drawn(0.0, touched_s, "down until contact", ContactEnd((0.0, 0.0, 1.0), 3.0)),
+        Drawn(touched_s, MET_S - PUSHED_S, "slide until contact", wall),
+    ]
+
+
+def test_a_slide_against_a_wall_leaves_a_stop_where_it_stood() -> None:
+    demonstration = slid_against(WALL_N)
+    (stop,) = RecordedCell(demonstration).surfaces[0].stops
+    assert stop.normal == pytest.approx([-1.0, 0.0, 0.0], abs=0.05)
+    assert stop.point_m[0] == pytest.approx(0.4 + SLID_M, abs=1e-3)
+    assert stop.from_s < MET_S < stop.to_s
+
+
+def test_a_slide_that_only_comes_to_rest_leaves_none() -> None:
+    assert RecordedCell(slid_against(0.0)).surfaces[0].stops == ()
+
+
+def test_the_wall_stops_a_replay_that_presses_on() -> None:
+    cell = RecordedCell(slid_against(WALL_N))
+    result = run(cell.build(), skills_of(cell.demonstration, plan()), cell.demonstration)
+    assert result.succeeded, result.outcome()
+    assert result.results[-1].outcome == "contact"
+
+
+def test_without_the_stop_the_same_replay_slides_on() -> None:
+    cell = RecordedCell(slid_against(WALL_N))
+    cell.surfaces = tuple(replace(surface, stops=()) for surface in cell.surfaces)
+    result = run(cell.build(), skills_of(cell.demonstration, plan()), cell.demonstration)
+    assert result.demonstration.position_m[:, 0].max() > 0.4 + SLID_M + 0.004
