@@ -142,7 +142,7 @@ def test_a_press_is_no_harder_than_what_lies_in_its_own_direction() -> None:
             **vars(plan("setup1")[0]),
             "start_s": 0.0,
             "end_s": 1.5,
-            "end_condition": ContactEnd((-0.93, 0.0, 0.37), 1.0),
+            "end_condition": ContactEnd((-0.8, 0.0, 0.6), 1.0),
         }
     )
     press = press_after(demonstration, skill_of(demonstration, segment), (DOWN,))

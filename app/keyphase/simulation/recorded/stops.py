@@ -17,8 +17,9 @@ STOOD_S, STOOD_M, STAYED_M = 0.5, 0.001, 0.002
 """A tool that moved less than a millimetre for so long stood, and stands until it is further away
 than two; its tremor is averaged over 0.2 s."""
 
-SLID_S, SLID_M = 1.0, 0.003
-"""Before it, it slid this far at least within this time."""
+SLID_S, SLID_M, CAUGHT_S = 1.0, 0.003, 0.25
+"""It slid this far at least within this time, until so shortly before it stood: as it is caught it
+may snap in, or bounce, aside of its way."""
 
 AGAINST_N, AGAINST = 1.0, 0.2
 """The mean force rose against the way by this much at least, and this part of its whole change."""
@@ -75,13 +76,14 @@ def _away(position: Array, begun: int, ended: int) -> float:
 def _stop(even: Even, position: Array, rows: tuple[int, int, int]) -> Stop | None:
     """The stop at which a tool stood in rows [begun, ended) of a contact; None where none was."""
     first, begun, ended = rows
-    before = max(first, begun - round(SLID_S * RATE_HZ))
+    slid = max(first, begun - round(CAUGHT_S * RATE_HZ))
+    before = max(first, slid - round(SLID_S * RATE_HZ))
     mean = round(_MEAN_S * RATE_HZ)
     came = even.force_N[max(first, begun - mean) : begun]
     stood = even.force_N[begun : begun + mean]
     if not len(came):
         return None
-    way = position[begun] - position[before]
+    way = position[slid] - position[before]
     length, pressed = float(np.linalg.norm(way)), came.mean(axis=0)
     if length < SLID_M:
         return None
