@@ -47,9 +47,33 @@ def recording(seconds: float) -> Demonstration:
     )
 
 
+def pose_and_wrench(samples: int) -> Demonstration:
+    """The same at 1 kHz, with the orientation and the torque about a lever of 0.1 m."""
+    slow = recording(samples / 1000.0 + 1.0)
+    assert slow.force_N is not None
+    time_s = np.arange(samples) / 1000.0
+    rng = np.random.default_rng(0)
+
+    def at_1_khz(values: np.ndarray) -> np.ndarray:
+        return np.stack([np.interp(time_s, slow.time_s, column) for column in values.T], axis=1)
+
+    force = at_1_khz(slow.force_N) + 0.05 * rng.normal(size=(samples, 3))
+    half = 0.15 * np.sin(0.2 * time_s)
+    zero = np.zeros(samples)
+    return Demonstration(
+        f"{samples}_samples",
+        time_s,
+        at_1_khz(slow.position_m),
+        np.stack([np.cos(half), np.sin(half), zero, zero], axis=1),
+        force,
+        np.stack([-0.1 * force[:, 1], 0.1 * force[:, 0], zero], axis=1),
+    )
+
+
 def size_bytes(demonstration: Demonstration) -> int:
     """Bytes of a recording's own arrays."""
-    arrays = (demonstration.time_s, demonstration.position_m, demonstration.force_N)
+    it = demonstration
+    arrays = (it.time_s, it.position_m, it.orientation_wxyz, it.force_N, it.torque_Nm)
     return sum(array.nbytes for array in arrays if array is not None)
 
 
@@ -152,3 +176,30 @@ def test_time_grows_no_faster_than_the_recording_and_memory_stays_small(benchmar
     )
     assert growth <= 1.0
     assert memory < 4.0
+
+
+def test_an_hour_at_1_khz_costs_what_its_samples_cost(benchmark):
+    """Pose and wrench: processor time by length, in turns, and what is held in memory at most."""
+    counts = (100_000, 1_000_000, 3_600_000)
+    recordings = {count: pose_and_wrench(count) for count in counts}
+    segment(recordings[counts[0]])
+    taken = [
+        {count: seconds(lambda at=count: segment(recordings[at]), 1) for count in counts}
+        for _ in range(3)
+    ]
+    least = {count: min(each[count] for each in taken) for count in counts}
+    longest = recordings[counts[-1]]
+    benchmark.pedantic(segment, args=(longest,), rounds=1)
+    tracemalloc.start()
+    segment(longest)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    growth = least[counts[-1]] / least[counts[1]] / (counts[-1] / counts[1])
+    benchmark.extra_info.update({f"{count}_samples_s": least[count] for count in counts})
+    benchmark.extra_info.update(
+        growth_over_linear=growth,
+        peak_MB=peak / 1e6,
+        with_the_recording_MB=(peak + size_bytes(longest)) / 1e6,
+    )
+    assert growth <= 1.2
+    assert peak + size_bytes(longest) < 1e9

@@ -28,3 +28,12 @@ def test_a_step_after_a_light_touch_lies_where_it_is_and_not_at_the_touch():
     firm = 5.0 * (1.0 - np.exp(-np.maximum(TIME_S - 5.2, 0.0) / 0.03))
     found = contacts(light + firm)
     assert min(abs(time - 5.2) for time in found) < 0.06
+
+
+@pytest.mark.parametrize("seconds", [0.3, 0.5, 0.8])
+def test_contact_begins_as_the_force_leaves_free_space_and_ends_when_it_is_gone(seconds):
+    rise = np.clip((TIME_S - 3.0) / seconds, 0.0, 1.0) ** 1.6
+    fall = 1.0 - (1.0 - np.clip((TIME_S - 8.0) / seconds, 0.0, 1.0)) ** 1.6
+    made, lost = contacts(6.0 * (rise - fall))
+    assert made == pytest.approx(3.0 + 0.2 * seconds, abs=0.2 * seconds)
+    assert lost == pytest.approx(8.0 + 0.8 * seconds, abs=0.2 * seconds)

@@ -13,7 +13,9 @@ _RAMP_REACH_S = 1.0
 _LEVEL_S = 0.3
 _STATE_REACH_S = 1.5
 _STATE_NEAR_S = 0.5
+_FREE_S = (0.3, 0.8)
 _SHARP = 0.6
+_SOFT = 0.75
 _SHARE_OF_RAMP = 0.3
 
 
@@ -32,6 +34,8 @@ def placed(
     ramp = (tops[1] < 0.5 * slowest) & ~sharp
     slow = ramp & (tops[1] < 0.5 * tops[4]) & (tops[3] < 0.85 * tops[4])
     cell[ramp] = _ramps(grid, at[ramp])
+    soft = ramp | (steepest < _SOFT * tops[2])
+    cell[soft] = _beside_free(grid, view, at[soft], cell[soft])
     cell[slow] = _leaving_core(grid, view, at[slow], cell[slow])
     reach = np.where(slow, 0.5, np.where(ramp, 0.25, 0.04)) * grid.rate_hz
     reach = np.maximum(reach, np.abs(cell - at)).astype(np.intp)
@@ -83,6 +87,28 @@ def _levels(wrench: Array, first: Indices, length: int) -> tuple[Array, Array]:
     level = np.median(windows, axis=1)
     distance = np.linalg.norm(windows - level[:, None], axis=2)
     return level, np.quantile(distance, 0.9, axis=1)
+
+
+def _beside_free(grid: Grid, view: StateView, at: Indices, else_: Indices) -> Indices:
+    """Where a change of some tenths of a second leaves free space, or is back in it (C,).
+
+    Contact is made when the force begins to rise and lost when it is gone, not where it changes
+    fastest. For changes with no free side, or two, `else_`.
+    """
+    near, far = (round(seconds * grid.rate_hz) for seconds in _FREE_S)
+    if not len(view.crossings) or not len(at):
+        return else_
+    last = len(grid) - 1
+    away, beside = np.arange(near, far), np.arange(far)
+    before = np.median(view.distance[np.maximum(at[:, None] - away, 0)], axis=1)
+    after = np.median(view.distance[np.minimum(at[:, None] + away, last)], axis=1)
+    lower, higher = np.minimum(before, after), np.maximum(before, after)
+    edge = np.maximum(2.5 * view.core_spread, 0.1 * higher)
+    sense = np.where(before > after, 1, -1)
+    cells = np.clip(at[:, None] + sense[:, None] * beside, 0, last)
+    inside = view.distance[cells] <= edge[:, None]
+    one_side = (lower < edge) & (edge < 0.7 * higher) & inside.any(axis=1)
+    return np.where(one_side, cells[np.arange(len(at)), inside.argmax(axis=1)], else_)
 
 
 def _leaving_core(grid: Grid, view: StateView, at: Indices, else_: Indices) -> Indices:

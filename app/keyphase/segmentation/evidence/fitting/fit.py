@@ -214,7 +214,7 @@ def _calibration(scored: Sequence[tuple[str, Side, Array]], as_good: float) -> C
         share[families == family] = FAMILY_SHARE / (families == family).sum()
     calibration = Calibration(CALIBRATED_AT, fitted_calibration(scores, hits, share), 0.5)
     probability = sigmoid(calibration.log_odds(scores))
-    lines = np.round(np.arange(0.1, 0.9, 0.05), 2)
+    lines = np.round(np.arange(0.1, 0.9, 0.02), 2)
     worth = [_mean_f1(probability >= line, families, hits, events) for line in lines]
     good = np.array(worth) >= max(worth) - as_good
     return replace(calibration, line=float(lines[int(np.argmax(good))]))
