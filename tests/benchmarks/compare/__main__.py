@@ -116,7 +116,7 @@ def _times_claspy(given: argparse.Namespace, scratch: Path) -> dict[float, float
 
 def _choose_penalty(recordings: Sequence[Recording], budget_s: float) -> None:
     name = "ruptures, penalty"
-    for penalty in (3.0, 6.0, 12.0, 25.0, 50.0, 100.0):
+    for penalty in (0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 6.0, 12.0, 25.0):
         methods.PENALTY = penalty
         print(penalty, macro(scored(name, in_turns(recordings), budget_s)), flush=True)
 

@@ -17,9 +17,9 @@ from keyphase.scoring import Claim, Truth
 from keyphase.segmentation import Parameters, segment
 
 MIN_DURATION_S = 0.3
-PENALTY = 12.0
-"""Of the kernel detector: a first guess. `python tests/benchmarks/compare --choose-penalty` tries
-3 to 100 on made recordings; take the best before quoting that column."""
+PENALTY = 2.0
+"""Of the kernel detector: the best of 0.25 to 25 on other made recordings, as
+`python tests/benchmarks/compare --choose-penalty --count 2` tries them."""
 SLOW = 0.05
 MAX_STATES = 8
 

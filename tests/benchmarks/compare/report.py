@@ -95,6 +95,8 @@ def _row(first: str, cells: list[str]) -> str:
 def _time(value: float | str) -> str:
     if isinstance(value, str):
         return value
+    if value < 0.01:
+        return f"{1e3 * value:.1f} ms"
     return f"{1e3 * value:.0f} ms" if value < 1.0 else f"{value:.1f} s"
 
 
