@@ -172,3 +172,26 @@ def test_what_would_not_be_read_is_listed(tmp_path: Path) -> None:
     path = tmp_path / "log.csv"
     path.write_bytes(csv({**usual(), "motor_current": TIME}))
     assert propose(path).unread == ("motor_current",)
+
+
+def test_two_tools_side_by_side_are_two_demonstrations(tmp_path: Path) -> None:
+    columns = {"time": TIME}
+    for side, offset in (("left", 0.5), ("right", -0.5)):
+        columns |= {f"{side}_{a}": POSITION[:, i] + offset for i, a in enumerate("xyz")}
+        columns |= {f"{side}_q{a}": XYZW[:, i] for i, a in enumerate("xyzw")}
+    path = tmp_path / "arms.csv"
+    path.write_bytes(csv(columns))
+    recipe = parse_recipe(propose(path).recipe_text(), "proposed")
+    right = read(f"{path}#right", recipe)
+    np.testing.assert_allclose(right.position_m, POSITION - 0.5, atol=1e-8)
+
+
+def test_which_of_several_places_is_the_tools_is_left_open(tmp_path: Path) -> None:
+    columns = {"time": TIME}
+    for name in ("Elbow", "Thumb"):
+        columns |= {f"{name} {axis}": POSITION[:, i] for i, axis in enumerate("XYZ")}
+    path = tmp_path / "markers.csv"
+    path.write_bytes(csv(columns))
+    proposal = propose(path)
+    assert "position.columns" in proposal.open
+    assert '# columns = ["Elbow X", "Elbow Y", "Elbow Z"]' in proposal.recipe_text()

@@ -1,7 +1,7 @@
 """The table of formats that the documents show, made from the code."""
 
 from keyphase.readers.formats.known import FORMATS
-from keyphase.readers.recipes.presets import left_open, preset_names, preset_values
+from keyphase.readers.recipes.presets import example_of, left_open, preset_names, preset_values
 
 _SHOWN = (
     *("pose", "position", "orientation", "force", "torque", "joints", "joint_torques", "gripper"),
@@ -19,7 +19,7 @@ def formats_table() -> str:
 
 def presets_table() -> str:
     """Presets as Markdown, with what each leaves open."""
-    rows = ["| preset | channels | left open |", "|---|---|---|"]
+    rows = ["| preset | channels | left open | example |", "|---|---|---|---|"]
     for name in preset_names():
         values = preset_values(name, name)
         tools = [one["name"] for one in values.get("demonstration", ())]
@@ -32,7 +32,8 @@ def presets_table() -> str:
             for section, lines in left_open(name).items()
             for line in (lines[:1] if section == "robot" else lines)
         ]
-        rows.append(f"| `{name}` | {', '.join(channels)} | {', '.join(missing) or 'nothing'} |")
+        left = ", ".join(missing) or "nothing"
+        rows.append(f"| `{name}` | {', '.join(channels)} | {left} | `{example_of(name)}` |")
     return "\n".join(rows)
 
 

@@ -23,6 +23,7 @@ INFO = "meta/info.json"
 
 _MAX_INFO_BYTES = 64 << 20
 _MAX_EPISODES = 10_000_000
+_BATCH_ROWS = 8192
 
 
 def is_lerobot(path: Path) -> bool:
@@ -109,11 +110,23 @@ def _episode(path: Path, info: Mapping[str, Any], number: int) -> Any:
     """The episode's rows: only the row groups whose statistics admit it."""
     parquet = package("pyarrow.parquet", EXTRA, path)
     compute = package("pyarrow.compute", EXTRA, path)
+    arrow = package("pyarrow", EXTRA, path)
     with parquet.ParquetFile(file_of_episode(path, info, number)) as file:
         at = file.schema_arrow.get_field_index("episode_index")
         groups = [g for g in range(file.num_row_groups) if _may_hold(file, g, at, number)]
-        table = file.read_row_groups(groups)
-    return table.filter(compute.equal(table["episode_index"], number))
+        names = [one.name for one in file.schema_arrow if _is_plain(one.type)]
+        pieces = [
+            piece.filter(compute.equal(piece["episode_index"], number))
+            for piece in file.iter_batches(_BATCH_ROWS, row_groups=groups, columns=names)
+        ]
+        schema = arrow.schema([one for one in file.schema_arrow if one.name in names])
+    return arrow.Table.from_batches(pieces, schema)
+
+
+def _is_plain(kind: Any) -> bool:
+    """Numbers, lists of numbers, words and dates; images lie in records of bytes."""
+    types = package("pyarrow.types", EXTRA, Path())
+    return not (types.is_struct(kind) or types.is_binary(kind) or types.is_large_binary(kind))
 
 
 def _may_hold(file: Any, group: int, column: int, number: int) -> bool:

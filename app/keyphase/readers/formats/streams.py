@@ -1,5 +1,6 @@
 """The topics of a bag while it is read: columns and clocks of each, within a limit of memory."""
 
+from array import array
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, fields, is_dataclass
 from typing import Any
@@ -19,14 +20,39 @@ STATIC = "/tf_static["
 
 @dataclass
 class _Stream:
-    """One topic as it is read; `frame` is what the header of its first message names."""
+    """One topic as it is read, eight bytes a number.
+
+    frame    what the header of its first message names
+    numbers  of each column, message by message; None where their count changes
+    sizes    how many numbers of each column one message holds; 0 for a plain number
+    """
 
     getters: dict[str, Callable[[Any], Any]]
     stamped: bool
     frame: str = ""
-    rows: list[list[Any]] = field(default_factory=list)
-    stamps_ns: list[int] = field(default_factory=list)
-    logs_ns: list[int] = field(default_factory=list)
+    numbers: dict[str, "array[float] | None"] = field(default_factory=dict)
+    sizes: dict[str, int] = field(default_factory=dict)
+    stamps_ns: "array[int]" = field(default_factory=lambda: array("q"))
+    logs_ns: "array[int]" = field(default_factory=lambda: array("q"))
+
+    def append(self, name: str, value: Any) -> None:
+        """One value more of a column."""
+        size = np.size(value) if np.ndim(value) else 0
+        held = self.numbers.setdefault(name, array("d"))
+        if held is None or size != self.sizes.setdefault(name, size):
+            self.numbers[name] = None
+        elif size:
+            held.extend(float(one) for one in np.ravel(value))
+        else:
+            held.append(float(value))
+
+    def column(self, name: str) -> NDArray[np.float64] | None:
+        """All numbers of a column, (N,) or (N, D), or None where their count changes."""
+        held, size = self.numbers[name], self.sizes[name]
+        if held is None:
+            return None
+        values = np.frombuffer(held, dtype=np.float64)
+        return values.reshape(-1, size) if size else values
 
 
 class Streams:
@@ -46,7 +72,7 @@ class Streams:
         stream = self._streams[topic]
         stamp = message.header.stamp if stream.stamped else None
         ns = None if stamp is None else stamp.sec * 10**9 + stamp.nanosec
-        self._append(stream, log_ns, ns, [get(message) for get in stream.getters.values()])
+        self._append(stream, log_ns, ns, message)
 
     def add_plain(self, topic: str, log_ns: int, content: Plain) -> None:
         """One message in JSON or Protobuf more."""
@@ -59,23 +85,26 @@ class Streams:
         if not stream.getters.keys() <= numbers.keys() or (stream.stamped and ns is None):
             missing = sorted(stream.getters.keys() - numbers.keys())[:3] or ["its stamp"]
             raise ValueError(f"a message of {topic} goes without {', '.join(missing)}")
-        self._append(stream, log_ns, ns, [get(numbers) for get in stream.getters.values()])
+        self._append(stream, log_ns, ns, numbers)
 
-    def _append(self, stream: _Stream, log_ns: int, stamp_ns: int | None, row: list[Any]) -> None:
-        self._numbers += sum(np.size(value) for value in row) + 2
+    def _append(self, stream: _Stream, log_ns: int, stamp_ns: int | None, message: Any) -> None:
+        for name, get in stream.getters.items():
+            value = get(message)
+            self._numbers += int(np.size(value))
+            stream.append(name, value)
+        self._numbers += 2
         if 8 * self._numbers > self._limit:
             raise DemonstrationError(
                 f"{self._file}: the bag takes more memory than the limit of {self._limit} bytes; "
                 "cut it, leave topics out, or raise the limit."
             )
-        stream.rows.append(row)
         stream.logs_ns.append(log_ns)
         if stream.stamped and stamp_ns is not None:
             stream.stamps_ns.append(stamp_ns)
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Columns and clocks of every topic with at least two messages, and static transforms."""
-        used = {topic: one for topic, one in self._streams.items() if len(one.rows) > 1}
+        used = {topic: one for topic, one in self._streams.items() if len(one.logs_ns) > 1}
         begin = min((one.logs_ns[0] for one in used.values()), default=0)
         stamped = [one.stamps_ns[0] for one in used.values() if one.stamped and one.stamps_ns[0]]
         first = min(stamped, default=begin)
@@ -85,10 +114,10 @@ class Streams:
             found[f"{topic}.log_time"] = (np.array(one.logs_ns) - begin) * 1e-9
             if one.stamped:
                 found[f"{topic}.stamp"] = (np.array(one.stamps_ns) - first) * 1e-9
-            for name, values in zip(one.getters, zip(*one.rows, strict=True), strict=True):
-                array = _stacked(values)
-                if array is not None:
-                    found[f"{topic}.{name}" if name else topic] = array
+            for name in one.numbers:
+                values = one.column(name)
+                if values is not None:
+                    found[f"{topic}.{name}" if name else topic] = values
         return found
 
     def notices(self) -> tuple[str, ...]:
@@ -96,7 +125,7 @@ class Streams:
         few = [
             topic
             for topic, one in self._streams.items()
-            if len(one.rows) < 2 and not topic.startswith(STATIC)
+            if len(one.logs_ns) < 2 and not topic.startswith(STATIC)
         ]
         told = f"Topics of one message were passed over: {', '.join(few[:5])}."
         return (Caution(told),) if few else ()
@@ -109,14 +138,6 @@ class Streams:
 
 def _getter(name: str) -> Callable[[dict[str, Any]], Any]:
     return lambda numbers: numbers[name]
-
-
-def _stacked(values: tuple[Any, ...]) -> NDArray[Any] | None:
-    """Numbers of all messages, or None for lists whose length changes."""
-    if len({np.size(value) for value in values}) > 1:
-        return None
-    array = np.array(values, dtype=np.float64)
-    return array.reshape(len(values), -1) if array.ndim > 1 else array
 
 
 def _numbers_of(

@@ -13,6 +13,11 @@ Role = Literal[
 ]  # fmt: skip
 """`turn` are three numbers that turn: a rotation vector or Euler angles, a person knows which."""
 
+_MAX_TORQUE_NM = 50.0
+
+OTHERS = "others that would fit begin with"
+"""How the evidence names columns that a person may have to choose instead."""
+
 
 @dataclass(frozen=True)
 class Guess:
@@ -30,6 +35,12 @@ class Guess:
     detail: str
     evidence: tuple[str, ...]
 
+    @property
+    def is_one_of_several(self) -> bool:
+        """Whether only a person knows which of several places is the tool's."""
+        placed = self.role in ("position", "pose")
+        return placed and any(one.startswith(OTHERS) for one in self.evidence)
+
 
 def measured_rows(values: Array, columns: tuple[int, ...]) -> Array:
     """The rows of some columns in which all of them are numbers (M, len(columns))."""
@@ -40,3 +51,8 @@ def measured_rows(values: Array, columns: tuple[int, ...]) -> Array:
 def reach_of(values: Array, columns: tuple[int, ...]) -> float:
     """The largest number in some columns, regardless of its sign."""
     return float(np.abs(measured_rows(values, columns)).max(initial=0.0))
+
+
+def likely_torque_unit(top: float) -> str:
+    """N m for torques that hands and tools bear, else "": they may be in N mm."""
+    return "Nm" if top < _MAX_TORQUE_NM else ""

@@ -11,11 +11,15 @@ POSITION = re.compile(
 NO_POSITION = re.compile(
     r"vel|speed|acc|cmd|soll|target|desired|action|goal|force|torque|wrench|quat|orient|ori[\W_]"
     r"|roll|pitch|yaw|kraft|moment|joint|gripper|finger|rot|covariance"
-    r"|(^|[\W_])[ftmq]\d?[\W_]?[xyz]($|[\W_])",
+    r"|(^|[\W_])[ftmq]\d?[\W_]?[xyz]($|[\W_])|(?-i:[a-z][FTM][xyz])",
     re.I,
 )
-FORCE = re.compile(r"force|kraft|(^|[\W_])f[\W_]?[xyz]|^f\d?[xyz]|(^|[./])f$", re.I)
-TORQUE = re.compile(r"torque|moment|(^|[\W_])[tm][\W_]?[xyz]($|[\W_])|(^|[./])(tau|m)$", re.I)
+FORCE = re.compile(
+    r"force|(?-i:[a-z]F[xyz])|kraft|(^|[\W_])f[\W_]?[xyz]|^f\d?[xyz]|(^|[./])f$", re.I
+)
+TORQUE = re.compile(
+    r"torque|(?-i:[a-z][TM][xyz])|moment|(^|[\W_])[tm][\W_]?[xyz]($|[\W_])|(^|[./])(tau|m)$", re.I
+)
 WRENCH = re.compile(r"wrench|force|(^|[\W_])ft($|[\W_])|f_?ext|kraft", re.I)
 QUATERNION = re.compile(r"quat|orient|(^|[\W_])q[\W_]?[wxyz0-3]|(^|[\W_])u[0-3]$", re.I)
 EULER = re.compile(r"roll|pitch|yaw|euler|rpy|(^|[\W_])r[xyz]|rot", re.I)

@@ -49,6 +49,7 @@ class Proposal:
     preset  the one that knows these columns, with what it leaves open by section; else None
     gaps    sections with cells without a number
     remarks what the file says of its columns
+    sides   what belongs to the left and the right of two tools; else none
     """
 
     layout: Layout | None
@@ -60,6 +61,7 @@ class Proposal:
     preset: tuple[str, dict[str, list[str]]] | None = None
     gaps: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
+    sides: dict[str, tuple[Guess, ...]] = field(default_factory=dict)
 
     def recipe_text(self) -> str:
         """The recipe as TOML, the evidence as comments; what is open stands as a comment, too."""
@@ -69,11 +71,12 @@ class Proposal:
             return "\n".join([*preset_lines(*self.preset), "", *lines]).rstrip() + "\n"
         if not any(guess.role == "time" for guess in self.guesses):
             lines += without_time()
-        for guess in self.guesses:
-            lines += guess_lines(guess, self._chosen(guess), self.clocks.get(section_of(guess)))
-        if {guess.role for guess in self.guesses} & {"force", "torque"}:
-            remarks = [f"# {remark}" for remark in self.remarks[:_MAX_REMARKS]]
-            lines += ["", *remarks, "[wrench]", *WRENCH_QUESTIONS.values()]
+        lines += self._sections([g for g in self.guesses if g.role == "time"])
+        if not self.sides:
+            lines += self._sections([g for g in self.guesses if g.role != "time"])
+        for side, guesses in self.sides.items():
+            lines += ["", "[[demonstration]]", f"name = {toml(side)}"]
+            lines += self._sections(guesses, "demonstration.")
         if self.gaps:
             told = f"# {', '.join(self.gaps)}: not in all rows is there a number"
             lines += ["", told, "[rows]", f"empty = {toml('leave_out')}"]
@@ -82,12 +85,23 @@ class Proposal:
     @property
     def unread(self) -> tuple[str, ...]:
         """Columns that the recipe would not read."""
-        used = {column for guess in self.guesses for column in guess.columns}
+        guesses = [*self.guesses, *(g for side in self.sides.values() for g in side)]
+        used = {column for guess in guesses for column in guess.columns}
         used |= set(self.split.columns) if self.split else set()
         clocks = set(self.clocks.values())
         return tuple(
             name for i, name in enumerate(self.names) if i not in used and name not in clocks
         )
+
+    def _sections(self, guesses: Sequence[Guess], inside: str = "") -> list[str]:
+        lines: list[str] = []
+        for guess in guesses:
+            clock = self.clocks.get(section_of(guess))
+            lines += guess_lines(guess, self._chosen(guess), clock, inside)
+        if {guess.role for guess in guesses} & {"force", "torque"}:
+            remarks = [f"# {remark}" for remark in self.remarks[:_MAX_REMARKS]]
+            lines += ["", *remarks, f"[{inside}wrench]", *WRENCH_QUESTIONS.values()]
+        return lines
 
     def _chosen(self, guess: Guess) -> list[str | int]:
         has_names = self.layout is None or self.layout.form.header
@@ -127,10 +141,28 @@ def _of_table(looked: Looked, layout: Layout) -> Proposal:
     rows = looked.first_demonstration(split)
     time = time_of_numbers(told, rows, free) or stamps_of(looked.texts)
     taken = (*taken, *(time.columns if time else ()))
-    guesses = ((time,) if time else ()) + tuple(guesses_of(told, looked.values, taken))
+    found = tuple(guesses_of(told, looked.values, taken))
+    sides = _sides_of(looked, found, taken)
+    guesses = ((time,) if time else ()) + next(iter(sides.values()), found)
     gaps = tuple(section_of(g) for g in guesses if g.role != "time" and looked.has_gaps(g.columns))
     questions = _open_questions(guesses) if preset is None else tuple(preset[1])
-    return Proposal(layout, looked.names, guesses, questions, {}, split, preset, gaps)
+    return Proposal(layout, looked.names, guesses, questions, {}, split, preset, gaps, (), sides)
+
+
+def _sides_of(
+    looked: Looked, found: Sequence[Guess], taken: Sequence[int]
+) -> dict[str, tuple[Guess, ...]]:
+    """What belongs to the left and the right tool, where the table has a place of each."""
+    if not any(guess.is_one_of_several for guess in found):
+        return {}
+    sides: dict[str, tuple[Guess, ...]] = {}
+    for side, other in (("left", "right"), ("right", "left")):
+        theirs = [i for i, name in enumerate(looked.names) if other in name.lower()]
+        sides[side] = tuple(guesses_of(looked.told, looked.values, (*taken, *theirs)))
+    roles = ("position", "pose")
+    placed = [guess for side in sides.values() for guess in side if guess.role in roles]
+    apart = len(placed) == 2 and not set(placed[0].columns) & set(placed[1].columns)
+    return sides if apart and not any(one.is_one_of_several for one in placed) else {}
 
 
 def _of_arrays(looked: Looked) -> Proposal:
@@ -176,6 +208,7 @@ def _open_questions(guesses: Sequence[Guess]) -> tuple[str, ...]:
     questions += [
         f"{g.role}.unit" for g in guesses if not (g.unit or g.role in without_unit or g.detail)
     ]
+    questions += [f"{g.role}.columns" for g in guesses if g.is_one_of_several]
     if "quaternion" in by_role and not by_role["quaternion"].detail:
         questions.append("orientation.order")
     questions += ["orientation.sequence"] if "euler" in by_role else []

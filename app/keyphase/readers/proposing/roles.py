@@ -6,7 +6,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from keyphase.demonstration import Array
-from keyphase.readers.proposing.guess import Guess, measured_rows, reach_of
+from keyphase.readers.proposing.guess import (
+    OTHERS,
+    Guess,
+    likely_torque_unit,
+    measured_rows,
+    reach_of,
+)
 from keyphase.readers.proposing.naming import (
     AXIS,
     COMMANDED,
@@ -26,6 +32,7 @@ from keyphase.readers.proposing.naming import (
 from keyphase.readers.proposing.vectors import vector_guesses
 
 _UNNAMED = re.compile(r"column \d+|.*\[\d+\]")
+_MOST_JOINTS = 16
 _TURNS = ("quaternion", "euler", "turn", "rot6d", "matrix", "pose")
 
 
@@ -134,8 +141,9 @@ def _torque(names: Sequence[str], values: Array, free: list[int]) -> Guess | Non
     columns, told = _three(names, free, TORQUE, FORCE)
     if columns is None:
         return None
-    unit = unit_in(names[columns[0]], {"Nm": 1, "Nmm": 1, "Ncm": 1, "mNm": 1}) or "Nm"
+    unit = unit_in(names[columns[0]], {"Nm": 1, "Nmm": 1, "Ncm": 1, "mNm": 1})
     top = reach_of(values, columns)
+    unit = unit or likely_torque_unit(top)
     return Guess("torque", columns, unit, "", (f"named like a torque, at most {top:.3g}", *told))
 
 
@@ -187,11 +195,15 @@ def _gripper(names: Sequence[str], values: Array, free: list[int]) -> Guess | No
 
 
 def _joints(names: Sequence[str], values: Array, free: list[int]) -> Guess | None:
-    columns = tuple(i for i in free if JOINT.search(names[i]) and not NO_JOINT.search(names[i]))
-    stems = {re.sub(r"\d+\D*$", "", names[i]) for i in columns}
-    if not 4 <= len(columns) <= 8 and len(stems) > 1:
-        columns = tuple(i for i in columns if re.sub(r"\d+\D*$", "", names[i]) == min(stems))
-    if len(columns) < 4:
+    alike: dict[str, list[int]] = {}
+    for i in free:
+        moving = np.ptp(measured_rows(values, (i,))) > 0
+        if moving and JOINT.search(names[i]) and not NO_JOINT.search(names[i]):
+            alike.setdefault(re.sub(r"\d+", "#", names[i]), []).append(i)
+    every = [i for group in alike.values() for i in group]
+    groups = [every, *alike.values()] if len(every) <= _MOST_JOINTS else list(alike.values())
+    columns = next((tuple(one) for one in groups if 4 <= len(one) <= _MOST_JOINTS), None)
+    if columns is None:
         return None
     top = reach_of(values, columns)
     unit = "deg" if top > 4 * np.pi else "rad"
@@ -218,8 +230,7 @@ def _first(groups: list[tuple[int, int, int]], names: Sequence[str]) -> _Three:
         return None, ()
     groups = sorted(groups, key=lambda one: bool(RAW.search(names[one[0]])))
     others = ", ".join(names[one[0]] for one in groups[1:4])
-    told = (f"others that would fit begin with {others}",) if others else ()
-    return groups[0], told
+    return groups[0], (f"{OTHERS} {others}",) if others else ()
 
 
 def _by_axis(shown: dict[int, str], columns: Sequence[int]) -> list[tuple[int, int, int]]:

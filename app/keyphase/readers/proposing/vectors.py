@@ -6,11 +6,18 @@ one. What they cannot tell, such as the order of a quaternion, stays open.
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from keyphase.demonstration import Array
-from keyphase.readers.proposing.guess import Guess, measured_rows, reach_of
+from keyphase.readers.proposing.guess import (
+    OTHERS,
+    Guess,
+    likely_torque_unit,
+    measured_rows,
+    reach_of,
+)
 from keyphase.readers.proposing.naming import (
     COMMANDED,
     FORCE,
@@ -32,11 +39,18 @@ _NOT_THE_TOOL = ("object", "cube", "goal", "camera", "base_pose", "marker")
 def vector_guesses(names: Sequence[str], values: Array, free: Sequence[int]) -> list[Guess]:
     """At most one guess a role, of the columns that are numbered; a column is in no two."""
     groups = [one for one in vectors(names, free) if not COMMANDED.search(one[0].lower())]
-    groups.sort(key=lambda one: (_is_other(one[0]), not TOOL.search(one[0])))
+    still = {stem: _is_still(measured_rows(values, columns)) for stem, columns in groups}
+    groups.sort(key=lambda one: (_is_other(one[0]), still[one[0]], not TOOL.search(one[0])))
     found: dict[str, Guess] = {}
+    ranks: dict[str, tuple[bool, ...]] = {}
     for stem, columns in groups:
         guesses = list(_guesses(stem, columns, values))
         others = {guess.role for guess in guesses} & found.keys()
+        rank = (_is_other(stem), still[stem], not TOOL.search(stem))
+        for role in others & _PLACES:
+            if rank == ranks[role]:
+                found[role] = _with_other(found[role], stem)
+        ranks = dict.fromkeys((guess.role for guess in guesses), rank) | ranks
         taken = "pose" in found and {"position", "quaternion", "turn"} & {g.role for g in guesses}
         turned = any(g.role in _TURNS for g in guesses) and bool(_TURNS & found.keys())
         if guesses and not others and not taken and not turned:
@@ -44,7 +58,15 @@ def vector_guesses(names: Sequence[str], values: Array, free: Sequence[int]) -> 
     return list(found.values())
 
 
+_PLACES = {"position", "pose"}
 _TURNS = {"quaternion", "turn", "rot6d", "matrix", "pose", "euler"}
+
+
+def _with_other(guess: Guess, stem: str) -> Guess:
+    """A guess that says of another one as good."""
+    if guess.is_one_of_several:
+        return replace(guess, evidence=(*guess.evidence[:-1], f"{guess.evidence[-1]}, {stem}"))
+    return replace(guess, evidence=(*guess.evidence, f"{OTHERS} {stem}"))
 
 
 def _is_other(stem: str) -> bool:
@@ -56,7 +78,13 @@ def _guesses(stem: str, columns: tuple[int, ...], values: Array) -> Iterator[Gue
     is_joint = bool(JOINT.search(stem)) or re.split(r"[./_]", stem.lower())[-1] in ("q", "j")
     found = list(_by_number(stem, columns, values, is_joint))
     yield from found
-    named = is_joint and not found and not NO_JOINT.search(stem) and not GRIPPER.search(stem)
+    named = (
+        is_joint
+        and not found
+        and reach_of(values, columns) > 0
+        and not NO_JOINT.search(stem)
+        and not GRIPPER.search(stem)
+    )
     if named and 4 <= len(columns) <= 8:
         unit = "deg" if reach_of(values, columns) > 4 * np.pi else "rad"
         told = f"{len(columns)} joints: {unit} (by their size)"
@@ -90,8 +118,11 @@ def _by_number(
 
 def _is_unit(rows: Array) -> bool:
     off = np.abs(np.linalg.norm(rows, axis=1) - 1)
-    is_still = bool((np.ptp(rows, axis=0) == 0).all())
-    return bool(off.max() < _UNIT_NORM) and not is_still
+    return bool(off.max() < _UNIT_NORM) and not _is_still(rows)
+
+
+def _is_still(rows: Array) -> bool:
+    return len(rows) < 2 or bool((np.ptp(rows, axis=0) == 0).all())
 
 
 def _pose(columns: tuple[int, ...], rows: Array) -> Iterator[Guess]:
@@ -154,7 +185,8 @@ def _wrench(stem: str, columns: tuple[int, ...], values: Array) -> Iterator[Gues
     top, twist = reach_of(values, columns[:3]), reach_of(values, columns[3:])
     told = f"{stem} has six numbers: the first three are the force"
     yield Guess("force", columns[:3], "N", "", (f"{told}, at most {top:.3g}",))
-    yield Guess("torque", columns[3:], "Nm", "", (f"the last three, at most {twist:.3g}",))
+    unit = likely_torque_unit(twist)
+    yield Guess("torque", columns[3:], unit, "", (f"the last three, at most {twist:.3g}",))
 
 
 def _three(stem: str, columns: tuple[int, ...], values: Array) -> Iterator[Guess]:
@@ -162,7 +194,8 @@ def _three(stem: str, columns: tuple[int, ...], values: Array) -> Iterator[Guess
     if FORCE.search(stem) and not TORQUE.search(stem):
         yield Guess("force", columns, "N", "", (f"named like a force, at most {top:.3g}",))
     elif TORQUE.search(stem):
-        yield Guess("torque", columns, "Nm", "", (f"named like a torque, at most {top:.3g}",))
+        unit = likely_torque_unit(top)
+        yield Guess("torque", columns, unit, "", (f"named like a torque, at most {top:.3g}",))
     elif TURN.search(stem):
         yield _turn(columns, values)
     elif POSITION.search(stem) and not JOINT.search(stem) and not GRIPPER.search(stem):

@@ -49,13 +49,17 @@ def _layout_lines(layout: Layout) -> list[str]:
     return lines + ([] if form.header else [f"header = false    # {evidence['header']}"])
 
 
-def guess_lines(guess: Guess, chosen: Sequence[str | int], clock: str | None) -> list[str]:
+def guess_lines(
+    guess: Guess, chosen: Sequence[str | int], clock: str | None, inside: str = ""
+) -> list[str]:
     """One section; `chosen` are its columns by name or index, `clock` its own or None."""
-    lines = ["", *(f"# {reason}" for reason in guess.evidence), f"[{section_of(guess)}]"]
+    section = f"[{inside}{section_of(guess)}]"
+    lines = ["", *(f"# {reason}" for reason in guess.evidence), section]
     if guess.role == "time":
         return lines + _time_lines(guess, chosen)
     lines += [f"kind = {toml(guess.role)}"] if guess.role in _KINDS else []
-    lines.append(f"columns = {toml(list(chosen))}")
+    doubtful = "# " if guess.is_one_of_several else ""
+    lines.append(f"{doubtful}columns = {toml(list(chosen))}")
     lines += _detail_lines(guess)
     if guess.role not in ("quaternion", "rot6d", "matrix"):
         lines.append(_said("unit", guess.unit, "the unit of these numbers"))

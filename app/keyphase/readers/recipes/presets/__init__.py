@@ -15,7 +15,7 @@ from typing import Any
 from keyphase.errors import RecipeError
 
 _ENDING = ".toml"
-_NEEDS = "needs"
+_NEEDS, _EXAMPLE = "needs", "example"
 
 WRENCH_QUESTIONS = {
     "frame": '# frame = "base"    # or "tool": in whose axes is the wrench written?',
@@ -38,7 +38,12 @@ def preset_values(name: Any, recipe: str) -> dict[str, Any]:
         hint = f"did you mean {near[0]!r}?" if near else f"they are {', '.join(preset_names())}."
         raise RecipeError(f"{recipe}: there is no preset {str(name)[:60]!r}; {hint}")
     values = _shipped(str(name))
-    return {key: value for key, value in values.items() if key != _NEEDS}
+    return {key: value for key, value in values.items() if key not in (_NEEDS, _EXAMPLE)}
+
+
+def example_of(name: str) -> str:
+    """A path of a recording that a preset reads."""
+    return str(_shipped(name)[_EXAMPLE])
 
 
 def fitting_preset(columns: Iterable[str]) -> str | None:
