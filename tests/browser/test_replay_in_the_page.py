@@ -58,7 +58,7 @@ def test_escape_stops_it(page: KeyphasePage) -> None:
     phase(page, "over")
     assert "stopped" in chips(page)
     assert "contact" not in chips(page)
-    assert "stopped by hand" in page.text("#replay-plan .plan-verdict")
+    assert "Stopped by you in “" in page.text("#replay-plan .plan-verdict")
 
 
 def test_space_pauses_and_goes_on(page: KeyphasePage) -> None:

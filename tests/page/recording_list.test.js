@@ -58,6 +58,18 @@ test("a filter finds what a person thinks of a recording, every word of it", () 
   assert.deepEqual(found("quality:2 dropped"), ["S03"]);
 });
 
+test("a filter finds recordings by what is said of their segments", () => {
+  const marked = [
+    item("S02", 0.9, { marked: [{ outcome: "failure", quality: null, note: "Slipped" }] }),
+    item("S03", 0.4, { marked: [{ outcome: null, quality: 2, note: "" }] }),
+    item("S04", 0.6),
+  ];
+  const found = (filter) => names(stateOf(marked, { filter }));
+  assert.deepEqual(found("segment:failure"), ["S02"]);
+  assert.deepEqual(found("segment:marked"), ["S02", "S03"]);
+  assert.deepEqual(found("slipped"), ["S02"]);
+});
+
 test("the next recording is the one below it as shown", () => {
   const state = stateOf(items, { leastCertainFirst: true, recording: "S03" });
   assert.equal(recordingBeside(state, 1).name, "S04");

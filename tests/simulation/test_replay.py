@@ -178,7 +178,7 @@ def test_a_replay_that_is_stopped_moves_no_more() -> None:
     result = replay.result()
     assert result.stopped
     assert not result.succeeded
-    assert "stopped by hand" in result.outcome()
+    assert "stopped by you in “" in result.outcome()
 
 
 def test_a_plan_without_skills_is_refused() -> None:

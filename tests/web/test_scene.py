@@ -2,11 +2,12 @@
 
 import asyncio
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
 from framing import Frame, frame
-from talking import CAMERA, Message, PageClient, wait_until
+from talking import CAMERA, Message, PageClient, StartServer, wait_until
 
 from keyphase.web.scene.palette import SEGMENT_RGB, painted
 from keyphase.web.scene.recording.path import FAINT
@@ -120,6 +121,29 @@ def test_a_hidden_part_is_hidden_in_the_scene(page: PageClient, framed: Frame) -
 
     assert not framed.node("/gaussians").visible
     assert framed.node("/path").visible
+
+
+def test_how_far_finished_recordings_lie_apart_is_a_sleeve_around_their_mean(
+    own_copy: Path, start_server: StartServer
+) -> None:
+    """The other one is the same recording, a centimetre aside."""
+    with np.load(own_copy) as recorded:
+        moved = {**recorded, "position_m": recorded["position_m"] + [0.0, 0.01, 0.0]}
+    np.savez(own_copy.with_name("other.npz"), **moved)
+    server = start_server(own_copy.with_name("other.npz"), own_copy)
+    with PageClient(server) as page, frame(server, page.page) as framed:
+        page.wait_for("document")
+        page.send("done", done=True)
+        lines = page.wait_for("recordings", lambda m: m["items"][0]["state"] == "done")["items"]
+        page.send("open", id=lines[1]["id"])
+        page.wait_for("document", lambda m: m["id"] == lines[1]["id"])
+        assert "/spread/balls" not in framed.nodes
+        page.send("show", what="spread", visible=True)
+        page.wait_for("shown", lambda m: m["parts"]["spread"])
+
+        radii = np.asarray(framed.node("/spread/balls").batched_scales)
+        np.testing.assert_allclose(radii, 0.005, atol=1e-4)
+        assert framed.node("/spread").visible
 
 
 def test_nothing_of_a_page_is_sent_to_all_pages(page: PageClient) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from keyphase.errors import KeyphaseError
+from keyphase.labeling.labeling import Labeling
 from keyphase.readers import find_recordings
 from keyphase.robot.arms import robot_arms, yumi_arms
 from keyphase.robot.description import RobotDescription
@@ -24,6 +25,8 @@ from keyphase.web.transport.proving import prove
 from keyphase.web.transport.site import OurSite
 from keyphase.web.transport.video_parts import Video
 from keyphase.workbench.leftovers import clear_up
+from keyphase.workbench.recordings import Recording
+from keyphase.workbench.showing.task_spread import finished_beside
 from keyphase.workbench.uploads import DEFAULT_LIMIT_BYTES
 from keyphase.workbench.workbench import Settings, Workbench
 
@@ -65,9 +68,13 @@ class PageServer:
         except KeyphaseError:
             self.workbench.close()
             raise
-        self.shared = Shared(arms)
+        self.shared = Shared(arms, self._finished_beside)
         self.scenes = Scenes(self.viser, self.workbench, self.shared)
         self._put_in_order_of_need()
+
+    def _finished_beside(self, recording: Recording) -> list[Labeling]:
+        lines, look = self.workbench.recordings.recordings, self.workbench.library.look
+        return finished_beside(recording, lines, look)
 
     def _put_in_order_of_need(self) -> None:
         """What is asked for comes first, then what is seen beside it, then other recordings."""

@@ -8,12 +8,23 @@ from keyphase.errors import RequestError
 from keyphase.workbench.placing.robot_choice import RobotChoice
 from keyphase.workbench.watcher import Watcher
 
-PARTS = ("path", "gaussians", "forces", "labels", "frame", "grid", "robot", "parts", "shadows")
+PARTS = (
+    "path",
+    "gaussians",
+    "forces",
+    "labels",
+    "frame",
+    "grid",
+    "robot",
+    "parts",
+    "shadows",
+    "spread",
+)
 """Parts of the scene that can be shown and hidden."""
 
-FIRST_HIDDEN = frozenset({"shadows"})
-"""Shadows halve the frames a second where 3D is drawn in software; a page that draws it with a
-graphics card asks for them."""
+FIRST_HIDDEN = frozenset({"shadows", "spread"})
+"""The spread is worked out from all finished recordings where it is wanted. Shadows halve the frames
+a second where 3D is drawn in software; a page that draws it with a graphics card asks for them."""
 
 
 class SceneChoices:

@@ -117,12 +117,14 @@ class ReplayResult:
         """What became of it, in one line."""
         if self.succeeded:
             return "success"
+        if self.stopped:
+            where = f"in “{self.results[-1].label}”" if self.results else "before it moved"
+            goals = (f"{name}: {'yes' if holds else 'no'}" for name, holds in self.goals.items())
+            return "; ".join([f"stopped by you {where}", *goals])
         failed = ", ".join(name for name, holds in self.checks.items() if not holds)
         return f"failed, not {failed}: {self._reason()}"
 
     def _reason(self) -> str:
-        if self.stopped:
-            return "stopped by hand"
         bad = next((r for r in self.results if not went_on(r)), None)
         if bad is not None:
             return f"skill {bad.skill + 1} ({bad.label}) ended with {bad.outcome}"

@@ -17,6 +17,7 @@ from keyphase.simulation.part_shapes import Shape
 from keyphase.web.scene.camera import Camera, LastCamera
 from keyphase.web.scene.page_parts import PageParts
 from keyphase.web.scene.page_robot import PageRobot
+from keyphase.web.scene.page_spread import PageSpread
 from keyphase.web.scene.replaying.film import film_of
 from keyphase.web.scene.replaying.replay_scene import ReplayScene
 from keyphase.web.scene.replaying.workcell_scene import WorkcellScene
@@ -181,6 +182,7 @@ class PageScene(Watcher):
                 client, self._camera, view.select_at, lambda: self.robot.base, shared.shadow
             )
             self.parts = PageParts(client, shared, self._later)
+            self.spread = PageSpread(client, shared, view, self._later)
             self.replay = ReplayScene(client, self.stage, self.robot, view.replay.push)
             self.workcell = WorkcellScene(client, self.stage, self.robot, view.lead)
         self._built = True
@@ -192,6 +194,7 @@ class PageScene(Watcher):
         with self.client.atomic():
             self.robot.clear()
             self.parts.clear()
+            self.spread.clear()
         self.stage.clear()
 
     def _show_document(self, shown: DeskState) -> None:
@@ -199,6 +202,7 @@ class PageScene(Watcher):
         self.stage.show_document(shown)
         self.robot.show_document(shown)
         self.parts.show_document(shown)
+        self.spread.show_document(shown)
 
     def _show_robot(self, choice: RobotChoice) -> None:
         self.robot.use_arm(choice.arm)
@@ -225,6 +229,7 @@ class PageScene(Watcher):
     def _show_parts(self, hidden: frozenset[str]) -> None:
         self.robot.show_parts(hidden)
         self.stage.show_parts(hidden)
+        self.spread.show_parts(hidden)
 
 
 REPLAY_DRAWN_EVERY_S = 0.048

@@ -2,14 +2,16 @@
 
 import threading
 from collections import OrderedDict
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from keyphase.demonstration import Demonstration
+from keyphase.labeling.labeling import Labeling
 from keyphase.robot.arm import Arm
 from keyphase.robot.description import RobotDescription
 from keyphase.simulation.workcells.parts_path import PartsPath, parts_path
 from keyphase.web.scene.recording.ground_shadow import GroundShadow, shadow_of
 from keyphase.workbench.placing.joint_paths import JointPaths
+from keyphase.workbench.recordings import Recording
 from keyphase.workbench.telling import in_words
 from keyphase.workbench.worker import Worker
 
@@ -23,11 +25,17 @@ STEP_S = 0.012
 class Shared:
     """`arms` are descriptions of the same robot with different tools.
 
+    finished_beside     the finished recordings of a recording's folder
     joints, part_paths  threads that work out joints and parts, one recording after another; each
                         page has at most one wish waiting in either
     """
 
-    def __init__(self, arms: Sequence[RobotDescription]) -> None:
+    def __init__(
+        self,
+        arms: Sequence[RobotDescription],
+        finished_beside: Callable[[Recording], list[Labeling]],
+    ) -> None:
+        self.finished_beside = finished_beside
         self.arms = tuple(Arm(robot) for robot in arms)
         self.paths = JointPaths()
         self.shadow: GroundShadow | None = shadow_of(arms[0])

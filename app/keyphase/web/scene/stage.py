@@ -32,7 +32,7 @@ from keyphase.workbench.scene_choices import FIRST_HIDDEN, PARTS
 _OWN = tuple(part for part in PARTS if part not in ("robot", "shadows"))
 """The parts that are shown and hidden here."""
 
-_DRAWN = (*(part for part in _OWN if part not in ("parts", "grid")), "path")
+_DRAWN = (*(part for part in _OWN if part not in ("parts", "grid", "spread")), "path")
 """What is drawn here and anew for each recording."""
 
 

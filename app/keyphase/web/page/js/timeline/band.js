@@ -46,8 +46,7 @@ export function drawBand(state, scale, row) {
     const place = { ...box, left, width: Math.max(right - left, 1) };
     nodes.push(drawSegment(segment, index, place));
     if (isChosen(index)) rings.push(drawRing(place));
-    if (segment.assessment.outcome || segment.assessment.quality || segment.assessment.note)
-      rings.push(...drawMark(segment.assessment, place));
+    if (isMarked(segment)) rings.push(...drawMark(segment.assessment, place));
   });
   nodes.push(...rings);
   if (range) nodes.push(drawRange(doc, range, scale, box));
@@ -120,7 +119,7 @@ function droppedText(segment, index, { left, top, width, height }) {
         text: label,
       }),
     );
-  if (height >= 30 && width > plate + 70) {
+  if (height >= 30 && width > plate + 70 && !isMarked(segment)) {
     const text = duration(segment.end_s - segment.start_s);
     nodes.push(
       svg("text", {
@@ -134,6 +133,10 @@ function droppedText(segment, index, { left, top, width, height }) {
   }
   return nodes;
 }
+
+/** @param {import("../model/types.js").Segment} segment */
+const isMarked = ({ assessment: { outcome, quality, note } }) =>
+  Boolean(outcome || quality || note);
 
 /**
  * What a person thinks of it, in its upper right corner.
@@ -168,7 +171,7 @@ export function drawNaming({ naming, clock }, scale, { y, height }) {
       width: Math.max(1, right - left),
       height: height - 6,
       rx: 3,
-      class: "band-range",
+      class: "naming-stretch",
     }),
     svg("text", { x: left + 8, y: y + height / 2 + 4, class: "naming", text: naming.label }),
   ];

@@ -11,6 +11,7 @@ const PARTS = [
   ["parts", "Parts", "The parts of the workcell it was recorded in."],
   ["frame", "Tool frame", "The tool at the playhead."],
   ["grid", "Ground", "The grid below the path."],
+  ["spread", "Spread", "How far the finished recordings of this task lie apart along its way."],
   ["shadows", "Shadows", "Slow where there is no graphics card."],
 ];
 
