@@ -51,6 +51,11 @@ def test_seconds_read_as_milliseconds_are_noticed():
     assert "seconds read as milliseconds" in text
 
 
+def test_a_recording_too_short_for_boundaries_says_so():
+    (text,) = texts(demonstration(TIME[:21]), "time")
+    assert text.startswith("Only 0.2 s long")
+
+
 def test_a_gap_is_told_with_its_place_and_how_far_the_tool_went():
     time = np.where(TIME < 3.0, TIME, TIME + 1.5)
     position = stroke() + np.where(TIME < 3.0, 0.0, 0.05)[:, None]

@@ -113,9 +113,12 @@ def test_parameters_are_not_applied_where_a_person_thinks_better_of_it(two: Keyp
 
 
 def test_a_recording_is_done_and_the_next_one_opens(two: KeyphasePage) -> None:
+    unsure = sum(boundary["unsure"] for boundary in two.document["boundaries"])
     two.press("k")
     two.until("keyphase.state.document.name === 'synthetic_setup1'")
     two.until("keyphase.state.recordings.items[0].state === 'done'")
+    told = two.text("#notices")
+    assert f"Done with {unsure} boundary unsure (Ctrl Z). Next: synthetic_setup1." in told
     two.change(lambda: two.page.locator("#badge").click())
     two.until("keyphase.state.recordings.items[1].state === 'done'")
     assert two.page.locator(".queue-row svg[aria-label=done]").count() == 2
@@ -174,6 +177,15 @@ def test_doubts_are_settled_by_two_keys_from_one_recording_to_the_next(
     least = min(unsure, key=lambda k: boundaries[k]["confidence"])
     assert page.state("current") == least
     assert f"{len(unsure)} unsure" in page.text("#transport .unsure")
+
+
+def test_the_name_in_the_header_opens_the_list_of_recordings(two: KeyphasePage) -> None:
+    two.page.locator("#crumb").click()
+    found = two.page.locator("#palette [role=option] span:first-child")
+    assert found.all_text_contents() == ["setup1", "synthetic_setup1"]
+    two.press("ArrowDown")
+    two.press("Enter")
+    two.until("keyphase.state.document.name === 'synthetic_setup1'")
 
 
 def test_next_and_previous_by_keys(two: KeyphasePage) -> None:

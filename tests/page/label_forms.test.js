@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 
-import { formsOf } from "../../app/keyphase/web/page/js/model/label_forms.js";
+import { formsOf, shortName } from "../../app/keyphase/web/page/js/model/label_forms.js";
 import { documentOf } from "./documents.js";
 
 const DOWN = {
@@ -25,4 +25,9 @@ test("a proposed name loses its measure, its verb, its direction, and at last al
 test("what a person wrote is cut, and never put in other words", () => {
   const forms = formsOf({ ...DOWN, proposed: false });
   assert.deepEqual(forms, ["Move down 86 mm until contact", "Move…"]);
+});
+
+test("a person's name keeps its first letter", () => {
+  assert.equal(shortName("reach"), "reach");
+  assert.equal(shortName("Move down 86 mm until contact"), "Down until contact");
 });

@@ -13,7 +13,7 @@ from keyphase.oddities.forces import (
 )
 from keyphase.oddities.oddity import Oddity
 from keyphase.oddities.poses import jumps, odd_reach, still_pose, turns_too_fast, zero_rows
-from keyphase.oddities.time_steps import gaps, odd_time
+from keyphase.oddities.time_steps import gaps, odd_time, too_brief
 
 __all__ = ["Oddity", "breaks_of", "breaks_within", "oddities_of"]
 
@@ -21,6 +21,7 @@ MIN_ROWS = 20
 
 _CHECKS = (
     odd_time,
+    too_brief,
     gaps,
     jumps,
     turns_too_fast,

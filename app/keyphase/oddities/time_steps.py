@@ -8,6 +8,7 @@ from keyphase.oddities.oddity import Oddity, first_few
 _MIN_RATE_HZ = 0.5
 _MAX_RATE_HZ = 50_000.0
 _SHOWN_TRAVEL_M = 1e-3
+_BRIEF_S = 0.5
 
 
 def odd_time(demonstration: Demonstration) -> list[Oddity]:
@@ -20,6 +21,17 @@ def odd_time(demonstration: Demonstration) -> list[Oddity]:
     text = (
         f"{rate:.2g} rows a second over {_duration(demonstration.duration_s)}: no recorder does "
         f"that; were {was} read as {read}?"
+    )
+    return [Oddity("time", "warning", text)]
+
+
+def too_brief(demonstration: Demonstration) -> list[Oddity]:
+    """A recording in which two boundaries would hardly find room."""
+    if demonstration.duration_s >= _BRIEF_S or demonstration.rate_hz > _MAX_RATE_HZ:
+        return []
+    text = (
+        f"Only {_duration(demonstration.duration_s)} long: in less than {_BRIEF_S} s hardly a "
+        "boundary can be found."
     )
     return [Oddity("time", "warning", text)]
 

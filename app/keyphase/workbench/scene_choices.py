@@ -23,8 +23,8 @@ PARTS = (
 """Parts of the scene that can be shown and hidden."""
 
 FIRST_HIDDEN = frozenset({"shadows", "spread"})
-"""The spread is worked out from all finished recordings where it is wanted. Shadows halve the frames
-a second where 3D is drawn in software; a page that draws it with a graphics card asks for them."""
+"""The spread is worked out from all finished recordings where it is wanted. Shadows halve the
+frames a second where 3D is drawn in software; a page with a graphics card asks for them."""
 
 
 class SceneChoices:

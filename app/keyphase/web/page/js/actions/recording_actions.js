@@ -31,7 +31,7 @@ export function createRecordingActions(store, send, actions) {
       const undecided = unsureBoundaries(doc()).length;
       const next = nextUndone(state);
       own.setDone(true);
-      store.set({ notice: { level: "info", text: farewell(undecided, next) } });
+      store.set({ notice: { level: "info", text: farewell(undecided, next), of: next?.id } });
       if (next) actions.open(next.id);
       else store.set({ tab: "export" });
     },
@@ -71,7 +71,7 @@ export function createRecordingActions(store, send, actions) {
       const text = next
         ? `${next.name}: ${plural(next.differences ?? 0, "difference")}, J goes to the first.`
         : "No further difference in any recording.";
-      store.set({ notice: { level: "info", text } });
+      store.set({ notice: { level: "info", text, of: next?.id } });
       if (next) actions.open(next.id);
     },
     /** Takes over what is proposed from finished recordings; where nothing is, all names. */

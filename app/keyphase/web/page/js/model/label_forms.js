@@ -9,8 +9,10 @@ export function withoutMeasure(label) {
 
 /** Without measures and the leading "Move": "Down until contact". @param {string} label */
 export function shortName(label) {
-  const name = withoutMeasure(label).replace(/^Move (?=\S)/, "");
-  return name.charAt(0).toUpperCase() + name.slice(1);
+  const name = withoutMeasure(label);
+  const after = name.replace(/^Move (?=\S)/, "");
+  // What did not begin with it is left as a person wrote it.
+  return after === name ? name : after.charAt(0).toUpperCase() + after.slice(1);
 }
 
 /**

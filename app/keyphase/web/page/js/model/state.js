@@ -14,7 +14,7 @@ import { firstChoice } from "./rows.js";
  * @typedef {import("../messages/list_messages").SpreadMessage} Spread
  * @typedef {import("./types.js").Signals} Signals
  * @typedef {{path: string, lines: string, recording: string|null}} Saved
- * @typedef {{level: string, text: string|null, act?: {text: string, run: () => void}}} Notice
+ * @typedef {{level: string, text: string|null, act?: {text: string, run: () => void}, of?: string}} Notice
  * @typedef {{
  *   connected: boolean|null, greeted: boolean, lookingOnly: boolean, readOnly: boolean,
  *   recordings: Omit<Recordings, "type">, recording: string|null, method: string|null,

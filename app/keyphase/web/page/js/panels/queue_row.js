@@ -7,6 +7,9 @@ import { asksForALook, cutName, namesOf } from "../model/recordings/recording_li
 
 const MOST_PIECES = 90;
 const MOST_PAGES = 3;
+/** A longer name may be cut, but for so many letters at its end. */
+const WHOLE = 12;
+const END = 7;
 
 /** The id of a recording's row in the page. @param {{id: string}} item */
 export const rowId = ({ id }) => `recording-${id}`;
@@ -33,7 +36,7 @@ export function drawRow(item, { on, picked, common, open, menu }) {
       on: { click: open, contextmenu: menu },
     },
     stateMark(state),
-    el("span", { class: "queue-name", text: cutName(name, common) }),
+    el("span", { class: "queue-name" }, ...inTwo(cutName(name, common))),
     el(
       "span",
       { class: "queue-pages" },
@@ -47,6 +50,12 @@ export function drawRow(item, { on, picked, common, open, menu }) {
       ? el("span", { class: "queue-error", text: "cannot be read" })
       : el("span", { class: "queue-strip", "aria-hidden": "true" }, ...strip(item)),
   );
+}
+
+/** Its end, which tells it from others, stays whole where the rest is cut. @param {string} name */
+function inTwo(name) {
+  const at = name.length > WHOLE ? name.length - END : name.length;
+  return [el("span", { text: name.slice(0, at) }), el("span", { text: name.slice(at) })];
 }
 
 /**

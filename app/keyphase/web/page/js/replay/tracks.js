@@ -5,6 +5,7 @@
 
 import { cssColor } from "../lib/colors.js";
 import { el, svg } from "../lib/dom.js";
+import { textWidth } from "../lib/text_width.js";
 import { signed } from "../lib/format.js";
 import { createCurves } from "../timeline/curves/curves.js";
 import { normOf } from "../timeline/curves/series.js";
@@ -196,10 +197,19 @@ function drawEndConditions(slots, samples, scale, y) {
       const below = direction[axis] < 0;
       return [
         svg("path", { d: `M${from + 2} ${at}H${to}`, class: "end-condition" }),
-        svg("text", { x: from + 6, y: at + (below ? 12 : -4), class: "end-condition-text", text }),
+        svg("text", {
+          ...besides(from, scale.width, textWidth(text, "600 11px")),
+          y: at + (below ? 12 : -4),
+          class: "end-condition-text",
+          text,
+        }),
       ];
     });
 }
+
+/** Right of where a skill begins; left of it where that leaves the track. */
+const besides = (from, width, long) =>
+  from + 6 + long <= width ? { x: from + 6 } : { x: from - 4, "text-anchor": "end" };
 
 /**
  * The usual force in a skill before its contact: measured once there is enough, else demonstrated.

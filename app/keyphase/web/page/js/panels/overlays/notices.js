@@ -12,11 +12,14 @@ const MOST = 4;
 export function createNotices(store) {
   const node = byId("notices");
 
-  /** @param {{level: string, text: string, act?: {text: string, run: () => void}}} notice */
-  function show({ level, text, act }) {
+  /**
+   * @param {{level: string, text: string, act?: {text: string, run: () => void}, of?: string}} notice
+   *   `of`: the recording it is for, where that is still on its way
+   */
+  function show({ level, text, act, of = "" }) {
     const same = [...node.children].find((notice) => notice.firstElementChild.textContent === text);
     same?.remove();
-    const notice = el("div", { class: `notice ${level}` }, el("span", { text }));
+    const notice = el("div", { class: `notice ${level}`, data: { of } }, el("span", { text }));
     const close = el(
       "button",
       {
@@ -42,8 +45,9 @@ export function createNotices(store) {
     if (level !== "error") setTimeout(() => notice.remove(), STAYS_MS);
   }
 
-  store.on(["recording"], () => {
-    for (const notice of [...node.children]) if (!notice.matches(".error")) notice.remove();
+  store.on(["recording"], ({ recording }) => {
+    for (const notice of /** @type {HTMLElement[]} */ ([...node.children]))
+      if (!notice.matches(".error") && notice.dataset.of !== recording) notice.remove();
   });
   store.on(["notice"], ({ notice }) => {
     if (notice) show(notice);

@@ -65,7 +65,7 @@ export function createPalette(store, actions, commands) {
   function search() {
     const words = input.value.toLowerCase().split(/\s+/).filter(Boolean);
     entries = everything()
-      .filter(({ kind }) => kind.startsWith(ofKind))
+      .filter(({ kind }) => !ofKind || kind.split(",")[0] === ofKind)
       .filter(({ text, kind }) =>
         words.every((word) => `${text} ${kind}`.toLowerCase().includes(word)),
       )
