@@ -140,6 +140,8 @@ def test_the_least_certain_recording_opens(two: KeyphasePage) -> None:
 
 def test_next_and_previous_and_the_order_of_the_list_by_clicks(two: KeyphasePage) -> None:
     two.until("keyphase.state.recordings.items.every(item => item.confidence !== null)")
+    two.page.locator(".queue-row").first.click()
+    assert two.page.evaluate("document.activeElement.className") == "surface"
     two.page.locator("#next-recording").click()
     two.until("keyphase.state.document.name === 'synthetic_setup1'")
     two.page.locator("#previous-recording").click()

@@ -70,7 +70,8 @@ export function createQueue(store, actions, menu) {
   }
 }
 
-const isAssessed = ({ assessment }) =>
+const isAssessed = ({ assessment, marked = [] }) =>
+  marked.length > 0 ||
   Boolean(assessment && (assessment.outcome || assessment.quality || assessment.note));
 
 /** Rows with a heading above those of each folder, unless all are of one or doubt gives the order. */
@@ -107,6 +108,8 @@ function attachRowKeys(rows, store, pick) {
     row.classList.add("active");
     row.scrollIntoView({ block: "nearest" });
   };
+  const isOpen = () =>
+    rows.getAttribute("aria-activedescendant") === rowId({ id: store.state.recording ?? "" });
   const keys = {
     ArrowDown: () => move((at) => at + 1),
     ArrowUp: () => move((at) => at - 1),
@@ -123,6 +126,8 @@ function attachRowKeys(rows, store, pick) {
   rows.addEventListener("keydown", (event) => {
     const picks = event.key === " " && !event.metaKey;
     if (!keys[event.key] || ((event.ctrlKey || event.metaKey) && !picks)) return;
+    // On the row of the open recording Enter accepts what is shown, as everywhere.
+    if (event.key === "Enter" && !event.shiftKey && isOpen()) return;
     event.preventDefault();
     event.stopPropagation();
     keys[event.key](event);

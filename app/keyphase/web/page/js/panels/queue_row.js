@@ -54,8 +54,13 @@ export function drawRow(item, { on, picked, common, open, menu }) {
 
 /** Its end, which tells it from others, stays whole where the rest is cut. @param {string} name */
 function inTwo(name) {
-  const at = name.length > WHOLE ? name.length - END : name.length;
-  return [el("span", { text: name.slice(0, at) }), el("span", { text: name.slice(at) })];
+  if (name.length <= WHOLE) return [el("span", { class: "name-start", text: name })];
+  const part = (look, text) => el("span", { class: look, text, "aria-hidden": "true" });
+  return [
+    el("span", { class: "unseen", text: name }),
+    part("name-start", name.slice(0, -END)),
+    part("name-end", name.slice(-END)),
+  ];
 }
 
 /**

@@ -35,8 +35,8 @@ export function createKeys(store, actions, commands, heldLabel, escape) {
 }
 
 /**
- * A button that was clicked gives the focus back, so that Space plays and Enter accepts as the
- * keys say, and do not press it again. One that was pressed by a key keeps it.
+ * A button or a row of the list that was clicked gives the focus back, so that Space plays and Enter
+ * accepts as the keys say, and do not press it again. One that was pressed by a key keeps it.
  * @param {MouseEvent} event
  * @param {HTMLElement} to
  */
@@ -44,8 +44,9 @@ export function letGoOfButton({ detail, target }, to) {
   const button = /** @type {HTMLElement} */ (target)?.closest?.(
     "button, summary, input[type=checkbox]",
   );
-  if (detail && button && button === document.activeElement && !button.closest("dialog, form"))
-    to.focus({ preventScroll: true });
+  const isButton = button && button === document.activeElement && !button.closest("dialog, form");
+  const row = /** @type {HTMLElement} */ (target)?.closest?.("#queue-rows [role=option]");
+  if (detail && (isButton || row)) to.focus({ preventScroll: true });
 }
 
 const TEXT_FIELDS =
