@@ -274,6 +274,9 @@ def test_undo_and_redo_go_on_after_a_restart(folder: Path, serve: Serve, visit: 
     page.wait_for_document()
     page.change(lambda: page.press("Control+z"))
     assert page.document["boundaries"] == before
+    page.change(lambda: page.page.locator("#redo").click())
+    assert page.document["boundaries"] == after
+    page.change(lambda: page.page.locator("#undo").click())
     page.change(lambda: page.press("Control+y"))
     assert page.document["boundaries"] == after
 

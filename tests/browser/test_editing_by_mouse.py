@@ -259,25 +259,6 @@ def test_reset_takes_all_edits_back(editor: KeyphasePage) -> None:
     assert editor.document["boundaries"] == before
 
 
-def test_undo_and_redo_go_on_after_a_restart(folder: Path, serve: Serve, visit: Visit) -> None:
-    server = serve(folder / "setup1.npz")
-    page = visit(server, scene=False)
-    page.wait_for_document()
-    before = page.document["boundaries"]
-    page.change(lambda: _item(page, _boundary(page, 0), "Remove"))
-    after = page.document["boundaries"]
-    page.close()
-    server.stop()
-
-    page = visit(serve(folder / "setup1.npz"), scene=False)
-    page.wait_for_document()
-    assert page.document["boundaries"] == after
-    page.change(lambda: page.page.locator("#undo").click())
-    assert page.document["boundaries"] == before
-    page.change(lambda: page.page.locator("#redo").click())
-    assert page.document["boundaries"] == after
-
-
 def test_after_a_click_on_a_button_space_plays(editor: KeyphasePage) -> None:
     editor.click(editor.middle_of(0))
     editor.change(lambda: editor.page.get_by_role("button", name="Drop X", exact=True).click())

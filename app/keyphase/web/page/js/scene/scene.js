@@ -18,7 +18,9 @@ export function createScene(store, page) {
   let segments = "";
   store.on(["clock", "selected", "dark", "recording"], calm.changed);
   store.on(["document"], ({ document: doc }) => {
-    const now = doc?.segments.map((one) => `${one.start_s} ${one.label} ${one.kept}`).join() ?? "";
+    const now =
+      doc?.segments.map((one) => `${one.start_s} ${one.label} ${one.kept} ${one.color}`).join() ??
+      "";
     if (now !== segments) calm.changed();
     segments = now;
   });
