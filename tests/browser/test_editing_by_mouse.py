@@ -1,9 +1,7 @@
 """Correcting a segmentation with the mouse alone."""
 
-from pathlib import Path
-
 import pytest
-from driver import KeyphasePage, Serve, Visit
+from driver import KeyphasePage
 
 
 def _command(page: KeyphasePage, name: str) -> None:
