@@ -52,6 +52,7 @@ def main() -> None:
                 _explained(server, page, partial(take, page), "dark" if dark else "light")
         with _opened(browser, folder, MIDDLE) as (server, page):
             _pressing(server, page, partial(take, page))
+            _exporting(page, partial(take, page))
         with _opened(browser, folder, SMALL) as (server, page):
             _recorded(server, page, partial(take, page))
         with _opened(browser, folder) as (server, page):
@@ -105,6 +106,16 @@ def _pressing(server: PageServer, page: KeyphasePage, take: Take) -> None:
     page.page.evaluate("time => keyphase.actions.seek(time)", contact["time_s"])
     _with_parts(server, page)
     take("page_robot_light")
+
+
+def _exporting(page: KeyphasePage, take: Take) -> None:
+    """Every format, and what it leaves behind."""
+    page.resize(940, 620)
+    page.press("Control+Shift+S")
+    page.page.locator("#exporting[open] [type=radio]").first.wait_for()
+    page.page.get_by_text("ELAN annotation file").click()
+    page.settle()
+    take("page_export")
 
 
 def _recorded(server: PageServer, page: KeyphasePage, take: Take) -> None:
