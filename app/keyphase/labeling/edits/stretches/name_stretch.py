@@ -25,7 +25,8 @@ class NameStretch(BaseEdit, frozen=True, tag="name_stretch"):
         label = check_label(self.label)
         if not label:
             raise LabelingError("Expected the name of a stretch, but it is empty.")
-        return NameStretch(*sorted((self.from_s, self.to_s)), label)
+        start_s, end_s = sorted((self.from_s, self.to_s))
+        return NameStretch(start_s, end_s, label)
 
     def anchored(self, labeling: Labeling) -> "NameStretch":
         """With its sides where boundaries are; refused where it is too short."""
@@ -33,13 +34,13 @@ class NameStretch(BaseEdit, frozen=True, tag="name_stretch"):
         demonstration = labeling.segmentation.demonstration
         ends = [demonstration.start_s, demonstration.end_s]
         known = [*ends, *(boundary.time_s for boundary in labeling.boundaries)]
-        sides = [_side(time_s, known, *ends) for time_s in (asked.from_s, asked.to_s)]
-        if sides[1] - sides[0] < max(SAME_S, 2.0 / demonstration.rate_hz):
+        start_s, end_s = (_side(time, known, *ends) for time in (asked.from_s, asked.to_s))
+        if end_s - start_s < max(SAME_S, 2.0 / demonstration.rate_hz):
             raise LabelingError(
                 f"Expected a stretch of at least {SAME_S} s inside the recording, but it is "
-                f"{sides[1] - sides[0]:.3f} s long; hold the key longer."
+                f"{end_s - start_s:.3f} s long; hold the key longer."
             )
-        return NameStretch(*sides, asked.label)
+        return NameStretch(start_s, end_s, asked.label)
 
     def apply(self, number: int, walk: Walk, insisted: bool) -> None:
         """As if both boundaries were put there, those between removed, and the segment named."""
