@@ -1,13 +1,16 @@
 """What is written where, what is refused, and what is said to be lost before it is written."""
 
 import csv
+import json
 
 import pytest
 from segmented_recordings import EDGES_S, NAMES, item, saved
 
 from keyphase.cli import main
 from keyphase.errors import ExportError, FileInTheWayError
+from keyphase.labeling.assessment import Assessment
 from keyphase.labeling.segment_file import SUFFIX, read_segment_file, write_segment_file
+from keyphase.labeling.segment_file_content import as_json
 from keyphase.writers import WRITERS, Options, SegmentedRecording, planned_export
 
 
@@ -27,6 +30,22 @@ def test_a_segment_file_that_is_exported_is_the_same_segment_file(tmp_path):
     assert here == [original]
     write_segment_file(labeling, tmp_path / "in" / "fresh.segments.json")
     assert original.read_bytes() == (tmp_path / "in" / "fresh.segments.json").read_bytes()
+
+
+def test_what_a_person_said_of_recording_and_segments_is_carried_or_said_to_be_lost(tmp_path):
+    original = tmp_path / "in" / f"run{SUFFIX}"
+    write_segment_file(saved(tmp_path / "in"), original)
+    content = json.loads(original.read_text())
+    content["assessment"] = {"quality": 4}
+    content["segments"][1]["assessment"] = {"outcome": "failure", "note": "late"}
+    original.write_bytes(as_json(content))
+    marked = SegmentedRecording.of_file(original)
+    (again,) = export([marked], "json", tmp_path / "out")
+    file = read_segment_file(again, check_recording=False)
+    assert file.assessment == Assessment(quality=4)
+    assert file.segments[1].assessment == Assessment("failure", None, "late")
+    lost = planned_export([marked], "csv", tmp_path / "out").not_carried
+    assert "marks of success, quality and notes" in lost
 
 
 def test_a_table_has_a_row_for_each_segment(tmp_path):

@@ -54,11 +54,11 @@ def segment_file_content(labeling: Labeling, path: Path) -> dict[str, Any]:
         "boundaries": [_rounded(_boundary(b)) for b in labeling.boundaries],
         "segments": [_rounded(_segment(i, s)) for i, s in enumerate(labeling.segments, start=1)],
         "plan": [entry.segment + 1 for entry in labeling.plan],
-        **_assessed(labeling.assessment),
+        **assessment_content(labeling.assessment),
     }
 
 
-def _assessed(assessment: Assessment) -> dict[str, Any]:
+def assessment_content(assessment: Assessment) -> dict[str, Any]:
     """What a person thinks of the recording or a segment, where anybody has said it."""
     said = {name: value for name, value in asdict(assessment).items() if value}
     return {"assessment": said} if said else {}
@@ -130,7 +130,7 @@ def _segment(number: int, segment: LabeledSegment) -> dict[str, Any]:
         "label": segment.label,
         "kept": segment.kept,
         "end_condition": end_condition_content(segment.end_condition),
-        **_assessed(segment.assessment),
+        **assessment_content(segment.assessment),
     }
 
 

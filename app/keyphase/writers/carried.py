@@ -17,6 +17,7 @@ class Carried(Enum):
     ENDS = "end conditions"
     DOUBTS = "origin, confidence and interval of the boundaries"
     PARAMETERS = "the parameters that found them"
+    MARKS = "marks of success, quality and notes"
     SIGNALS = "the recorded signals"
 
 
@@ -48,6 +49,11 @@ def _is_reordered(item: SegmentedRecording) -> bool:
     return item.planned != item.kept
 
 
+def _is_marked(item: SegmentedRecording) -> bool:
+    file = item.file
+    return any((file.assessment, *(segment.assessment for segment in file.segments)))
+
+
 _THERE: Mapping[Carried, Callable[[SegmentedRecording], bool]] = {
     Carried.NAMES: _always,
     Carried.MOTIONS: _always,
@@ -57,5 +63,6 @@ _THERE: Mapping[Carried, Callable[[SegmentedRecording], bool]] = {
     Carried.ENDS: _always,
     Carried.DOUBTS: lambda item: bool(item.file.boundaries),
     Carried.PARAMETERS: _always,
+    Carried.MARKS: _is_marked,
     Carried.SIGNALS: _always,
 }

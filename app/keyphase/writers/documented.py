@@ -15,6 +15,7 @@ _COLUMNS = {
     Carried.ENDS: "end conditions",
     Carried.DOUBTS: "confidence",
     Carried.PARAMETERS: "parameters",
+    Carried.MARKS: "marks",
     Carried.SIGNALS: "signals",
 }
 

@@ -4,11 +4,12 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from keyphase.labeling.segment_file import SUFFIX
+from keyphase.labeling.segment_file import SUFFIX, FiledSegment
 from keyphase.labeling.segment_file_content import (
     SCHEMA_VERSION,
     as_csv,
     as_json,
+    assessment_content,
     end_condition_content,
     relative_path,
 )
@@ -38,12 +39,16 @@ def content_of(item: SegmentedRecording, target: Path) -> dict[str, Any]:
         "demonstration": recording,
         "parameters": asdict(file.parameters),
         "boundaries": [asdict(boundary) for boundary in file.boundaries],
-        "segments": [
-            asdict(segment) | {"end_condition": end_condition_content(segment.end_condition)}
-            for segment in file.segments
-        ],
+        "segments": [_segment(segment) for segment in file.segments],
         "plan": list(file.plan),
+        **assessment_content(file.assessment),
     }
+
+
+def _segment(segment: FiledSegment) -> dict[str, Any]:
+    values = {name: value for name, value in asdict(segment).items() if name != "assessment"}
+    end = end_condition_content(segment.end_condition)
+    return {**values, "end_condition": end, **assessment_content(segment.assessment)}
 
 
 JSON = Writer(
