@@ -41,9 +41,8 @@ def main() -> None:
         for seed in range(FIRST_SEED, FIRST_SEED + given.count):
             made = make(family, seed)
             claims = [c for c in found_with(weights, made.demonstration) if c.contact_change]
-            right = is_right(made, claims)
-            missed = sum(event.kind == "contact" for event in made.events) - sum(right)
-            found.append((missed + right.count(False), made, claims, right))
+            wrong, right = judged(made, claims)
+            found.append((wrong, made, claims, right))
         found.sort(key=lambda each: (-each[0], each[1].demonstration.name))
         figure = Figure(figsize=(12.0, 3.6 * given.drawn), layout="constrained")
         axes = figure.subplots(
@@ -56,14 +55,16 @@ def main() -> None:
         print(f"{family}: {len(wrong)} of {len(found)} with something wrong; {', '.join(wrong)}")
 
 
-def is_right(made: Made, claims: list[Claim]) -> list[bool]:
-    """Which claims are a contact change of the truth, or lie where nobody knows."""
+def judged(made: Made, claims: list[Claim]) -> tuple[int, list[bool]]:
+    """How many contact changes are missed or false, and which claims are right or lie where nobody
+    knows."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "truth.json"
         path.write_text(json.dumps({"it": made.truth()}))
         truth = read_truth(path)["it"].judged
-    alone = [judge(truth, [claim]).tally for claim in claims]
-    return [tally.false == 0 for tally in alone]
+    contact = judge(truth, claims).kinds.get("contact")
+    wrong = 0 if contact is None else contact.missed + contact.false
+    return wrong, [judge(truth, [claim]).tally.false == 0 for claim in claims]
 
 
 def draw(made: Made, claims: list[Claim], right: list[bool], above, below) -> None:
