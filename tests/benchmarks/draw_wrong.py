@@ -62,9 +62,9 @@ def judged(made: Made, claims: list[Claim]) -> tuple[int, list[bool]]:
         path = Path(folder) / "truth.json"
         path.write_text(json.dumps({"it": made.truth()}))
         truth = read_truth(path)["it"].judged
-    contact = judge(truth, claims).kinds.get("contact")
-    wrong = 0 if contact is None else contact.missed + contact.false
-    return wrong, [judge(truth, [claim]).tally.false == 0 for claim in claims]
+    contact = judge(truth, claims).kinds["contact"]
+    alone = [judge(truth, [claim]).kinds["contact"] for claim in claims]
+    return contact.missed + contact.false, [tally.false == 0 for tally in alone]
 
 
 def draw(made: Made, claims: list[Claim], right: list[bool], above, below) -> None:

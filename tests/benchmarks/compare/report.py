@@ -62,7 +62,7 @@ def draw(scores: Scores, times: Times, made: set[str], path: Path) -> None:
     for label, name in zip(accuracy.get_yticklabels(), sets, strict=True):
         label.set_color("#1b1f24" if name in made else "#7a4b00")
     accuracy.invert_yaxis()
-    accuracy.legend(fontsize=8, loc="lower left")
+    figure.legend(*accuracy.get_legend_handles_labels(), loc="outside lower center", ncols=4)
     scale = "log" if times else "linear"
     speed.set(xscale=scale, yscale=scale, xlabel="recording [s]", ylabel="processor time [s]")
     for axes in (accuracy, speed):
