@@ -11,9 +11,11 @@ import argparse
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import wrap
 
 import numpy as np
 
+from keyphase.demonstration import Demonstration
 from keyphase.errors import KeyphaseError
 from keyphase.labeling.label import label
 from keyphase.readers import find_recordings, read
@@ -27,12 +29,13 @@ from keyphase.skills.library import skills_of
 
 @dataclass(frozen=True, eq=False)
 class Replayed:
-    """What became of one recording."""
+    """What became of one recording, and what it met: the recording without the sensor's offset."""
 
     name: str
     doubtful: bool
     outcome: str
     result: ReplayResult | None = None
+    met: Demonstration | None = None
 
 
 def replayed(path: Path) -> Replayed | None:
@@ -50,10 +53,10 @@ def replayed(path: Path) -> Replayed | None:
         result = run(cell.build(), skills, met)
     except KeyphaseError as error:
         return Replayed(path.stem, cell.doubt is not None, str(error))
-    return Replayed(path.stem, cell.doubt is not None, result.outcome(), result)
+    return Replayed(path.stem, cell.doubt is not None, result.outcome(), result, met)
 
 
-def draw(folder: Path, name: str, one: Replayed, demonstration_path: Path) -> None:
+def draw(folder: Path, name: str, one: Replayed) -> None:
     """Path and force over time, demonstrated in grey and replayed in colour."""
     import matplotlib
 
@@ -61,7 +64,9 @@ def draw(folder: Path, name: str, one: Replayed, demonstration_path: Path) -> No
     from matplotlib import pyplot
 
     assert one.result is not None
-    demonstration, states = read(demonstration_path), one.result.states
+    assert one.met is not None
+    assert one.met.force_N is not None
+    demonstration, states = one.met, one.result.states
     at = [(s.demonstrated_s, s.sample) for s in states if s.demonstrated_s is not None]
     time = np.array([t for t, _ in at])
     figure, (path, force) = pyplot.subplots(2, 1, figsize=(11, 6), sharex=True)
@@ -79,9 +84,10 @@ def draw(folder: Path, name: str, one: Replayed, demonstration_path: Path) -> No
     path.set_ylabel("position, mm")
     force.set_ylabel("force, N")
     force.set_xlabel("moment of the demonstration, s")
-    path.set_title(f"{name}, {one.name}: {one.outcome}"[:120])
-    path.legend(loc="upper right")
-    force.legend(loc="upper right")
+    path.set_title("\n".join(wrap(f"{name}, {one.name}: {one.outcome}", 100)))
+    for axes in (path, force):
+        axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), markerscale=6, frameon=False)
+    figure.tight_layout()
     folder.mkdir(parents=True, exist_ok=True)
     figure.savefig(folder / f"replayed_{name}.png", dpi=80)
     pyplot.close(figure)
@@ -98,7 +104,7 @@ def of_set(folder: Path, only: list[str], pictures: Path | None) -> Iterator[Rep
             continue
         print(f"{folder.name:20} {one.name:24} {one.outcome}", flush=True)
         if pictures and not drawn and one.result is not None:
-            draw(pictures, folder.name, one, found.path)
+            draw(pictures, folder.name, one)
             drawn = True
         yield one
 
