@@ -78,7 +78,7 @@ def pushed_at(skill, fraction):
     """What is exerted besides, at a fraction of the demonstrated time."""
     pushed = np.zeros(3)
     for kept in skill["kept"]:
-        if rows := kept["pushed_N"]:
+        if rows := kept.get("pushed_N"):
             place = min(max(fraction, 0.0), 1.0) * (len(rows) - 1)
             before, after = (
                 np.array(rows[int(place)]),
@@ -321,7 +321,7 @@ class Plan:
             self.dragged = self.dragged + share * (self.sensed[3] - self.dragged)
             self.pressed = self.kept(min(shown, 1.0), self.dragged)
             pushed = self.touching() * pushed_at(self.skill, min(shown, 1.0))
-            self.pushed = self.pushed + min(h / self.e["pushed_s"], 1.0) * (pushed - self.pushed)
+            self.pushed = self.pushed + min(h / self.e.get("pushed_s", h), 1.0) * (pushed - self.pushed)
         at, wxyz, self.velocity = self.press(self.yr, self.qr, self.vr)
         at = at + self.pushed / self.file["gains"]["stiffness_N_m"]
         return self.softly(at, wxyz, self.velocity)
