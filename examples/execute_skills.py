@@ -321,7 +321,9 @@ class Plan:
             self.dragged = self.dragged + share * (self.sensed[3] - self.dragged)
             self.pressed = self.kept(min(shown, 1.0), self.dragged)
             pushed = self.touching() * pushed_at(self.skill, min(shown, 1.0))
-            self.pushed = self.pushed + min(h / self.e.get("pushed_s", h), 1.0) * (pushed - self.pushed)
+            self.pushed = self.pushed + min(h / self.e.get("pushed_s", h), 1.0) * (
+                pushed - self.pushed
+            )
         at, wxyz, self.velocity = self.press(self.yr, self.qr, self.vr)
         at = at + self.pushed / self.file["gains"]["stiffness_N_m"]
         return self.softly(at, wxyz, self.velocity)
