@@ -46,7 +46,7 @@ export function drawBand(state, scale, row) {
     const place = { ...box, left, width: Math.max(right - left, 1) };
     nodes.push(drawSegment(segment, index, place));
     if (isChosen(index)) rings.push(drawRing(place));
-    if (isMarked(segment)) rings.push(...drawMark(segment.assessment, place));
+    if (isMarked(segment)) rings.push(...drawMark(segment, place));
   });
   nodes.push(...rings);
   if (range) nodes.push(drawRange(doc, range, scale, box));
@@ -72,7 +72,7 @@ function keptText(segment, index, { left, top, width, height }) {
   const numberWidth = textWidth(number, "700 12px");
   if (width < numberWidth + 8) return [];
   const textLeft = left + 9 + numberWidth + 7;
-  const room = left + width - textLeft - 6;
+  const room = left + width - textLeft - 6 - markWidth(segment);
   const label = fittingLabel(segment, room, "600 12px");
   const two = height >= 30 && width > 70 && label !== "";
   const base = two ? top + 15 : top + height / 2 + 4;
@@ -103,7 +103,8 @@ function droppedText(segment, index, { left, top, width, height }) {
   const middle = top + height / 2;
   const numberWidth = textWidth(number, "11.5px");
   if (width < numberWidth + 14) return [];
-  const label = fittingLabel(segment, width - numberWidth - 38, "11.5px");
+  const room = width - numberWidth - 38 - markWidth(segment);
+  const label = fittingLabel(segment, room, "11.5px");
   const plate = label ? numberWidth + textWidth(label, "11.5px") + 24 : numberWidth + 12;
   const at = left + Math.min(6, (width - plate) / 2);
   const nodes = [
@@ -138,26 +139,37 @@ function droppedText(segment, index, { left, top, width, height }) {
 const isMarked = ({ assessment: { outcome, quality, note } }) =>
   Boolean(outcome || quality || note);
 
-/**
- * What a person thinks of it, in its upper right corner.
- * @param {import("../messages/list_messages").Assessment} said
- */
-function drawMark({ outcome, quality, note }, { left, top, width }) {
-  const sign = outcome ? { success: "✓", failure: "✗" }[outcome] : "";
-  const text = `${sign}${quality ?? ""}` || "…";
-  const wide = textWidth(text, "700 11px") + 8;
-  if (width < wide + 4) return [];
-  const at = left + width - wide - 2;
+/** What a person thinks of a segment, in a sign and a figure. */
+const markText = ({ assessment: { outcome, quality } }) =>
+  `${outcome ? { success: "✓", failure: "✗" }[outcome] : ""}${quality ?? ""}` || "…";
+
+/** Room that the mark of a segment takes [px]. */
+const markWidth = (segment) =>
+  isMarked(segment) ? textWidth(markText(segment), "700 11px") + 10 : 0;
+
+/** A narrower segment keeps its number, and its mark is a dot. */
+const LEAST_BESIDE_MARK_PX = 26;
+
+/** What a person thinks of it, in its upper right corner. */
+function drawMark(segment, { left, top, width }) {
+  const { outcome, quality, note } = segment.assessment;
   const told = [outcome, quality && `quality ${quality} of 5`, note].filter(Boolean).join(", ");
-  return [
-    svg(
-      "g",
-      { class: `segment-mark ${outcome ?? ""}` },
-      svg("title", { text: told }),
-      svg("rect", { x: at, y: top + 2, width: wide, height: 14, rx: 3 }),
-      svg("text", { x: at + wide / 2, y: top + 13, "text-anchor": "middle", text }),
-    ),
-  ];
+  const wide = markWidth(segment) - 2;
+  const right = left + width - 2;
+  const isDot = width < wide + LEAST_BESIDE_MARK_PX;
+  const shape = isDot
+    ? [svg("circle", { cx: right - 3, cy: top + 5, r: 3 })]
+    : [
+        svg("rect", { x: right - wide, y: top + 2, width: wide, height: 14, rx: 3 }),
+        svg("text", {
+          x: right - wide / 2,
+          y: top + 13,
+          "text-anchor": "middle",
+          text: markText(segment),
+        }),
+      ];
+  const look = `segment-mark ${outcome ?? ""}`;
+  return [svg("g", { class: look }, svg("title", { text: told }), ...shape)];
 }
 
 /** The stretch that is being named by a key held down. @param {import("../lib/store.js").State} state */
