@@ -10,6 +10,8 @@ Simulated recordings take a while to make and are kept in CACHE.
 import argparse
 import sys
 from collections.abc import Iterable, Sequence
+from itertools import combinations
+from math import comb
 from pathlib import Path
 
 import numpy as np
@@ -57,7 +59,7 @@ def _asked() -> argparse.Namespace:
     parser.add_argument("--grips", type=int, default=40, help="recordings of the pick and place")
     parser.add_argument("--only", default="", help="only tasks with this in their name")
     parser.add_argument("--seed", type=int, default=0, help="of who teaches")
-    parser.add_argument("--draws", type=int, default=5, help="how often teachers are drawn")
+    parser.add_argument("--draws", type=int, default=5, help="choices of teachers; all, if fewer")
     parser.add_argument("--jobs", type=int, default=1)
     return parser.parse_args()
 
@@ -79,13 +81,20 @@ def _enough(cached, task: str, count: int, jobs: int) -> list[Known]:
 
 
 def _tried(known: Sequence[Known], count: int, asked: argparse.Namespace) -> list[Tried]:
-    """All the others of a task, taught by `count` drawn ones, a few times."""
+    """All the others of a task, taught by every choice of `count`, or by as many as asked for."""
     if len(known) <= count:
         return []
-    rng = np.random.default_rng(asked.seed)
-    drawn = [rng.choice(len(known), count, replace=False).tolist() for _ in range(asked.draws)]
+    drawn = _choices(len(known), count, asked)
     results = Parallel(n_jobs=asked.jobs)(delayed(tries)(known, one) for one in drawn)
     return [tried for some in results for tried in some]
+
+
+def _choices(known: int, count: int, asked: argparse.Namespace) -> list[list[int]]:
+    """Which ones teach: every choice where there are no more than wanted, else drawn ones."""
+    if comb(known, count) <= asked.draws:
+        return [list(one) for one in combinations(range(known), count)]
+    rng = np.random.default_rng(asked.seed)
+    return [rng.choice(known, count, replace=False).tolist() for _ in range(asked.draws)]
 
 
 def _calibrated(tried: Iterable[Tried]) -> bool:

@@ -125,12 +125,26 @@ def _rename_in_all(page: KeyphasePage) -> None:
 
 
 def _arrange_phases(page: KeyphasePage, folder: Path) -> None:
-    """Ends and order of the phases are kept in the folder."""
+    """Ends and order of the phases are kept in the folder, and taken back step by step."""
     page.page.get_by_label("What Lower ends with").select_option("gripper")
     page.page.get_by_role("button", name="Later: Reach").click()
     page.until("keyphase.state.grid.phases[1].name === 'Reach'")
-    kept = read_folder_settings(folder).tasks[0].phases
-    assert [(one.name, one.end) for one in kept][:1] == [("Lower", "gripper")]
+    _wait_until_kept(page, folder, [("Lower", "gripper"), ("Reach", "configuration")])
+    undo = page.page.get_by_role("button", name="Undo the last change of the list of phases")
+    undo.click()
+    undo.click()
+    undo.wait_for(state="hidden")
+    _wait_until_kept(page, folder, [("Reach", "configuration"), ("Lower", "contact")])
+
+
+def _wait_until_kept(page: KeyphasePage, folder: Path, expected: list[tuple[str, str]]) -> None:
+    """Until the folder's first phases and their ends are these."""
+    for _ in range(100):
+        phases = read_folder_settings(folder).tasks[0].phases
+        if [(one.name, one.end) for one in phases][:2] == expected:
+            return
+        page.page.wait_for_timeout(50)
+    raise AssertionError(phases)
 
 
 def _open_by_keys(page: KeyphasePage) -> None:

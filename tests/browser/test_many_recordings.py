@@ -85,14 +85,14 @@ def test_parameters_are_applied_to_all_by_keys_after_a_look_at_what_would_change
 
 def test_the_panels_button_applies_parameters_to_all_by_clicks(two: KeyphasePage) -> None:
     page = two
-    _one_gaussian(page)
+    page.set_parameter("force_threshold", 0.9)
     page.panel.get_by_role("button", name="Apply to all…").click()
     page.page.locator("#spread button:enabled", has_text="Apply to all").wait_for()
     page.picture("spread_by_mouse")
     page.page.locator("#spread").get_by_role("button", name="Apply to all").click()
     page.page.locator(".notice", has_text="All recordings").wait_for()
     _open(page, "synthetic_setup1")
-    assert page.document["parameters"]["gaussians"] == 1
+    assert page.document["parameters"]["force_threshold"] == 0.9
 
 
 def test_parameters_are_not_applied_where_a_person_thinks_better_of_it(two: KeyphasePage) -> None:

@@ -1,6 +1,7 @@
 /** What a person can do with all recordings of the folder beside each other. */
 
 import { countOf } from "../model/recordings/grid.js";
+import { lastPhaseStep, withPhaseStep } from "../model/recordings/phase_steps.js";
 
 /**
  * @param {import("../lib/store.js").Store} store
@@ -13,7 +14,8 @@ export function createGridActions(store, send, actions) {
     /** Shows all recordings of the folder, or no more. */
     toggleGrid() {
       const gridShown = !state.gridShown;
-      store.set({ gridShown, gridChange: null, ...(gridShown ? { grid: null } : {}) });
+      const anew = gridShown ? { grid: null, phaseSteps: [] } : {};
+      store.set({ gridShown, gridChange: null, ...anew });
       send({ type: "grid", shown: gridShown });
     },
     askForGrid: () => send({ type: "grid", shown: true }),
@@ -34,9 +36,24 @@ export function createGridActions(store, send, actions) {
       store.set({ gridChange: null });
     },
     undoInAll: () => !state.readOnly && send({ type: "phase_undo" }),
-    /** Keeps these as the phases of the task. @param {import("../model/recordings/grid.js").Phase[]} phases */
-    writePhases: (phases) =>
-      !state.readOnly && state.grid && send({ type: "phases", name: state.grid.task, phases }),
+    /** Keeps these as the phases of the task; seen at once, so that the next change builds on it. @param {import("../model/recordings/grid.js").Phase[]} phases */
+    writePhases(phases) {
+      const { grid, phaseSteps } = state;
+      if (state.readOnly || !grid) return;
+      if (send({ type: "phases", name: grid.task, phases }))
+        store.set({
+          phaseSteps: withPhaseStep(phaseSteps, grid.phases, phases),
+          grid: { ...grid, phases },
+        });
+    },
+    /** The list of phases as it was before its last change. */
+    undoPhases() {
+      const { grid, phaseSteps } = state;
+      const last = grid && lastPhaseStep(phaseSteps, grid.phases);
+      if (state.readOnly || !last) return;
+      if (send({ type: "phases", name: grid.task, phases: last.before }))
+        store.set({ phaseSteps: phaseSteps.slice(0, -1), grid: { ...grid, phases: last.before } });
+    },
     /** Calls a phase otherwise: where recordings have it, after a look at them all. */
     renamePhase(name, to) {
       const { grid } = state;

@@ -99,7 +99,7 @@ export function createReceiver(
     replay_closed: () => store.set({ replay: null, samples: null, replayView: null }),
     replay_samples: (message) => replay.samples(message),
     refused(message) {
-      store.set({ saving: false, exporting: null });
+      store.set({ saving: false, exporting: null, refusals: state.refusals + 1 });
       own.refused(message.event);
       notices.show({ level: "warning", text: refusalText(state, message) });
     },

@@ -62,6 +62,8 @@ import { firstChoice } from "./rows.js";
  * All recordings of the folder beside each other; `goTo` is where one goes on from there
  * @typedef {{grid: import("./recordings/grid.js").Grid|null, gridShown: boolean, gridAlign: string,
  *   gridChange: import("./recordings/grid.js").Change|null,
+ *   refusals: number,
+ *   phaseSteps: import("./recordings/phase_steps.js").PhaseStep[],
  *   goTo: {id: string, time_s: number}|null}} Beside
  *
  * @typedef {Told & Seen & Beside} State
@@ -78,6 +80,8 @@ const nothingBeside = () => ({
   gridShown: false,
   gridAlign: "start",
   gridChange: null,
+  refusals: 0,
+  phaseSteps: [],
   goTo: null,
 });
 

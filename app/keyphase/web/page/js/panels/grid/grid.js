@@ -78,9 +78,10 @@ export function createGrid(store, actions) {
   });
   store.on(["grid", "gridAlign", "gridChange", "gridShown", "recording"], draw);
   addEventListener("resize", draw);
-  // A server that has come back knows nothing of what this page shows.
+  // A server that has come back knows nothing of what this page shows; and what was shown as done
+  // may have been refused.
   store.on(
-    ["connected"],
+    ["connected", "refusals"],
     ({ connected, gridShown }) => connected && gridShown && actions.askForGrid(),
   );
 }

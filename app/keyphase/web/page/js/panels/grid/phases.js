@@ -10,6 +10,7 @@ import {
   phaseNames,
   shifted,
 } from "../../model/recordings/grid.js";
+import { lastPhaseStep } from "../../model/recordings/phase_steps.js";
 
 /**
  * @typedef {import("../../model/recordings/grid.js").Phase} Phase
@@ -52,19 +53,28 @@ export function createPhases(store, actions) {
     actions.writePhases([...grid.phases, phaseOf(name, grid)]);
     input.value = "";
   });
-  const title = el("h3", { text: "Phases of the task" });
+  const undo = el("button", {
+    type: "button",
+    class: "link",
+    text: "Undo",
+    title: "The list as it was before its last change",
+    "aria-label": "Undo the last change of the list of phases",
+    on: { click: () => actions.undoPhases() },
+  });
   const node = el(
     "aside",
     { class: "grid-phases", "aria-label": "Phases of the task" },
-    title,
+    el("div", { class: "phases-head" }, el("h3", { text: "Phases of the task" }), undo),
     none,
     list,
     add,
     others,
   );
 
-  store.on(["grid", "gridChange", "readOnly"], ({ grid, readOnly }) => {
+  store.on(["grid", "gridChange", "readOnly", "phaseSteps"], (state) => {
+    const { grid, readOnly, phaseSteps } = state;
     if (!grid) return;
+    undo.hidden = readOnly || !lastPhaseStep(phaseSteps, grid.phases);
     none.hidden = grid.phases.length > 0;
     add.hidden = readOnly;
     redraw(
