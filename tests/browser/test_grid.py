@@ -131,6 +131,7 @@ def _arrange_phases(page: KeyphasePage, folder: Path) -> None:
     page.until("keyphase.state.grid.phases[1].name === 'Reach'")
     _wait_until_kept(page, folder, [("Lower", "gripper"), ("Reach", "configuration")])
     undo = page.page.get_by_role("button", name="Undo the last change of the list of phases")
+    page.picture("grid_phases")
     undo.click()
     undo.click()
     undo.wait_for(state="hidden")
