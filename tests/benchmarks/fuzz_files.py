@@ -5,7 +5,7 @@
 A fault is: an exception that is no KeyphaseError, a process that ends, more than ten seconds of
 processor time, more memory than four times the file's size and 64 MB, a reading that differs from
 numpy's or the csv module's where both read. Each is printed with the number of its case;
-`--first N --cases 1` tries it again.
+`--first N --cases 1` tries it again, with the same `--only`.
 """
 
 import argparse
@@ -14,6 +14,7 @@ import select
 import subprocess
 import sys
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 
 WORKER = Path(__file__).with_name("fuzzing") / "worker.py"
@@ -22,21 +23,28 @@ WAIT_S = 300.0
 SOUND = ("read", "refused")
 
 
-def fuzz(cases: int, seed: int, first: int = 0) -> tuple[Counter[tuple[str, str]], list[str]]:
+def fuzz(
+    cases: int, seed: int, first: int = 0, only: Sequence[str] = ()
+) -> tuple[Counter[tuple[str, str]], list[str]]:
     """Try cases in warm child processes: how often each kind came out how, and the faults."""
     counts: Counter[tuple[str, str]] = Counter()
     faults: list[str] = []
     at, last = first, first + cases
     while at < last:
-        at = _until_it_ends(seed, at, last, counts, faults)
+        at = _until_it_ends(seed, at, last, counts, faults, only)
     return counts, faults
 
 
 def _until_it_ends(
-    seed: int, first: int, last: int, counts: Counter[tuple[str, str]], faults: list[str]
+    seed: int,
+    first: int,
+    last: int,
+    counts: Counter[tuple[str, str]],
+    faults: list[str],
+    only: Sequence[str],
 ) -> int:
     """The case to go on with after the process has ended."""
-    command = [sys.executable, str(WORKER), str(seed), str(first), str(last)]
+    command = [sys.executable, str(WORKER), str(seed), str(first), str(last), *only]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as worker:
         begun: dict[str, object] | None = None
         while line := _line(worker):
@@ -80,8 +88,11 @@ def main() -> int:
     parser.add_argument("--cases", type=int, default=20_000)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--first", type=int, default=0)
+    parser.add_argument(
+        "--only", nargs="*", default=[], help="kinds of file, as the table names them"
+    )
     options = parser.parse_args()
-    counts, faults = fuzz(options.cases, options.seed, options.first)
+    counts, faults = fuzz(options.cases, options.seed, options.first, options.only)
     kinds = dict.fromkeys(kind for kind, _ in counts)
     print("| kind | cases | read | refused | faults |\n|---|---|---|---|---|")
     for kind in kinds:

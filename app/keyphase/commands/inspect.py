@@ -59,7 +59,7 @@ class Inspect:
             raise KeyphaseError(
                 f"Expected recordings in {', '.join(map(str, self.paths))}, but found none."
             )
-        proposals: dict[Path, Proposal | None] = {}
+        proposals: dict[Path, Proposal | str] = {}
         results = [_inspected(path, self.recipe, proposals) for path in found]
         if self.write:
             for result in {split_part(one["path"])[0]: one for one in results[::-1]}.values():
@@ -82,7 +82,7 @@ def _unread_tables(folder: Path, found: list[Path]) -> Iterator[Path]:
 
 
 def _inspected(
-    path: Path, recipe: Path | None, proposals: "dict[Path, Proposal | None]"
+    path: Path, recipe: Path | None, proposals: "dict[Path, Proposal | str]"
 ) -> dict[str, Any]:
     """One recording; of those in one file only one is looked at for a proposal."""
     from keyphase.readers import read
@@ -93,7 +93,11 @@ def _inspected(
         file = split_part(path)[0]
         if file not in proposals:
             proposals[file] = _proposal(path)
-        return {"path": path, "code": UNREAD, "reason": str(error), "proposal": proposals[file]}
+        proposed = proposals[file]
+        result: dict[str, Any] = {"path": path, "code": UNREAD, "reason": str(error)}
+        if not isinstance(proposed, str):
+            return result | {"proposal": proposed}
+        return result | {"proposal": None, "no_recipe": proposed.replace(f"{file}: ", "")}
     odd = set(_oddities(demonstration))
     notices = tuple(notice for notice in demonstration.notices if notice not in odd)
     return {
@@ -165,13 +169,14 @@ def _facts(demonstration: "Demonstration") -> dict[str, Any]:
     }
 
 
-def _proposal(path: Path) -> "Proposal | None":
+def _proposal(path: Path) -> "Proposal | str":
+    """The proposal, or why there is none."""
     from keyphase.readers.proposing.proposal import propose
 
     try:
         return propose(path)
-    except (DemonstrationError, MissingPackageError):
-        return None
+    except (DemonstrationError, MissingPackageError) as error:
+        return str(error)
 
 
 def _write_recipe(result: dict[str, Any], *, replace: bool) -> None:
@@ -230,6 +235,9 @@ def _listed(names: list[str]) -> str:
 def _proposed_lines(result: dict[str, Any]) -> Iterator[str]:
     proposal: Proposal | None = result["proposal"]
     if proposal is None:
+        told = "expected a recording, but" in result["reason"]
+        if not told and result["no_recipe"] not in result["reason"]:
+            yield f"  no recipe can be proposed: {result['no_recipe']}"
         return
     if "in_the_way" in result:
         yield f"  {result['in_the_way']}"

@@ -9,7 +9,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from fuzzing import sound
+from fuzzing import more_sound, sound
 from keyphase.demonstration import Demonstration
 
 
@@ -41,6 +41,12 @@ def _part(part: str) -> Callable[[Path], Demonstration]:
         return read(f"{path}#{part}")
 
     return use
+
+
+def _proposal(path: Path) -> str:
+    from keyphase.readers.proposing.proposal import propose
+
+    return propose(path).recipe_text()
 
 
 def _like_numpy(path: Path) -> Demonstration:
@@ -142,6 +148,14 @@ KINDS = {
     "ros 1 bag": Kind(sound.bag, _read, 2),
     "ros 2 bag": Kind(sound.ros2, _read, 1, "run/*"),
     "mcap": Kind(sound.mcap, _read, 2, "run/*"),
+    "npz of other names": Kind(more_sound.archive, _read, 2),
+    "mat 7.3": Kind(more_sound.matlab_73, _read, 2),
+    "parquet": Kind(more_sound.parquet, _read, 2),
+    "mcap of JSON": Kind(more_sound.json_messages, _read, 2),
+    "mcap of Protobuf": Kind(more_sound.protobuf_messages, _read, 2),
+    "table of all sections": Kind(more_sound.sections, _part("second"), 2),
+    "recipe of all sections": Kind(more_sound.sections, _part("second"), 2, "*.recipe.toml"),
+    "unknown table": Kind(more_sound.unknown_table, _proposal, 2),
     "segment file": Kind(sound.segment_file, _segment_file, 8),
     "journal": Kind(sound.journal, _journal, 8),
     "folder file": Kind(sound.folder_file, _folder, 6),

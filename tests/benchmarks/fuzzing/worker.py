@@ -1,6 +1,6 @@
 """One warm process that tries case after case and writes a line before and after each.
 
-    python worker.py SEED FIRST LAST
+    python worker.py SEED FIRST LAST [KIND …]
 
 The time of a case is the processor's: one that takes more than TIME_S ends the process.
 """
@@ -33,10 +33,12 @@ def main() -> None:
     """Try the cases FIRST to LAST."""
     seed, first, last = (int(word) for word in sys.argv[1:4])
     resource.setrlimit(resource.RLIMIT_AS, (ROOM_BYTES, ROOM_BYTES))
-    names = [name for name, kind in KINDS.items() for _ in range(kind.weight)]
+    wanted = sys.argv[4:] or list(KINDS)
+    kinds = {name: KINDS[name] for name in wanted}
+    names = [name for name, kind in kinds.items() for _ in range(kind.weight)]
     with tempfile.TemporaryDirectory() as folder:
         sound = {}
-        for number, (name, kind) in enumerate(KINDS.items()):
+        for number, (name, kind) in enumerate(kinds.items()):
             place = Path(folder, f"sound-{number}")
             place.mkdir()
             sound[name] = kind.make(place)

@@ -29,7 +29,7 @@ def read_format(
     recipe does not fit, MissingPackageError where the format's package is not installed.
     """
     table, chosen = table_and_recipe(path, part, form, recipe, limit_bytes)
-    side = _split(form, path, part)[1]
+    side = split_side(form, path, part)[1]
     source = Source(
         with_part(path, part) if part else path, sha256_of_part(table.fingerprint(), side)
     )
@@ -42,18 +42,18 @@ def table_and_recipe(
     path: Path, part: str | None, form: Format, recipe: Recipe | None, limit_bytes: int
 ) -> tuple[ArrayTable, Recipe]:
     """The columns of a recording and how they are read; errors as in `read_format`."""
-    inner, side = _split(form, path, part)
+    inner, side = split_side(form, path, part)
     table = form.table(path, inner, limit_bytes)
     return table, recipe_of_part(recipe or _preset(table), side, str(path))
 
 
 def fingerprint_of(path: Path, part: str | None, form: Format, limit_bytes: int) -> str:
     """SHA-256 (hex) of one recording's numbers; errors as in `read_format`."""
-    inner, side = _split(form, path, part)
+    inner, side = split_side(form, path, part)
     return sha256_of_part(form.table(path, inner, limit_bytes).fingerprint(), side)
 
 
-def _split(form: Format, path: Path, part: str | None) -> tuple[str | None, str | None]:
+def split_side(form: Format, path: Path, part: str | None) -> tuple[str | None, str | None]:
     """Which recording of a file is meant, and which tool of it: `demo_3+left`."""
     parts = form.parts(path)
     if part is None or part in parts or (parts and "+" not in part):

@@ -68,10 +68,13 @@ class Looked:
         return max(fitting, key=lambda clock: _nearness(self.names[clock], name))
 
 
-def _nearness(clock: str, name: str) -> tuple[bool, int, bool]:
-    """The same last word of a path counts most, then the same beginning, then a header's stamp."""
+def _nearness(clock: str, name: str) -> tuple[bool, bool, int, int]:
+    """The same last word of a path counts most, then a bag's own clocks, which have one zero, then
+    the same beginning, and a header's stamp.
+    """
     same = clock.rpartition("/")[2] == name.rpartition("/")[2].partition("[")[0]
-    return same, _shared(clock, name), not clock.endswith(".log_time")
+    bag = 2 * clock.endswith(".stamp") + clock.endswith(".log_time")
+    return same, bag > 0, _shared(clock, name), bag
 
 
 def _shared(one: str, other: str) -> int:

@@ -19,6 +19,9 @@ _POINT = re.compile(r"[+-]?\d*\.\d+(e[+-]?\d+)?|[+-]?\d+(e[+-]?\d+)?|nan|inf", r
 _COMMA = re.compile(r"[+-]?\d*,\d+(e[+-]?\d+)?|[+-]?\d+(e[+-]?\d+)?|nan|inf", re.I)
 
 
+_LISTS = re.compile(r"[\[(]\s*[+-]?\d+(\.\d*)?(e[+-]?\d+)?[\s,;]+[+-]?\d")
+
+
 @dataclass(frozen=True)
 class Layout:
     """A layout, its encoding as a recipe writes it, and why each is thought to be so.
@@ -48,6 +51,11 @@ def layout_of(data: bytes) -> Layout:
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")[:_LOOKED_AT_LINES]
     found = [_fitted(lines, separator, decimal) for separator, decimal in _choices()]
     best = max(found, key=lambda one: one.worth)
+    if best.worth <= 0 and any(_LISTS.search(line) for line in lines):
+        raise DemonstrationError(
+            "expected a number in each cell, but cells hold lists such as [0.1, 0.2]; write each "
+            "number into a column of its own, as x, y and z."
+        )
     if best.worth <= 0:
         raise DemonstrationError(
             "expected a table, rows of numbers under one another, but no separator makes one of "

@@ -25,7 +25,12 @@ QUATERNION = re.compile(r"quat|orient|(^|[\W_])q[\W_]?[wxyz0-3]|(^|[\W_])u[0-3]$
 EULER = re.compile(r"roll|pitch|yaw|euler|rpy|(^|[\W_])r[xyz]|rot", re.I)
 TURN = re.compile(r"rot|axis.?angle|euler|rpy|orient", re.I)
 GRIPPER = re.compile(r"grip|greifer|width|opening|finger|backe", re.I)
-JOINT = re.compile(r"joint|achse|axis_?\d|(^|[\W_])[qj]_?\d|qpos", re.I)
+JOINT = re.compile(
+    r"joint|achse|axis_?\d|(^|[\W_])[qj]_?\d|qpos"
+    r"|(shoulder|elbow|wrist|waist|forearm)_(pan|lift|flex|roll|rotate|angle|yaw|pitch)"
+    r"|(shoulder|elbow|wrist|waist|forearm)(_\w+)?\.pos$",
+    re.I,
+)
 NO_JOINT = re.compile(
     r"header|stamp|seq|vel|qd|effort|torque|current|cmd|soll|target|action|tau", re.I
 )

@@ -10,6 +10,7 @@ from keyphase.errors import DemonstrationError
 from keyphase.files.parts import split_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
 from keyphase.readers.formats.known import format_of
+from keyphase.readers.formats.reader import split_side
 from keyphase.readers.proposing.columns import Looked, looked_at_arrays, looked_at_table
 from keyphase.readers.proposing.frames import other_transforms
 from keyphase.readers.proposing.guess import Guess
@@ -31,7 +32,12 @@ from keyphase.readers.proposing.written import (
     unread_lines,
     without_time,
 )
-from keyphase.readers.recipes.presets import WRENCH_QUESTIONS, fitting_preset, left_open
+from keyphase.readers.recipes.presets import (
+    ROBOT_QUESTIONS,
+    WRENCH_QUESTIONS,
+    fitting_preset,
+    left_open,
+)
 from keyphase.readers.table import open_table
 
 _MAX_REMARKS = 10
@@ -98,7 +104,10 @@ class Proposal:
         for guess in guesses:
             clock = self.clocks.get(section_of(guess))
             lines += guess_lines(guess, self._chosen(guess), clock, inside)
-        if {guess.role for guess in guesses} & {"force", "torque"}:
+        roles = {guess.role for guess in guesses}
+        if "joints" in roles and not roles & {"position", "pose"}:
+            lines += ["", f"[{inside}robot]", *ROBOT_QUESTIONS]
+        if roles & {"force", "torque"}:
             remarks = [f"# {remark}" for remark in self.remarks[:_MAX_REMARKS]]
             lines += ["", *remarks, f"[{inside}wrench]", *WRENCH_QUESTIONS.values()]
         return lines
@@ -120,8 +129,8 @@ def propose(path: Path, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> Proposal:
     file, part = split_part(path)
     form = format_of(file)
     if form is not None:
-        part = part.rpartition("+")[0] or part if part else part
-        return _of_arrays(looked_at_arrays(form.table(file, part, limit_bytes)))
+        inner, _ = split_side(form, file, part)
+        return _of_arrays(looked_at_arrays(form.table(file, inner, limit_bytes)))
     whole = read_whole(file, limit_bytes)
     try:
         layout = layout_of(whole.data)
@@ -203,7 +212,7 @@ def _open_questions(guesses: Sequence[Guess]) -> tuple[str, ...]:
     by_role = {guess.role: guess for guess in guesses}
     placed = "position" in by_role or "pose" in by_role
     questions = [] if "time" in by_role else ["time is missing"]
-    questions += [] if placed else ["position is missing"]
+    questions += [] if placed else ["robot" if "joints" in by_role else "position is missing"]
     without_unit = ("quaternion", "rot6d", "matrix", "demonstration")
     questions += [
         f"{g.role}.unit" for g in guesses if not (g.unit or g.role in without_unit or g.detail)

@@ -17,6 +17,7 @@ from keyphase.errors import RecipeError
 _ENDING = ".toml"
 _NEEDS, _EXAMPLE = "needs", "example"
 
+ROBOT_QUESTIONS = ('# urdf = "arm.urdf"', '# tool_frame = "tool0"    # the link that is the tool')
 WRENCH_QUESTIONS = {
     "frame": '# frame = "base"    # or "tool": in whose axes is the wrench written?',
     "sign": "# sign = 1          # 1: pressing down on a table gives a force upwards; else -1",
@@ -72,10 +73,7 @@ def left_open(name: str) -> dict[str, list[str]]:
     if loaded and not {"frame", "sign"} <= wrench.keys():
         found["wrench"] = [line for key, line in WRENCH_QUESTIONS.items() if key not in wrench]
     if not {"pose", "position"} & every.keys():
-        found["robot"] = [
-            '# urdf = "arm.urdf"',
-            '# tool_frame = "tool0"    # the link that is the tool',
-        ]
+        found["robot"] = list(ROBOT_QUESTIONS)
     if "joint_torques" in every:
         found["joint_torques"] = ["# sign = 1    # 1: torques that act on the robot; else -1"]
     return found
