@@ -133,3 +133,19 @@ def test_a_robot_that_rests_is_not_called_held(tmp_path: Path) -> None:
     moves = np.clip(time, 0.5, 1.0) + np.clip(time, 1.5, 2.0)
     demonstration = read_rows(tmp_path, np.column_stack([time, moves, moves, moves]), "")
     assert len(demonstration.notices) == 1
+
+
+def test_a_force_that_came_late_is_moved_to_when_it_was_felt(tmp_path: Path) -> None:
+    time = np.arange(200) / 100
+    rows = [f"{t:.2f},{t:.4f},0,0,{5.0 * (t > 1.045)},0,0" for t in time]
+    (tmp_path / "late.csv").write_text("\n".join(["t,x,y,z,fx,fy,fz", *rows, ""]))
+    recipe = parse_recipe(
+        'time = {column = "t", unit = "s"}\nposition = {columns = ["x", "y", "z"], unit = "m"}\n'
+        'force = {columns = ["fx", "fy", "fz"], unit = "N", clock_offset_s = -0.04}\n'
+        'wrench = {frame = "base", sign = 1}\n',
+        "late",
+    )
+    found = read(tmp_path / "late.csv", recipe)
+    assert found.force_N is not None
+    assert found.time_s[np.argmax(found.force_N[:, 0] > 2)] == pytest.approx(1.01)
+    assert "Moved the clock of force by -0.04 s." in found.notices

@@ -118,14 +118,19 @@ def _on_one_clock(
             if section in recipe.clocks
             else rows.times(columns, time)
         )
+        + recipe.clock_offsets_s.get(section, 0.0)
         for section, columns in _columns_of(recipe).items()
         for channel in SECTIONS.get(section, (section,))
     }
     lengths = {len(values) for values in channels.values()} | {len(time)}
-    if not recipe.clocks and len(lengths) == 1:
+    if not recipe.clocks and not recipe.clock_offsets_s and len(lengths) == 1:
         return {"time_s": time, **channels}, notices
     brought, more = on_one_clock(channels, clocks, recipe.name)
-    return brought, notices + more
+    moved = tuple(
+        f"Moved the clock of {section} by {offset:+g} s."
+        for section, offset in recipe.clock_offsets_s.items()
+    )
+    return brought, notices + moved + more
 
 
 def _columns_of(recipe: Recipe) -> dict[str, Columns]:

@@ -125,6 +125,11 @@ def _one(values: Mapping[str, Any], name: str) -> Recipe:
         for channel, section in sections.items()
         if section is not None and (clock := section.column("time"))
     }
+    offsets = {
+        channel: offset
+        for channel, section in sections.items()
+        if section is not None and (offset := section.number("clock_offset_s"))
+    }
     named = named_of(keys.section("channels"))
     clocks |= {named_key(n): clock for n, (_, clock) in named.items() if clock is not None}
     recipe = Recipe(
@@ -145,6 +150,7 @@ def _one(values: Mapping[str, Any], name: str) -> Recipe:
         named={name: column for name, (column, _) in named.items()},
         events=events_of(keys.section("events")),
         clocks=clocks,
+        clock_offsets_s=offsets,
         split=split,
     )
     keys.finish()

@@ -186,6 +186,8 @@ class Recipe:
     joint_torques: JointTorques | None = None
     clocks: Mapping[str, Columns] = field(default_factory=dict)
     """Clocks of their own, by the section they stand in, in the unit of [time]."""
+    clock_offsets_s: Mapping[str, float] = field(default_factory=dict)
+    """What is added to the times of a section, by its name."""
     named: Mapping[str, Columns] = field(default_factory=dict)
     """Further channels, taken as they are, by name."""
     events: Columns | None = None
