@@ -9,6 +9,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.errors import DemonstrationError
 from keyphase.readers import parse_recipe, read
 from keyphase.readers.proposing.proposal import propose
 
@@ -195,3 +196,48 @@ def test_which_of_several_places_is_the_tools_is_left_open(tmp_path: Path) -> No
     proposal = propose(path)
     assert "position.columns" in proposal.open
     assert '# columns = ["Elbow X", "Elbow Y", "Elbow Z"]' in proposal.recipe_text()
+
+
+def test_micrometres_are_read_as_they_are_named(tmp_path: Path) -> None:
+    header = "t,Weg X (µm),Weg Y (µm),Weg Z (µm)"
+    path = tmp_path / "weg.csv"
+    path.write_bytes(
+        csv({"t": TIME, **{a: 1e6 * POSITION[:, i] for i, a in enumerate("xyz")}}, header)
+    )
+    np.testing.assert_allclose(read_as_proposed(path).position_m, POSITION, atol=1e-9)
+
+
+def test_a_unit_that_is_not_known_is_asked_for(tmp_path: Path) -> None:
+    path = tmp_path / "pixels.csv"
+    header = "t,x [px],y [px],z [px]"
+    path.write_bytes(csv({"t": TIME, **{a: POSITION[:, i] for i, a in enumerate("xyz")}}, header))
+    assert "position.unit" in propose(path).open
+
+
+def test_three_numbers_that_turn_are_a_vector_or_angles_as_a_person_says(tmp_path: Path) -> None:
+    columns = {"t": TIME, **{a: POSITION[:, i] for i, a in enumerate("xyz")}}
+    path = tmp_path / "rotvec.csv"
+    path.write_bytes(csv(columns | {f"r{a}": POSITION[:, i] for i, a in enumerate("xyz")}))
+    assert "orientation.kind" in propose(path).open
+
+
+def test_another_clock_in_the_table_is_asked_about(tmp_path: Path) -> None:
+    path = tmp_path / "clocks.csv"
+    path.write_bytes(csv({**usual(), "ft_time": TIME + 0.003}))
+    assert '# time = "ft_time"' in propose(path).recipe_text()
+
+
+@pytest.mark.parametrize(
+    ("data", "told"),
+    [
+        (b'{"t": [0, 1]}', "JSON"),
+        (b'{"t": 0}\n{"t": 1}\n', "JSON"),
+        (b"PK\3\4 [Content_Types].xml", "Excel"),
+    ],
+)
+def test_what_is_no_table_is_refused_with_what_to_do(
+    tmp_path: Path, data: bytes, told: str
+) -> None:
+    (tmp_path / "run.txt").write_bytes(data)
+    with pytest.raises(DemonstrationError, match=told):
+        read(tmp_path / "run.txt")

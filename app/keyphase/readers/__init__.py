@@ -101,10 +101,10 @@ def _read_table(
     if part is not None:
         sha256 = sha256_of_part(file.source.sha256, part)
         file = replace(file, source=Source(with_part(path, part), sha256))
-    if path.suffix.lower() == ".npz" or file.data.startswith(MAGIC):
-        return read_npz(file, limit_bytes)
     if (foreign := foreign_kind(file.data)) is not None:
         raise DemonstrationError(f"{path}: expected a recording, but {foreign}.")
+    if path.suffix.lower() == ".npz" or file.data.startswith(MAGIC):
+        return read_npz(file, limit_bytes)
     chosen = recipe or own_recipe(path)
     if chosen is None and not has_native_header(file.data):
         chosen = folder_recipe(path)

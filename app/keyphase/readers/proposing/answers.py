@@ -20,10 +20,12 @@ _PARTS_OF_ROLE: dict[str, tuple[Part, ...]] = {
     "time": ("time",),
     "position": ("x", "y", "z"),
     "euler": ("roll", "pitch", "yaw"),
+    "turn": ("roll", "pitch", "yaw"),
     "force": ("fx", "fy", "fz"),
     "torque": ("tx", "ty", "tz"),
     "gripper": ("gripper",),
 }
+_QUANTITIES: dict[str, str] = {"position": "length", "euler": "angle", "turn": "angle"}
 _QUATERNION: dict[str, Part] = {"w": "qw", "x": "qx", "y": "qy", "z": "qz"}
 
 
@@ -81,16 +83,21 @@ class Answers:
 
 
 def answers_to(proposal: Proposal) -> Answers:
-    """A proposal as answers, frame and sign of the wrench left open."""
+    """A proposal for a table as answers, frame and sign of the wrench left open.
+
+    Raises RecipeError for the proposal for a binary format.
+    """
     parts: list[Part] = ["ignore"] * len(proposal.names)
     units: dict[str, str] = {}
     for guess in proposal.guesses:
         for column, part in zip(guess.columns, _parts_of(guess), strict=True):
             parts[column] = part
-        quantity = {"position": "length", "euler": "angle"}.get(guess.role, guess.role)
+        quantity = _QUANTITIES.get(guess.role, guess.role)
         if guess.unit:
             units[quantity] = guess.unit
     layout = proposal.layout
+    if layout is None:
+        raise RecipeError("Expected a table of text; another format is described by a recipe.")
     return Answers(
         encoding=layout.encoding,
         separator=layout.separator,

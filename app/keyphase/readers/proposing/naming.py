@@ -58,11 +58,12 @@ def bare(name: str) -> str:
 
 def unit_in(name: str, units: Mapping[str, float]) -> str:
     """A unit written in a name, as in `px [mm]`, `t_ms` or `Fx(N)`; "" where there is none."""
-    found = re.findall(r"[(\[{]\s*([A-Za-zµ·*]+)\s*[)\]}]", name) or re.findall(
-        r"[_\s]([A-Za-zµ]+)$", name
+    name = name.replace("\u00b5", "u").replace("\u03bc", "u")
+    found = re.findall(r"[(\[{]\s*([A-Za-z·*]+)\s*[)\]}]", name) or re.findall(
+        r"[_\s]([A-Za-z]+)$", name
     )
     plain = {unit.lower(): unit for unit in units}
-    aliases = {"radian": "rad", "degree": "deg", "degrees": "deg", "µs": "us", "m": "m"}
+    aliases = {"radian": "rad", "degree": "deg", "degrees": "deg", "m": "m"}
     aliases |= {"seconds": "s", "sec": "s", "milliseconds": "ms", "nanoseconds": "ns"}
     for one in found:
         word = one.replace("·", "").replace("*", "").lower()
@@ -70,6 +71,14 @@ def unit_in(name: str, units: Mapping[str, float]) -> str:
         if word in plain:
             return plain[word]
     return ""
+
+
+def likely_unit(name: str, units: Mapping[str, float], otherwise: str) -> tuple[str, str]:
+    """The unit in a name, else the likely one, and why; "" where a name has one that is unknown."""
+    told = unit_in(name, units)
+    if told:
+        return told, "named so"
+    return ("", "an unknown unit") if bare(name) != name.strip() else (otherwise, "by its size")
 
 
 _NUMBERED = re.compile(r"(.*?)[\s_.]?[\[(]?(\d{1,2})[\])]?")

@@ -25,6 +25,7 @@ from keyphase.readers.proposing.times import (
 )
 from keyphase.readers.proposing.written import (
     guess_lines,
+    maybe_clock_lines,
     preset_lines,
     section_of,
     table_lines,
@@ -56,6 +57,7 @@ class Proposal:
     gaps    sections with cells without a number
     remarks what the file says of its columns
     sides   what belongs to the left and the right of two tools; else none
+    others  further columns that rise like a time
     """
 
     layout: Layout | None
@@ -68,6 +70,7 @@ class Proposal:
     gaps: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
     sides: dict[str, tuple[Guess, ...]] = field(default_factory=dict)
+    others: tuple[str, ...] = ()
 
     def recipe_text(self) -> str:
         """The recipe as TOML, the evidence as comments; what is open stands as a comment, too."""
@@ -104,6 +107,8 @@ class Proposal:
         for guess in guesses:
             clock = self.clocks.get(section_of(guess))
             lines += guess_lines(guess, self._chosen(guess), clock, inside)
+            if clock is None and guess.role in ("force", "torque"):
+                lines += maybe_clock_lines(self.others)
         roles = {guess.role for guess in guesses}
         if "joints" in roles and not roles & {"position", "pose"}:
             lines += ["", f"[{inside}robot]", *ROBOT_QUESTIONS]
@@ -152,10 +157,13 @@ def _of_table(looked: Looked, layout: Layout) -> Proposal:
     taken = (*taken, *(time.columns if time else ()))
     found = tuple(guesses_of(told, looked.values, taken))
     sides = _sides_of(looked, found, taken)
+    others = tuple(looked.names[i] for i in looked.clocks() if i not in taken)
     guesses = ((time,) if time else ()) + next(iter(sides.values()), found)
     gaps = tuple(section_of(g) for g in guesses if g.role != "time" and looked.has_gaps(g.columns))
     questions = _open_questions(guesses) if preset is None else tuple(preset[1])
-    return Proposal(layout, looked.names, guesses, questions, {}, split, preset, gaps, (), sides)
+    return Proposal(
+        layout, looked.names, guesses, questions, {}, split, preset, gaps, (), sides, others
+    )
 
 
 def _sides_of(

@@ -9,6 +9,7 @@ from keyphase.demonstration import Array
 from keyphase.readers.proposing.guess import (
     OTHERS,
     Guess,
+    Role,
     likely_torque_unit,
     measured_rows,
     reach_of,
@@ -27,6 +28,7 @@ from keyphase.readers.proposing.naming import (
     RAW,
     TORQUE,
     bare,
+    likely_unit,
     unit_in,
 )
 from keyphase.readers.proposing.vectors import vector_guesses
@@ -132,7 +134,7 @@ def _force(names: Sequence[str], values: Array, free: list[int]) -> Guess | None
     columns, told = _three(names, free, FORCE, TORQUE)
     if columns is None:
         return None
-    unit = unit_in(names[columns[0]], {"N": 1, "mN": 1, "kN": 1, "lbf": 1}) or "N"
+    unit, _ = likely_unit(names[columns[0]], {"N": 1, "mN": 1, "kN": 1, "lbf": 1}, "N")
     top = reach_of(values, columns)
     return Guess("force", columns, unit, "", (f"named like a force, at most {top:.3g}", *told))
 
@@ -141,9 +143,9 @@ def _torque(names: Sequence[str], values: Array, free: list[int]) -> Guess | Non
     columns, told = _three(names, free, TORQUE, FORCE)
     if columns is None:
         return None
-    unit = unit_in(names[columns[0]], {"Nm": 1, "Nmm": 1, "Ncm": 1, "mNm": 1})
+    units = {"Nm": 1, "Nmm": 1, "Ncm": 1, "mNm": 1}
     top = reach_of(values, columns)
-    unit = unit or likely_torque_unit(top)
+    unit, _ = likely_unit(names[columns[0]], units, likely_torque_unit(top))
     return Guess("torque", columns, unit, "", (f"named like a torque, at most {top:.3g}", *told))
 
 
@@ -155,11 +157,11 @@ def _position(names: Sequence[str], values: Array, free: list[int]) -> Guess | N
         columns, told = _first(_by_axis(shown, plain), names)
     if columns is None:
         return None
-    unit = unit_in(names[columns[0]], {"mm": 1, "cm": 1, "m": 1, "um": 1})
     reach = reach_of(values, columns)
-    told_by = "named so" if unit else "by its size"
-    unit = unit or ("mm" if reach > 10 else "m")
-    evidence = f"reaches {reach:.4g}: {unit} ({told_by})"
+    by_size = "mm" if reach > 10 else "m"
+    units = {"mm": 1, "cm": 1, "m": 1, "um": 1, "dm": 1, "in": 1}
+    unit, why = likely_unit(names[columns[0]], units, by_size)
+    evidence = f"reaches {reach:.4g}: {unit or '?'} ({why})"
     return Guess("position", columns, unit, "", (evidence, *told))
 
 
@@ -168,6 +170,7 @@ def _euler(names: Sequence[str], values: Array, free: list[int]) -> Guess | None
     kuka = [i for letter in "abc" for i in free if bare(names[i]).lower() == letter]
     told: tuple[str, ...] = ()
     sequence = ""
+    role: Role = "euler"
     if len(angles) >= 3:
         columns: tuple[int, ...] | None = tuple(angles[:3])
     elif len(kuka) == 3:
@@ -175,12 +178,13 @@ def _euler(names: Sequence[str], values: Array, free: list[int]) -> Guess | None
         sequence = "ZYX"
     else:
         columns, told = _three(names, free, EULER, FORCE)
+        role = "turn"
     if columns is None:
         return None
     unit = unit_in(names[columns[0]], {"deg": 1, "rad": 1, "mrad": 1})
     top = reach_of(values, columns)
     unit = unit or ("deg" if top > 2 * np.pi + 0.1 else "rad")
-    return Guess("euler", columns, unit, sequence, (f"angles up to {top:.4g}: {unit}", *told))
+    return Guess(role, columns, unit, sequence, (f"angles up to {top:.4g}: {unit}", *told))
 
 
 def _gripper(names: Sequence[str], values: Array, free: list[int]) -> Guess | None:

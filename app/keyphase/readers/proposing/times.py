@@ -16,6 +16,8 @@ RESTARTS = "time starts again"
 
 _MIN_RATE_HZ, _MAX_RATE_HZ = 2.0, 5000.0
 _TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
+_SLOW = {"min": 60.0}
+"""Read only where a name says it."""
 _FORMATS = (
     *("%Y-%m-%d %H:%M:%S.%f", "%Y-%m-%d %H:%M:%S", "%Y/%m/%d %H:%M:%S.%f", "%Y/%m/%d %H:%M:%S"),
     *("%d.%m.%Y %H:%M:%S.%f", "%d.%m.%Y %H:%M:%S,%f", "%d.%m.%Y %H:%M:%S"),
@@ -59,7 +61,7 @@ def _unit_and_step(name: str, seen: Array) -> tuple[str, float]:
     steps = np.diff(seen)
     step = float(np.median(steps[steps > 0]))
     possible = [u for u, s in _TIME_UNITS.items() if _MIN_RATE_HZ <= 1 / (step * s) <= _MAX_RATE_HZ]
-    told = unit_in(name, _TIME_UNITS)
+    told = unit_in(name, {**_TIME_UNITS, **_SLOW})
     return told or (possible[0] if len(possible) == 1 else _by_size(step, possible)), step
 
 
@@ -155,5 +157,5 @@ def _by_size(step: float, possible: Sequence[str]) -> str:
 
 
 def _rate(step: float, unit: str) -> str:
-    size = _TIME_UNITS.get(unit)
+    size = {**_TIME_UNITS, **_SLOW}.get(unit)
     return f"{1 / (step * size):.6g} Hz" if size else "no rate that a recorder has"

@@ -11,7 +11,7 @@ _SECTIONS = {
     **dict.fromkeys(("quaternion", "euler", "turn", "rot6d", "matrix"), "orientation"),
 }
 _KINDS = ("quaternion", "euler", "rot6d", "matrix")
-_MAX_SHOWN = 30
+_MAX_SHOWN, _MAX_CLOCKS = 30, 4
 
 
 def section_of(guess: Guess) -> str:
@@ -88,6 +88,14 @@ def _time_lines(guess: Guess, chosen: Sequence[str | int]) -> list[str]:
     if guess.detail and guess.detail != RESTARTS:
         return [*lines, f"format = {toml(guess.detail)}"]
     return [*lines, _said("unit", guess.unit, '"s", "ms", "us" or "ns"'), "from_zero = true"]
+
+
+def maybe_clock_lines(others: Sequence[str]) -> list[str]:
+    """What is asked where a table has more than one column that rises like a time."""
+    if not 0 < len(others) <= _MAX_CLOCKS:
+        return []
+    asked = " or ".join(toml(name) for name in others)
+    return [f"# time = {asked}    # rises like a time, too: is it the clock of these?"]
 
 
 def without_time() -> list[str]:
