@@ -136,7 +136,12 @@ def propose(path: Path, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> Proposal:
     if form is not None:
         inner, _ = split_side(form, file, part)
         return _of_arrays(looked_at_arrays(form.table(file, inner, limit_bytes)))
-    whole = read_whole(file, limit_bytes)
+    return propose_table(file, limit_bytes)
+
+
+def propose_table(path: Path, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> Proposal:
+    """A proposal for a table of text. Raises DemonstrationError for what is none."""
+    whole = read_whole(path, limit_bytes)
     try:
         layout = layout_of(whole.data)
     except DemonstrationError as error:
@@ -162,7 +167,15 @@ def _of_table(looked: Looked, layout: Layout) -> Proposal:
     gaps = tuple(section_of(g) for g in guesses if g.role != "time" and looked.has_gaps(g.columns))
     questions = _open_questions(guesses) if preset is None else tuple(preset[1])
     return Proposal(
-        layout, looked.names, guesses, questions, {}, split, preset, gaps, (), sides, others
+        layout=layout,
+        names=looked.names,
+        guesses=guesses,
+        open=questions,
+        split=split,
+        preset=preset,
+        gaps=gaps,
+        sides=sides,
+        others=others,
     )
 
 

@@ -10,7 +10,7 @@ from keyphase.errors import KeyphaseError, RecipeError
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
 from keyphase.readers import RECIPE_SUFFIX, Recipe, parse_recipe, read
 from keyphase.readers.proposing.answers import Answers, answers_to, recipe_text, with_parts
-from keyphase.readers.proposing.proposal import propose
+from keyphase.readers.proposing.proposal import propose_table
 from keyphase.readers.recipes.sections import ENCODINGS, SEPARATORS
 from keyphase.readers.table import TableForm, open_table, split_cells
 
@@ -65,7 +65,7 @@ class UnknownTable:
     def __init__(self, path: Path, name: str, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> None:
         self.path, self.name = path, name
         self._limit_bytes = limit_bytes
-        proposal = propose(path, limit_bytes)
+        proposal = propose_table(path, limit_bytes)
         self.proposed = answers_to(proposal)
         self.layout_evidence = dict(proposal.layout.evidence)
         self.evidence = tuple(
