@@ -155,7 +155,7 @@ def _of_table(looked: Looked, layout: Layout) -> Proposal:
     told = looked.told
     split = demonstrations_of(looked.names, looked.cells)
     taken = split.columns if split else ()
-    numeric = np.isfinite(looked.values).any(axis=0)
+    numeric = np.atleast_1d(np.isfinite(looked.values).any(axis=0))
     free = [i for i in range(len(told)) if numeric[i] and i not in taken]
     rows = looked.first_demonstration(split)
     time = time_of_numbers(told, rows, free) or stamps_of(looked.texts)

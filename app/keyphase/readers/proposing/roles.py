@@ -43,7 +43,7 @@ def guesses_of(names: Sequence[str], values: Array, taken: Sequence[int] = ()) -
 
     `values` (N, D) are NaN where no number stands; `taken` are columns that are known already.
     """
-    numeric = np.isfinite(values).any(axis=0)
+    numeric = np.atleast_1d(np.isfinite(values).any(axis=0))
     free = [i for i in range(len(names)) if numeric[i] and i not in taken]
     found: list[Guess] = []
     for look in (_quaternion, _force, _torque, _euler, _gripper, _joints, _position):

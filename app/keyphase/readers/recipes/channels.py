@@ -18,6 +18,7 @@ from keyphase.readers.orientation import (
     refuse_not_homogeneous,
     square_matrices,
 )
+from keyphase.readers.recipes.beside import clock_beside
 from keyphase.readers.recipes.clocks import on_one_clock
 from keyphase.readers.recipes.columns import Columns
 from keyphase.readers.recipes.measured import MeasuredRows
@@ -60,6 +61,7 @@ SECTIONS = {
 """Sections of a recipe and the channels they make."""
 
 _NAMED = "channel "
+_LOADS = ("force_N", "torque_Nm")
 
 
 def named_key(name: str) -> str:
@@ -81,8 +83,10 @@ _NORM_TOLD = 1e-5
 """What rounding to six digits does to a norm is not worth a notice."""
 
 
-def channels_of(table: Columned, recipe: Recipe) -> Noted:
+def channels_of(table: Columned, recipe: Recipe, beside: Columned | None = None) -> Noted:
     """All channels of `table` that `recipe` describes, row by row as they are recorded.
+
+    Force and torque are those of `beside`, where a recipe names a file of their own.
 
     Raises RecipeError and DemonstrationError as `read_by_recipe` does.
     """
@@ -98,32 +102,41 @@ def channels_of(table: Columned, recipe: Recipe) -> Noted:
         channels["orientation_wxyz"], more = _orientation(own, recipe.orientation)
         notices += more
     for name, form in _loads_and_joints(recipe).items():
-        channels[name] = _scaled(rows.of(form.columns), form)
+        elsewhere = beside is not None and name in _LOADS
+        channels[name] = _scaled(beside if elsewhere else rows.of(form.columns), form)
     if recipe.gripper:
         channels["gripper"] = _opening(rows.of(recipe.gripper.columns), recipe.gripper)
     for name, column in recipe.named.items():
         own = rows.of(column)
         channels[named_key(name)] = own.numbers(column.find(own))
-    return _on_one_clock(rows, recipe, channels, notices + rows.notices())
+    return _on_one_clock(rows, recipe, channels, notices + rows.notices(), beside)
 
 
 def _on_one_clock(
-    rows: MeasuredRows, recipe: Recipe, channels: Channels, notices: tuple[str, ...]
+    rows: MeasuredRows,
+    recipe: Recipe,
+    channels: Channels,
+    notices: tuple[str, ...],
+    beside: Columned | None,
 ) -> Noted:
     """Nothing to do where no channel has a clock of its own."""
     time = channels.pop("time_s")
+
+    def clock_of(section: str, columns: Columns) -> Array:
+        if beside is not None and recipe.wrench_file and section in ("force", "torque"):
+            return clock_beside(beside, recipe.wrench_file, rows.table, recipe)
+        if section in recipe.clocks:
+            return _clock(rows.of(columns), recipe, recipe.clocks[section])
+        return rows.times(columns, time)
+
     clocks = {
-        channel: (
-            _clock(rows.of(columns), recipe, recipe.clocks[section])
-            if section in recipe.clocks
-            else rows.times(columns, time)
-        )
-        + recipe.clock_offsets_s.get(section, 0.0)
+        channel: clock_of(section, columns) + recipe.clock_offsets_s.get(section, 0.0)
         for section, columns in _columns_of(recipe).items()
         for channel in SECTIONS.get(section, (section,))
     }
     lengths = {len(values) for values in channels.values()} | {len(time)}
-    if not recipe.clocks and not recipe.clock_offsets_s and len(lengths) == 1:
+    own = recipe.clocks or recipe.clock_offsets_s or beside is not None
+    if not own and len(lengths) == 1:
         return {"time_s": time, **channels}, notices
     brought, more = on_one_clock(channels, clocks, recipe.name)
     moved = tuple(

@@ -27,6 +27,7 @@ from keyphase.readers.recipes.sections import (
     split_of,
     table_of,
     time_of,
+    wrench_file_of,
     wrench_of,
 )
 
@@ -152,6 +153,7 @@ def _one(values: Mapping[str, Any], name: str) -> Recipe:
         clocks=clocks,
         clock_offsets_s=offsets,
         split=split,
+        wrench_file=wrench_file_of(keys.section("wrench_file")),
     )
     keys.finish()
     _refuse_contradictions(recipe)
@@ -171,6 +173,11 @@ def _refuse_contradictions(recipe: Recipe) -> None:
         raise RecipeError(
             f"{recipe.name}: [wrench] with frame and sign must stand where [force] or [torque] do, "
             "and only there; add or remove it."
+        )
+    if recipe.wrench_file and (not loaded or recipe.clocks.keys() & {"force", "torque"}):
+        raise RecipeError(
+            f"{recipe.name}: [wrench_file] holds [force] or [torque] and their clock; add one of "
+            "them, without time."
         )
     if recipe.wrench and recipe.wrench.frame == "tool" and not (recipe.pose or recipe.orientation):
         raise RecipeError(

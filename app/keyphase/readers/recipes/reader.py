@@ -16,6 +16,7 @@ from keyphase.notices import Caution
 from keyphase.readers.build import build
 from keyphase.readers.held import find_hold
 from keyphase.readers.recipes.bad_rows import without_bad_rows
+from keyphase.readers.recipes.beside import table_beside
 from keyphase.readers.recipes.by_joints import by_joints
 from keyphase.readers.recipes.channels import (
     Channels,
@@ -67,8 +68,11 @@ def demonstration_of(
 
     `told` are the notices of whoever opened the table; they come first.
     """
-    channels, notices = channels_of(table, recipe)
+    beside = table_beside(file.source.path, recipe, limit_bytes)
+    channels, notices = channels_of(table, recipe, beside)
     notices = told + notices
+    if beside is not None:
+        notices += (f"Force and torque are those of {beside.file}.",)
     events = _events(table, recipe)
     channels, more = by_joints(channels, recipe)
     notices += more

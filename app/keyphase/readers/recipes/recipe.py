@@ -142,6 +142,15 @@ class WrenchForm:
 
 
 @dataclass(frozen=True)
+class WrenchFile:
+    """A file of its own in which force and torque stand; `path` from the recording's folder."""
+
+    path: str
+    table: TableForm
+    time: NumberTime
+
+
+@dataclass(frozen=True)
 class Split:
     """Rows of several demonstrations: told apart by a column, or, without, where time restarts."""
 
@@ -192,6 +201,7 @@ class Recipe:
     """Further channels, taken as they are, by name."""
     events: Columns | None = None
     """A column of words: each change to another is an event."""
+    wrench_file: WrenchFile | None = None
     split: Split | None = None
     """Where several demonstrations stand in one table, one below the other."""
     parts: Mapping[str, "Recipe"] = field(default_factory=dict)

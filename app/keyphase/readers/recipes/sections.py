@@ -29,6 +29,7 @@ from keyphase.readers.recipes.recipe import (
     Split,
     StampTime,
     TwoPartTime,
+    WrenchFile,
     WrenchForm,
 )
 from keyphase.readers.recipes.units import Quantity
@@ -81,6 +82,17 @@ def table_of(keys: Keys | None) -> TableForm:
         )
     keys.finish()
     return form
+
+
+def wrench_file_of(keys: Keys | None) -> WrenchFile | None:
+    """The file of the wrench, its layout and its clock."""
+    if keys is None:
+        return None
+    path, column = keys.text("path"), keys.column()
+    if column is None:
+        raise RecipeError(f"{keys.where}: the key 'column', that of its time, is missing; add it.")
+    time = NumberTime(column, keys.unit("time"), keys.flag("from_zero", False))
+    return WrenchFile(path, table_of(keys) or TableForm(), time)
 
 
 def time_of(keys: Keys) -> RateTime | NumberTime | TwoPartTime | StampTime:

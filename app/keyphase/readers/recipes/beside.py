@@ -1,0 +1,57 @@
+"""A wrench in a file of its own, as sensors log it that the robot's recorder knows nothing of."""
+
+from pathlib import Path
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.errors import RecipeError
+from keyphase.files.parts import split_part
+from keyphase.files.reading import read_whole
+from keyphase.readers.recipes.recipe import NumberTime, Recipe, WrenchFile
+from keyphase.readers.table import Columned, Table, open_table
+from keyphase.readers.timing import refuse_not_increasing
+
+STEM = "{stem}"
+"""Stands in the path for the recording's name without its ending."""
+
+
+def table_beside(recording: Path, recipe: Recipe, limit_bytes: int) -> Table | None:
+    """The table of the wrench, where the recipe names one.
+
+    Raises RecipeError for a path that leads out of the recording's folder, DemonstrationError for
+    a file that cannot be read.
+    """
+    form = recipe.wrench_file
+    if form is None:
+        return None
+    file = split_part(recording)[0]
+    path = file.parent / form.path.replace(STEM, file.stem)
+    if file.parent.resolve() not in path.resolve().parents:
+        raise RecipeError(
+            f"{recipe.name}: [wrench_file]: path must lie in the recording's folder, but is "
+            f"{form.path[:80]!r}; copy the file there."
+        )
+    whole = read_whole(path, limit_bytes)
+    return open_table(whole.name, whole.data, form.table, limit_bytes)
+
+
+def clock_beside(table: Columned, form: WrenchFile, main: Columned, recipe: Recipe) -> Array:
+    """Its times (N,) [s] on the recording's clock.
+
+    Without `from_zero` both count from one zero, that of the recording. Raises DemonstrationError
+    where they do not increase.
+    """
+    column = form.time.column.find(table)[0]
+    seconds = form.time.size * table.numbers([column])[:, 0]
+
+    def where(row: int) -> str:
+        return f"{table.file}: line {table.line(row)}, {table.label(column)}"
+
+    refuse_not_increasing(seconds, where)
+    if form.time.from_zero:
+        return np.asarray(seconds - seconds[0])
+    clock = recipe.time
+    if isinstance(clock, NumberTime) and clock.from_zero:
+        return np.asarray(seconds - clock.size * main.numbers(clock.column.find(main))[0, 0])
+    return seconds
