@@ -28,6 +28,7 @@ SOUND = {
     "joint_torques": 'columns = "t*"\nunit = "Nm"\nsign = 1\n',
     "robot": 'urdf = "arm.urdf"\ntool_frame = "tool0"\n',
     "events": 'column = "w"\n',
+    "wrench_file": 'path = "ft.csv"\ncolumn = "t"\nunit = "s"\n',
 }
 ANY_NAME = ["channels"]
 """Sections in which any name can stand."""
