@@ -4,6 +4,7 @@ import zipfile
 from pathlib import Path
 
 from keyphase.errors import DemonstrationError
+from keyphase.files.reading import DEFAULT_LIMIT_BYTES
 from keyphase.notices import Caution
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.damage import damage_told
@@ -18,9 +19,12 @@ _MAX_MEMBERS = 10_000
 
 def is_foreign_archive(path: Path) -> bool:
     """Whether an archive of arrays has none of the names that a native one needs."""
-    if path.suffix.lower() != ".npz":
-        return False
     try:
+        # Opening a pipe would wait, and a list of members can be as large as its file.
+        if path.suffix.lower() != ".npz" or not path.is_file():
+            return False
+        if path.stat().st_size > DEFAULT_LIMIT_BYTES:
+            return False
         with zipfile.ZipFile(path) as archive:
             names = archive.namelist()
     except (OSError, ValueError, zipfile.BadZipFile, RecursionError):
