@@ -71,7 +71,7 @@ def test_uneven_rows_are_refused_when_asked(tmp_path: Path) -> None:
 
 
 def test_even_rows_with_a_little_jitter_are_not_called_irregular(tmp_path: Path) -> None:
-    time = np.arange(50) / 100 + np.random.default_rng(0).uniform(-1e-3, 1e-3, 50)
+    time = np.arange(80) / 100 + np.random.default_rng(0).uniform(-1e-3, 1e-3, 80)
     assert len(read_rows(tmp_path, moving(time), 'irregular = "refuse"').notices) == 1
 
 
