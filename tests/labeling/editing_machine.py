@@ -15,6 +15,7 @@ from keyphase.labeling.edits import (
     Accept,
     AcceptLabels,
     Add,
+    AssessSegment,
     BringBack,
     Contact,
     DropIdle,
@@ -24,6 +25,7 @@ from keyphase.labeling.edits import (
     Label,
     Merge,
     Move,
+    NameStretch,
     Plan,
     Remove,
     RenamePhase,
@@ -100,6 +102,22 @@ class Editing(RuleBasedStateMachine):
         if seen is not None and name.strip():
             named = seen.segments[seen.segment_at(time_s)]
             assert (named.label, named.proposed) == (name.strip(), False)
+
+    @rule(from_s=anywhere, to_s=anywhere, name=names)
+    def name_a_stretch(self, from_s, to_s, name):
+        seen = self.apply(NameStretch(from_s, to_s, name))
+        if seen is not None:
+            low, high = sorted((max(from_s, 0.0), max(to_s, 0.0)))
+            named = seen.segments[seen.segment_at(0.5 * (low + min(high, 10.0)))]
+            assert (named.label, named.proposed) == (name.strip(), False)
+
+    @rule(time_s=anywhere, outcome=st.sampled_from([None, "success", "failure"]), note=names)
+    def mark(self, time_s, outcome, note):
+        before = [(s.start_s, s.end_s, s.label, s.kept) for s in self.labeling.segments]
+        seen = self.apply(AssessSegment(time_s, outcome, note=note))
+        if seen is not None:
+            assert seen.segments[seen.segment_at(time_s)].assessment.outcome == outcome
+            assert [(s.start_s, s.end_s, s.label, s.kept) for s in seen.segments] == before
 
     @rule(time_s=anywhere, to_s=st.none() | anywhere, kept=st.booleans())
     def keep(self, time_s, to_s, kept):
