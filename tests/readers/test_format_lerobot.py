@@ -11,6 +11,7 @@ import pytest
 
 from keyphase.errors import DemonstrationError, RecipeError
 from keyphase.readers import find_recordings, parse_recipe, read
+from keyphase.readers.formats.lerobot import names_in_lerobot
 
 RECIPE = """
 time = {column = "timestamp", unit = "s"}
@@ -117,3 +118,15 @@ def test_a_cut_file_is_refused(v21: Path) -> None:
     file.write_bytes(file.read_bytes()[:200])
     with pytest.raises(DemonstrationError, match="expected a whole LeRobot dataset"):
         read(f"{v21}#episode_0", parse_recipe(RECIPE, "r"))
+
+
+@pytest.mark.parametrize("names", [{"motors": ["x", "y"]}, ["x", "y"], {"y": 1, "x": 0}])
+def test_features_are_named_however_a_dataset_writes_their_names(
+    tmp_path: Path, names: object
+) -> None:
+    path = tmp_path / "named"
+    (path / "meta").mkdir(parents=True)
+    feature = {"dtype": "float32", "shape": [2], "names": names}
+    info = {"features": {"observation.state": feature}, "total_episodes": 1}
+    (path / "meta" / "info.json").write_text(json.dumps(info))
+    assert names_in_lerobot(path, None) == ("observation.state.x", "observation.state.y")

@@ -5,7 +5,9 @@ by value.
 """
 
 import json
+import sqlite3
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 
 import h5py
@@ -23,6 +25,7 @@ from scipy.spatial.transform import Rotation
 
 from keyphase.errors import DemonstrationError
 from keyphase.readers import find_recordings, parse_recipe, read
+from keyphase.readers.formats.bags import table_of_bag
 from keyphase.readers.proposing.proposal import propose
 
 ROWS = 100
@@ -219,3 +222,28 @@ def test_a_whole_dictionary_in_one_array_is_refused_with_the_way_out(tmp_path: P
     np.save(tmp_path / "fmb.npy", {"tcp_pose": POSITION}, allow_pickle=True)
     with pytest.raises(DemonstrationError, match=r"allow_pickle=True\)\.item\(\)"):
         read(tmp_path / "fmb.npy")
+
+
+def test_a_topic_whose_messages_nobody_defines_is_passed_over_and_told(tmp_path: Path) -> None:
+    """Bags of ROS 2 before Iron hold no definitions; a laboratory's own messages are unknown."""
+    store = get_typestore(Stores.ROS2_HUMBLE)
+    kind = "geometry_msgs/msg/PointStamped"
+    with BagWriter(tmp_path / "old", version=8, storage_plugin=StoragePlugin.SQLITE3) as writer:
+        topics = [writer.add_connection(t, kind, typestore=store) for t in ("/place", "/own")]
+        for row in range(ROWS):
+            stamp = store.types["builtin_interfaces/msg/Time"](sec=row, nanosec=0)
+            header = store.types["std_msgs/msg/Header"](stamp=stamp, frame_id="base")
+            point = store.types["geometry_msgs/msg/Point"](*POSITION[row].tolist())
+            raw = store.serialize_cdr(store.types[kind](header, point), kind)
+            for topic in topics:
+                writer.write(topic, row * 10**9, raw)
+    with closing(sqlite3.connect(tmp_path / "old" / "old.db3")) as database:
+        database.execute("UPDATE topics SET type = 'lab_msgs/msg/Own' WHERE name = '/own'")
+        database.execute("DELETE FROM message_definitions")
+        database.commit()
+    described = tmp_path / "old" / "metadata.yaml"
+    before, own, after = described.read_text().rpartition("/own")
+    described.write_text(before + own + after.replace(kind, "lab_msgs/msg/Own"))
+    table = table_of_bag(tmp_path / "old", None, 10**9)
+    assert "/place.point.x" in table.names
+    assert any("/own (lab_msgs/msg/Own)" in notice for notice in table.notices)

@@ -8,7 +8,8 @@ _KNOWN: tuple[tuple[bytes, str], ...] = (
     (b"\x1f\x8b", "it is packed with gzip: unpack it first"),
     (b"BZh", "it is packed with bzip2: unpack it first"),
     (b"\xfd7zXZ", "it is packed with xz: unpack it first"),
-    (b"SQLite format 3\0", "it is a database; of a ROS 2 bag name the folder it lies in"),
+    (b"SQLite format 3\0", "it is a database; of a ROS 2 bag name the folder it lies in, "
+                             "where metadata.yaml must be (ros2 bag reindex writes it)"),
     (b"\xd0\xcf\x11\xe0", _WORKBOOK),
     (b"ARROW1", "it is an Arrow file: save its columns with numpy.savez"),
 )  # fmt: skip

@@ -52,7 +52,7 @@ def table_of_bag(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
                 streams.add_plain(topic, log_ns, content)
     else:
         with damage_told(path, "bag", "copy or record it again"):
-            for topic, log_ns, message in _messages(path):
+            for topic, log_ns, message in _messages(path, streams):
                 streams.add(topic, log_ns, message)
     arrays = with_chains(streams.arrays())
     return ArrayTable(str(path), arrays, {}, streams.notices(), {}, streams.remarks())
@@ -83,7 +83,7 @@ def opened_bag(path: Path) -> Iterator[tuple[Any, Callable[[bytes, str], Any]]]:
         yield reader, reader.deserialize
 
 
-def _messages(path: Path) -> Iterator[tuple[str, int, Any]]:
+def _messages(path: Path, streams: Streams) -> Iterator[tuple[str, int, Any]]:
     with opened_bag(path) as (reader, deserialize):
         wanted = [
             connection
@@ -91,7 +91,14 @@ def _messages(path: Path) -> Iterator[tuple[str, int, Any]]:
             if connection.msgtype.rpartition("/")[2] not in BULKY
         ]
         for connection, log_ns, raw in reader.messages(connections=wanted):
-            message = deserialize(raw, connection.msgtype)
+            if streams.passes_over(connection.topic):
+                continue
+            try:
+                message = deserialize(raw, connection.msgtype)
+            except KeyError:
+                # A bag of ROS 2 before Iron does not say what its own messages are.
+                streams.pass_over(connection.topic, connection.msgtype)
+                continue
             yield from _parted(connection.topic, log_ns, message)
 
 

@@ -178,16 +178,26 @@ def texts_of_parquet(table: Any) -> Iterator[tuple[str, list[str]]]:
 
 
 def _feature_names(info: Mapping[str, Any]) -> dict[str, list[str]]:
-    """Names of the numbers of a feature, where the dataset gives them as a plain list."""
+    """Names of the numbers of a feature, where the dataset gives them plainly."""
     features = info.get("features")
     found: dict[str, list[str]] = {}
     for name, feature in features.items() if isinstance(features, dict) else ():
-        given = feature.get("names") if isinstance(feature, dict) else None
-        if isinstance(given, dict) and len(given) == 1:
-            given = next(iter(given.values()))
-        if isinstance(given, list) and all(isinstance(one, str) for one in given):
-            found[name] = given
+        names = _plain_names(feature.get("names") if isinstance(feature, dict) else None)
+        if names is not None:
+            found[name] = names
     return found
+
+
+def _plain_names(given: Any) -> list[str] | None:
+    """A list of names; also inside {"motors": …}, or as the index of each name."""
+    if isinstance(given, dict) and len(given) == 1 and isinstance(next(iter(given.values())), list):
+        given = next(iter(given.values()))
+    if isinstance(given, dict):
+        by_index = {index: name for name, index in given.items() if type(index) is int}
+        given = [by_index.get(index) for index in range(len(given))]
+    if isinstance(given, list) and all(isinstance(one, str) for one in given):
+        return given
+    return None
 
 
 def info_of(path: Path) -> dict[str, Any]:

@@ -14,6 +14,7 @@ from keyphase.readers.formats.upright import upright
 
 MAGIC = b"MATLAB 7.3 MAT-file"
 _MAX_WIDTH = 512
+_MAX_CLASS_BYTES = 64
 
 
 def table_of_mat73(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
@@ -55,6 +56,15 @@ def _variables(group: Any, before: str = "", depth: int = 0) -> Iterator[tuple[s
 
 def _is_variable(item: Any) -> bool:
     """Numbers in at most two axes, one of them short; texts are marked as such."""
-    kind = item.attrs.get("MATLAB_class", b"double")
-    is_text = kind in (b"char", "char") or "MATLAB_empty" in item.attrs
+    is_text = _class_of(item) == b"char" or "MATLAB_empty" in item.attrs
     return not is_text and 0 < item.ndim < 4 and min(item.shape) <= _MAX_WIDTH
+
+
+def _class_of(item: Any) -> bytes:
+    """What MATLAB calls its type; never read where it is longer than any name of one."""
+    if "MATLAB_class" not in item.attrs:
+        return b"double"
+    kept = item.attrs.get_id("MATLAB_class")
+    if kept.dtype.kind != "S" or kept.dtype.itemsize > _MAX_CLASS_BYTES or kept.shape != ():
+        raise ValueError("MATLAB_class is no short text")
+    return bytes(item.attrs["MATLAB_class"])

@@ -61,7 +61,16 @@ class Streams:
     def __init__(self, file: str, limit_bytes: int) -> None:
         self._file, self._limit = file, limit_bytes
         self._streams: dict[str, _Stream] = {}
+        self._undefined: dict[str, str] = {}
         self._numbers = 0
+
+    def pass_over(self, topic: str, kind: str) -> None:
+        """A topic whose messages nobody defines."""
+        self._undefined[topic] = kind
+
+    def passes_over(self, topic: str) -> bool:
+        """Whether its messages need not be looked at."""
+        return topic in self._undefined
 
     def add(self, topic: str, log_ns: int, message: Any) -> None:
         """One message of ROS more."""
@@ -104,6 +113,12 @@ class Streams:
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Columns and clocks of every topic with at least two messages, and static transforms."""
+        if self._undefined and not self._streams:
+            raise DemonstrationError(
+                f"{self._file}: expected messages of known kinds, but of those in it there is no "
+                f"definition ({', '.join(sorted(set(self._undefined.values()))[:3])}); convert it "
+                "to MCAP where their packages are installed: ros2 bag convert."
+            )
         used = {topic: one for topic, one in self._streams.items() if len(one.logs_ns) > 1}
         begin = min((one.logs_ns[0] for one in used.values()), default=0)
         stamped = [one.stamps_ns[0] for one in used.values() if one.stamped and one.stamps_ns[0]]
@@ -127,8 +142,14 @@ class Streams:
             for topic, one in self._streams.items()
             if len(one.logs_ns) < 2 and not topic.startswith(STATIC)
         ]
-        told = f"Topics of one message were passed over: {', '.join(few[:5])}."
-        return (Caution(told),) if few else ()
+        told = ()
+        if few:
+            told += (Caution(f"Topics of one message were passed over: {', '.join(few[:5])}."),)
+        if self._undefined:
+            shown = ", ".join(f"{t} ({kind})" for t, kind in list(self._undefined.items())[:5])
+            said = f"Topics were passed over whose messages the bag does not define: {shown}."
+            told += (Caution(said),)
+        return told
 
     def remarks(self) -> tuple[str, ...]:
         """In whose axes each topic is written, by the headers of its messages."""
