@@ -65,6 +65,7 @@ def _class_of(item: Any) -> bytes:
     if "MATLAB_class" not in item.attrs:
         return b"double"
     kept = item.attrs.get_id("MATLAB_class")
-    if kept.dtype.kind != "S" or kept.dtype.itemsize > _MAX_CLASS_BYTES or kept.shape != ():
+    if kept.dtype.kind not in "SO" or kept.dtype.itemsize > _MAX_CLASS_BYTES or kept.shape != ():
         raise ValueError("MATLAB_class is no short text")
-    return bytes(item.attrs["MATLAB_class"])
+    said = item.attrs["MATLAB_class"]
+    return said.encode() if isinstance(said, str) else bytes(said)
