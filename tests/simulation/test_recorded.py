@@ -40,6 +40,18 @@ def test_a_surface_that_lies_elsewhere_is_met_there(height_m) -> None:
     assert result.succeeded, result.outcome()
 
 
+def test_a_surface_that_is_met_late_is_still_what_it_was_when_it_was_met() -> None:
+    """The force turned aside soon after the contact: a tool that comes late is not led past it."""
+    turning = pressed_slide()
+    assert turning.force_N is not None
+    after = np.clip((turning.time_s - DOWN_S + 0.1) / 0.05, 0.0, 1.0)
+    force = turning.force_N + PRESSED_N * after[:, None] * np.array([0.0, 1.5, 0.0])
+    down = [its_plan()[0]]
+    result, _ = replayed(replace(turning, force_N=force), Disturbance(part_height_m=-0.01), down)
+    assert [each.outcome for each in result.results] == ["contact"]
+    assert result.results[0].ended_m[1] == pytest.approx(0.0, abs=2e-3)
+
+
 def test_a_plan_that_skips_the_contact_does_not_succeed() -> None:
     stroke = replace(its_plan()[0], end_s=0.5, end_condition=its_plan()[1].end_condition)
     wrong = [stroke, replace(its_plan()[0], start_s=0.5)]

@@ -13,7 +13,7 @@ from keyphase.simulation.impedance import RATE_HZ, Gains, Reference
 from keyphase.simulation.part_shapes import Shape
 from keyphase.simulation.recorded.arm_body import ArmBody
 from keyphase.simulation.recorded.body import ToolBody
-from keyphase.simulation.recorded.surfaces import SLIPS, STIFFNESS_N_M, Surface
+from keyphase.simulation.recorded.surfaces import SLIPS, STIFFNESS_N_M
 from keyphase.simulation.simulation import Sample
 
 if TYPE_CHECKING:
@@ -65,6 +65,8 @@ class RecordedWorld:
             at = even.position_m[0], even.orientation_wxyz[0]
             self.body = ToolBody(*at, np.zeros(3), np.zeros(3))
         self.touched: dict[int, float] = {}
+        self._late_s: dict[int, float] = {}
+        self._span_s: tuple[float, float] | None = None
         self.due: set[int] = set()
         self.furthest_m = 0.0
         self._ticks, self._pushed = 0, (np.zeros(3), np.zeros(3))
@@ -78,9 +80,13 @@ class RecordedWorld:
     def be_at(self, moment_s: float | None, span_s: tuple[float, float] | None = None) -> None:
         """The moment of the demonstration that is being repeated; None: nothing of it is.
 
-        `span_s` is the stretch that the skill repeats: what was met in it is to be met again.
-        None while a skill seeks, or squares a part, and so is on no recorded path.
+        `span_s` is the stretch that the skill repeats: what was met in it is to be met again, and
+        what is met late becomes what it became so much later. None while a skill seeks, or squares
+        a part, and so is on no recorded path.
         """
+        if span_s != self._span_s:
+            self._span_s = span_s
+            self._late_s.clear()
         self._moment, self._on_path = moment_s, span_s is not None
         if moment_s is None or span_s is None:
             return
@@ -155,7 +161,7 @@ class RecordedWorld:
         found = []
         for index, surface in enumerate(self.workcell.surfaces):
             if surface.stands(self._moment):
-                point, normal, friction = self._plane(surface)
+                point, normal, friction = self._plane(index)
                 away = self.body.position_m - point
                 depth = -float(away.dot(normal))
                 aside = away + depth * normal
@@ -170,11 +176,15 @@ class RecordedWorld:
         now = (stop for stop in stops if stop.from_s <= moment_s <= stop.to_s)
         return [(index, *self._moved(stop.point_m, stop.normal), SLIPS) for stop in now]
 
-    def _plane(self, surface: Surface) -> tuple[Array, Array, float]:
+    def _plane(self, index: int) -> tuple[Array, Array, float]:
         assert self._moment is not None
+        surface, moment = self.workcell.surfaces[index], self._moment - self._late_s.get(index, 0.0)
+        if index not in self.touched:
+            # Until then it is what was met first, and not what it became under the tool.
+            moment = min(moment, surface.made_s)
         shift, turn = self._place
         here = turn.T @ (self.body.position_m - shift)
-        point, normal, friction = surface.plane(here, self._moment)
+        point, normal, friction = surface.plane(here, moment)
         return *self._moved(point, normal), friction + self._rougher
 
     def _moved(self, point: Array, normal: Array) -> tuple[Array, Array]:
@@ -199,8 +209,10 @@ class RecordedWorld:
 
     def _note(self) -> None:
         for index, pressed in self._contact()[1].items():
-            if pressed > TOUCHED_N:
-                self.touched.setdefault(index, self._ticks / RATE_HZ)
+            if pressed > TOUCHED_N and index not in self.touched:
+                self.touched[index] = self._ticks / RATE_HZ
+                late_s = (self._moment or 0.0) - self.workcell.surfaces[index].made_s
+                self._late_s[index] = max(late_s, 0.0)
         on_path = self._moment is not None and self._on_path
         if on_path and self._ticks % _MEASURED_EVERY == 0:
             away = self.workcell.off_path(self.body.position_m, self._moment or 0.0)
