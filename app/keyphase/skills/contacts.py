@@ -212,7 +212,7 @@ def shift_beyond(demonstration: Demonstration, skill: Skill, free_N: Array) -> f
         return 0.0
     assert demonstration.force_N is not None
     inside = demonstration.force_N[_inside(demonstration, skill.demonstrated_s)]
-    before = -((inside - free_N) @ pressing_direction(skill))
+    before = np.linalg.norm(inside - free_N, axis=1)
     free = len(before) and float(np.median(before)) < max(MIN_FORCE_N, end.threshold_N)
     return SOFT_BEYOND_M if free else None
 

@@ -179,13 +179,18 @@ class RecordedWorld:
     def _plane(self, index: int) -> tuple[Array, Array, float]:
         assert self._moment is not None
         surface, moment = self.workcell.surfaces[index], self._moment - self._late_s.get(index, 0.0)
-        if index not in self.touched:
+        if index not in self.touched and self._is_made_now(index):
             # Until then it is what was met first, and not what it became under the tool.
             moment = min(moment, surface.made_s)
         shift, turn = self._place
         here = turn.T @ (self.body.position_m - shift)
         point, normal, friction = surface.plane(here, moment)
         return *self._moved(point, normal), friction + self._rougher
+
+    def _is_made_now(self, index: int) -> bool:
+        """Whether the contact was made within the stretch that is repeated, not before it."""
+        made_s = self.workcell.surfaces[index].made_s
+        return self._span_s is not None and self._span_s[0] < made_s <= self._span_s[1] + _AFTER_S
 
     def _moved(self, point: Array, normal: Array) -> tuple[Array, Array]:
         shift, turn = self._place
@@ -211,8 +216,9 @@ class RecordedWorld:
         for index, pressed in self._contact()[1].items():
             if pressed > TOUCHED_N and index not in self.touched:
                 self.touched[index] = self._ticks / RATE_HZ
-                late_s = (self._moment or 0.0) - self.workcell.surfaces[index].made_s
-                self._late_s[index] = max(late_s, 0.0)
+                if self._is_made_now(index):
+                    late_s = (self._moment or 0.0) - self.workcell.surfaces[index].made_s
+                    self._late_s[index] = max(late_s, 0.0)
         on_path = self._moment is not None and self._on_path
         if on_path and self._ticks % _MEASURED_EVERY == 0:
             away = self.workcell.off_path(self.body.position_m, self._moment or 0.0)
