@@ -30,6 +30,7 @@ def main() -> int:
     tasks = {
         task: _enough(cached, task, count, asked.jobs)
         for task, count in [*((one, asked.count) for one in WORKCELLS), (GRIPPER, asked.grips)]
+        if count
     }
     by_simulation = set(tasks)
     if asked.real is not None:
