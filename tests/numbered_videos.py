@@ -13,6 +13,7 @@ BLOCK = 32
 
 # Faster presets leave out what changes in every other frame.
 LIKE_LEROBOT = ("libsvtav1", {"preset": "8", "crf": "30", "svtav1-params": "keyint=2:lp=1"})
+H264_LIKE_LEROBOT = ("libx264", {"preset": "veryfast", "g": "2", "crf": "30", "threads": "1"})
 H264 = ("libx264", {"preset": "veryfast", "g": "250", "threads": "1"})
 
 READ_NUMBER = """(video) => {

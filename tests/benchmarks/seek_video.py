@@ -2,9 +2,10 @@
 
     python tests/benchmarks/seek_video.py --seeks 1000
 
-Two videos of 640x360 whose every frame carries its number lie beside the bundled recording of
-Setup 1: AV1 as LeRobot writes it (a key frame every second frame) and H.264 with a key frame every
-250. Each is sought at random, forth and back by single frames too; decoding is in software.
+Three videos of 640x360 whose every frame carries its number lie beside the bundled recording of
+Setup 1: AV1 and H.264 as LeRobot writes them (a key frame every second frame), and H.264 with a key
+frame every 250. Each is sought at random, forth and back by single frames too; decoding is in
+software.
 """
 
 import argparse
@@ -24,9 +25,15 @@ from footage import cameras, frames_at_random, name_beside, seek_frame  # noqa: 
 
 from keyphase.files.shipped import shipped  # noqa: E402
 from keyphase.web.server import PageServer  # noqa: E402
-from numbered_videos import H264, LIKE_LEROBOT, numbers_in, write_video  # noqa: E402
+from numbered_videos import (  # noqa: E402
+    H264,
+    H264_LIKE_LEROBOT,
+    LIKE_LEROBOT,
+    numbers_in,
+    write_video,
+)
 
-CODECS = {"av1": LIKE_LEROBOT, "h264": H264}
+CODECS = {"av1": LIKE_LEROBOT, "h264": H264_LIKE_LEROBOT, "h264_sparse": H264}
 MOST_MS = 300.0
 
 
@@ -45,7 +52,7 @@ def sought(page: KeyphasePage, name: str, seeks: int) -> tuple[int, np.ndarray]:
 
 def main() -> None:
     options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--seeks", type=int, default=1000, help="for each of the two")
+    options.add_argument("--seeks", type=int, default=1000, help="for each of the three")
     options.add_argument("--frames", type=int, default=200, help="of each video")
     chosen = options.parse_args()
     failed = False

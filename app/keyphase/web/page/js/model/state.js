@@ -55,6 +55,7 @@ import { firstChoice } from "./rows.js";
  *   holding: boolean, saving: boolean, small: boolean, dark: boolean|null, snap: boolean|null,
  *   logarithmic: boolean, leastCertainFirst: boolean, filter: string, picked: string[],
  *   firstSteps: boolean, camerasShown: boolean, camerasChosen: string[],
+ *   sought: ReadonlySet<string>,
  *   folded: Set<string>, hidden: Set<string>, replayFolded: Set<string>, replayView: View|null,
  *   plotWidth: number, paneHeight: number, paneWidth: number,
  *   layout: import("./rows.js").Layout|null}} Seen
@@ -168,6 +169,7 @@ function nothingSeen(small) {
     firstSteps: false,
     camerasShown: true,
     camerasChosen: [],
+    sought: new Set(),
     ...firstChoice(small),
     replayFolded: new Set(["torque"]),
     replayView: null,

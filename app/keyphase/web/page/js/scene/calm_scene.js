@@ -4,6 +4,9 @@
  * something on the timeline (drags, pans, zooms), unless segments or the playhead change; and then
  * one frame at a time, so that the hand is kept waiting for few of its moves.
  *
+ * The same goes for a camera's picture: decoding and drawing share the thread, and the picture is what
+ * a person waits for.
+ *
  * viser also draws a frame every second though nothing has changed. After a frame that took long
  * such frames wait, until most of the time is free. Where there is a graphics card nothing waits.
  */
@@ -19,6 +22,8 @@ const SETTLES_MS = 1000;
 const REST = 12;
 /** No longer than this, since what was loaded during a long first frame is to be seen soon. */
 const REST_MS = 4000;
+/** A picture that is sought is often followed by the next one: so long the scene waits for that. */
+const SOUGHT_MS = 150;
 /** How often we look whether there is something to draw. */
 const LOOK_MS = 100;
 const INPUTS = ["pointerdown", "pointermove", "pointerup", "wheel", "keydown", "resize"];
@@ -38,9 +43,12 @@ export function createCalmScene(sceneFrames) {
   let settlesUntil = 0;
   let restsUntil = 0;
   let isHeld = false;
+  let isSought = false;
+  let sought = 0;
 
   function mayDraw() {
     const now = performance.now();
+    if (isSought && now < restsUntil) return false;
     if (isHeld) return now >= restsUntil && now < drawsUntil;
     return now < drawsUntil || now < settlesUntil || now >= restsUntil;
   }
@@ -90,6 +98,16 @@ export function createCalmScene(sceneFrames) {
     hold(held) {
       isHeld = held;
       release();
+    },
+    /** A camera's picture is being sought, or has come. @param {boolean} begins */
+    seek(begins) {
+      clearTimeout(sought);
+      if (begins) isSought = true;
+      else
+        sought = setTimeout(() => {
+          isSought = false;
+          release();
+        }, SOUGHT_MS);
     },
     /** Something in the scene is about to change: let it draw. */
     changed() {

@@ -26,6 +26,7 @@ export function createScene(store, page) {
   });
   store.on(["samples", "replay"], calm.changed);
   store.on(["holding"], ({ holding }) => calm.hold(holding));
+  store.on(["sought"], ({ sought }) => calm.seek(sought.size > 0));
   const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
   frame.addEventListener("load", () => {
     const inside = frame.contentWindow;

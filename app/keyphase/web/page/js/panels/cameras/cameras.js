@@ -119,6 +119,10 @@ function createView(camera, store, actions) {
       why.textContent = `This browser cannot play ${camera.name}: ${text}`;
       why.hidden = false;
     },
+    (sought) => {
+      const others = [...store.state.sought].filter((id) => id !== camera.id);
+      store.set({ sought: new Set(sought ? [...others, camera.id] : others) });
+    },
   );
   const offset = offsetField(camera, store, actions);
   const node = el(

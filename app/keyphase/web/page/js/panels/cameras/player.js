@@ -14,20 +14,26 @@ const UNTOLD_MS = 500;
  * @param {import("../../model/footage/frames.js").Camera} camera
  * @param {(frame: number) => void} told of each frame that is on the screen
  * @param {(why: string) => void} broke where the browser cannot play it
+ * @param {(sought: boolean) => void} seeks whether a frame is being sought
  */
-export function createPlayer(camera, told, broke) {
+export function createPlayer(camera, told, broke, seeks) {
   const video = /** @type {HTMLVideoElement} */ (
     el("video", { preload: "auto", playsinline: true, disablepictureinpicture: true })
   );
   video.muted = true;
   video.src = `/app/video/${camera.id}`;
   video.setAttribute("aria-label", `Camera ${camera.name}`);
-  video.addEventListener("error", () => broke(video.error?.message || "It cannot be played."));
+  video.addEventListener("error", () => {
+    seeks(false);
+    broke(video.error?.message || "It cannot be played.");
+  });
   let wanted = /** @type {number|null} */ (null);
   let shown = /** @type {number|null} */ (null);
   let isSeeking = false;
   let tries = 0;
   let patience = 0;
+  /** Waits no more for the frame that is sought. */
+  let leave = () => {};
 
   function see(mediaTime) {
     clearTimeout(patience);
@@ -38,26 +44,37 @@ export function createPlayer(camera, told, broke) {
   function seek() {
     if (isSeeking || wanted === null || wanted === shown || !video.paused) return;
     isSeeking = true;
+    seeks(true);
     const target = wanted;
+    const over = new AbortController();
     const next = (mediaTime) => {
+      over.abort();
       see(mediaTime);
       isSeeking = false;
       tries = wanted === target && shown !== target ? tries + 1 : 0;
       if (tries < MOST_TRIES) seek();
+      if (!isSeeking) seeks(false);
     };
     const asked = video.requestVideoFrameCallback((_now, { mediaTime }) => next(mediaTime));
+    over.signal.addEventListener("abort", () => video.cancelVideoFrameCallback(asked));
     video.addEventListener(
       "seeked",
       () => {
+        // Of the seek before this one, told late.
+        if (video.seeking) return;
         // The very frame that is on the screen already is not presented once more.
-        patience = setTimeout(() => {
-          video.cancelVideoFrameCallback(asked);
-          if (isSeeking) next(seekTime(camera, target) - 0.5 / camera.fps);
-        }, UNTOLD_MS);
+        patience = setTimeout(() => next(seekTime(camera, target) - 0.5 / camera.fps), UNTOLD_MS);
       },
-      { once: true },
+      { signal: over.signal },
     );
+    leave = () => over.abort();
     video.currentTime = seekTime(camera, target);
+  }
+  function leaveSeeking() {
+    leave();
+    clearTimeout(patience);
+    isSeeking = false;
+    seeks(false);
   }
   function run(_now, { mediaTime }) {
     see(mediaTime);
@@ -90,14 +107,14 @@ export function createPlayer(camera, told, broke) {
         16,
       );
       if (!video.paused) return undefined;
+      leaveSeeking();
       wanted = shown = null;
-      isSeeking = false;
       video.requestVideoFrameCallback(run);
       video.play().catch(() => undefined);
       return undefined;
     },
     close() {
-      clearTimeout(patience);
+      leaveSeeking();
       video.pause();
       video.removeAttribute("src");
       video.load();
