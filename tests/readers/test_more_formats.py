@@ -54,7 +54,9 @@ def matlab_73(folder: Path) -> Path:
     path = folder / "new.mat"
     with h5py.File(path, "w", userblock_size=512) as file:
         for name, values in {"t": TIME[:, None], "pos": POSITION, "quat": XYZW, "F": FORCE}.items():
-            file.create_dataset(f"log/{name}", data=values.T).attrs["MATLAB_class"] = b"double"
+            file.create_dataset(f"log/{name}", data=values.T).attrs["MATLAB_class"] = np.bytes_(
+                "double"
+            )
     with path.open("r+b") as stream:
         stream.write(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(124) + b"\x00\x02IM")
     return path

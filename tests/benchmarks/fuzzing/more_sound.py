@@ -69,7 +69,7 @@ def matlab_73(folder: Path) -> Path:
     with h5py.File(path, "w", userblock_size=512) as file:
         for name, values in {"t": T[:, None], "pos": PLACE, "f": FORCE}.items():
             stored = file.create_dataset(f"log/{name}", data=values.T, compression="gzip")
-            stored.attrs["MATLAB_class"] = b"double"
+            stored.attrs["MATLAB_class"] = np.bytes_("double")
     with path.open("r+b") as stream:
         stream.write(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(124) + b"\x00\x02IM")
     return path

@@ -61,11 +61,11 @@ def _is_variable(item: Any) -> bool:
 
 
 def _class_of(item: Any) -> bytes:
-    """What MATLAB calls its type; never read where it is longer than any name of one."""
+    """What MATLAB calls its type. A text of another kind than MATLAB's is not read: its length
+    stands elsewhere in the file and may be anything.
+    """
     if "MATLAB_class" not in item.attrs:
         return b"double"
     kept = item.attrs.get_id("MATLAB_class")
-    if kept.dtype.kind not in "SO" or kept.dtype.itemsize > _MAX_CLASS_BYTES or kept.shape != ():
-        raise ValueError("MATLAB_class is no short text")
-    said = item.attrs["MATLAB_class"]
-    return said.encode() if isinstance(said, str) else bytes(said)
+    is_short = kept.dtype.kind == "S" and kept.dtype.itemsize <= _MAX_CLASS_BYTES
+    return bytes(item.attrs["MATLAB_class"]) if is_short and kept.shape == () else b"double"

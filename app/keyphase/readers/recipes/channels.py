@@ -102,8 +102,8 @@ def channels_of(table: Columned, recipe: Recipe, beside: Columned | None = None)
         channels["orientation_wxyz"], more = _orientation(own, recipe.orientation)
         notices += more
     for name, form in _loads_and_joints(recipe).items():
-        elsewhere = beside is not None and name in _LOADS
-        channels[name] = _scaled(beside if elsewhere else rows.of(form.columns), form)
+        own = rows.of(form.columns) if beside is None or name not in _LOADS else beside
+        channels[name] = _scaled(own, form)
     if recipe.gripper:
         channels["gripper"] = _opening(rows.of(recipe.gripper.columns), recipe.gripper)
     for name, column in recipe.named.items():
