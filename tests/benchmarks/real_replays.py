@@ -65,8 +65,8 @@ def draw(folder: Path, name: str, one: Replayed) -> None:
 
     assert one.result is not None
     assert one.met is not None
-    assert one.met.force_N is not None
-    demonstration, states = one.met, one.result.states
+    demonstration, states, felt = one.met, one.result.states, one.met.force_N
+    assert felt is not None
     at = [(s.demonstrated_s, s.sample) for s in states if s.demonstrated_s is not None]
     time = np.array([t for t, _ in at])
     figure, (path, force) = pyplot.subplots(2, 1, figsize=(11, 6), sharex=True)
@@ -77,7 +77,7 @@ def draw(folder: Path, name: str, one: Replayed) -> None:
         )
         there = 1e3 * np.array([s.position_m[axis] - zero[axis] for _, s in at])
         path.plot(time, there, ".", markersize=1.5, color=color, label="xyz"[axis])
-    demonstrated = np.linalg.norm(demonstration.force_N, axis=1)
+    demonstrated = np.linalg.norm(felt, axis=1)
     force.plot(demonstration.time_s, demonstrated, color="#adb5bd", label="demonstrated")
     measured = [float(np.linalg.norm(s.force_N)) for _, s in at]
     force.plot(time, measured, ".", markersize=1.5, color="#e8590c", label="replayed")
@@ -110,7 +110,7 @@ def of_set(folder: Path, only: list[str], pictures: Path | None) -> Iterator[Rep
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("folders", type=Path, nargs="+")
     parser.add_argument("--only", nargs="*", default=[])
     parser.add_argument("--pictures", type=Path)

@@ -35,7 +35,8 @@ def followed_force(demonstration: Demonstration, skill: Skill, free_N: Array) ->
     """Where the demonstration of a skill presses without moving along its force, that force.
 
     The direction presses against the recorded force, without the friction that lies along the
-    way; the force is averaged over 0.2 s. None where nothing is to be followed. `free_N` (3,) is
+    way; the force is averaged over 0.2 s. What was exerted besides, that friction or a push along
+    the way, is what is pushed. None where nothing is to be followed. `free_N` (3,) is
     the force in free space.
     """
     if skill.demonstrated_s is None or demonstration.force_N is None:
