@@ -19,9 +19,12 @@ export function createPlaybackActions(store, share) {
    * @type {import("../model/types.js").Playhead|null}
    */
   let asked = null;
+  /** What was told before it was asked for is no answer, though it may look like one. */
+  let before = state.playhead;
   const wanted = () => asked ?? state.playhead;
   store.on(["playhead"], ({ playhead }) => {
-    if (PLAYED.every((name) => playhead[name] === asked?.[name])) asked = null;
+    if (playhead !== before && PLAYED.every((name) => playhead[name] === asked?.[name]))
+      asked = null;
   });
   store.on(["connected", "recording"], () => (asked = null));
 
@@ -37,6 +40,7 @@ export function createPlaybackActions(store, share) {
       const { playing, speed, loop } = playhead;
       if (!doc() || !share({ type: "play", playing, speed, loop })) return;
       asked = playhead;
+      before = state.playhead;
     },
     togglePlay: () => actions.play({ playing: !wanted().playing }),
     toggleLoop: () => actions.play({ loop: !wanted().loop }),
