@@ -47,7 +47,8 @@ _CHANNELS: Mapping[str, int | None] = {
 class Source:
     """The file a demonstration was read from: its path and the SHA-256 of its bytes (hex).
 
-    recipe, recipe_sha256  the recipe it was read with, its name and the SHA-256 of its text
+    recipe, recipe_sha256  the recipe it was read with, its name and the SHA-256 of its text,
+                           and of the file beside the recording that it names
     """
 
     path: Path

@@ -5,8 +5,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from keyphase.errors import DemonstrationError, RecipeError
+from keyphase.errors import DemonstrationError, RecipeError, SegmentFileError
+from keyphase.labeling.label import label
+from keyphase.labeling.segment_file import (
+    read_segment_file,
+    require_same_reading,
+    write_segment_file,
+)
 from keyphase.readers import parse_recipe, read
+from keyphase.segmentation import segment
 
 RECIPE = """
 time = {column = "t", unit = "s", from_zero = true}
@@ -37,6 +44,16 @@ def test_force_is_read_from_its_own_file_on_the_recordings_clock(recording: Path
     np.testing.assert_allclose(found.force_N[:, 0], found.time_s, atol=1e-6)
     np.testing.assert_allclose(found.position_m[:, 0], found.time_s, atol=1e-6)
     assert any("run_7_ft.txt" in notice for notice in found.notices)
+
+
+def test_what_was_labeled_with_another_wrench_is_refused(recording: Path) -> None:
+    recipe = parse_recipe(RECIPE % "{stem}_ft.txt", "r")
+    written = recording.with_suffix(".segments.json")
+    write_segment_file(label(segment(read(recording, recipe))), written)
+    beside = recording.with_name("run_7_ft.txt")
+    beside.write_text(beside.read_text().replace(" 0 0", " 1 0"))
+    with pytest.raises(SegmentFileError, match="or the wrench file it names has"):
+        require_same_reading(read_segment_file(written), read(recording, recipe))
 
 
 def test_a_file_that_is_not_there_is_told(recording: Path) -> None:

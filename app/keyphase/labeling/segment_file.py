@@ -163,12 +163,19 @@ def require_same_reading(file: SegmentFile, demonstration: Demonstration) -> Non
     source = demonstration.source
     made_with, now = file.demonstration.recipe_sha256, source.recipe_sha256 if source else None
     known = "keyphase 0.1" not in file.software_version
-    if made_with != now and (made_with is not None or known):
+    if made_with == now or (made_with is None and not known):
+        return
+    then, today = file.demonstration.recipe, source.recipe if source else None
+    if then == today:
         raise SegmentFileError(
             f"{file.path}: it was made of {file.demonstration.name} as read with "
-            f"{_called(file.demonstration.recipe)}, not with "
-            f"{_called(source.recipe if source else None)}; give that recipe, or segment again."
+            f"{_called(then)}, which has changed since, or the wrench file it names has; bring "
+            "that back, or segment again."
         )
+    raise SegmentFileError(
+        f"{file.path}: it was made of {file.demonstration.name} as read with {_called(then)}, "
+        f"not with {_called(today)}; give that recipe, or segment again."
+    )
 
 
 def _called(recipe: str | None) -> str:

@@ -1,5 +1,7 @@
 """A wrench in a file of its own, as sensors log it that the robot's recorder knows nothing of."""
 
+import hashlib
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +18,19 @@ STEM = "{stem}"
 """Stands in the path for the recording's name without its ending."""
 
 
-def table_beside(recording: Path, recipe: Recipe, limit_bytes: int) -> Table | None:
+@dataclass(frozen=True, eq=False)
+class Beside:
+    """The table of a wrench, and the SHA-256 (hex) of its file."""
+
+    table: Table
+    sha256: str
+
+    def with_recipe(self, sha256: str) -> str:
+        """By what a recipe and this file are known together, so that another wrench is noticed."""
+        return hashlib.sha256(f"{sha256} {self.sha256}".encode()).hexdigest()
+
+
+def table_beside(recording: Path, recipe: Recipe, limit_bytes: int) -> Beside | None:
     """The table of the wrench, where the recipe names one.
 
     Raises RecipeError for a path that leads out of the recording's folder, DemonstrationError for
@@ -33,7 +47,8 @@ def table_beside(recording: Path, recipe: Recipe, limit_bytes: int) -> Table | N
             f"{form.path[:80]!r}; copy the file there."
         )
     whole = read_whole(path, limit_bytes)
-    return open_table(whole.name, whole.data, form.table, limit_bytes)
+    table = open_table(whole.name, whole.data, form.table, limit_bytes)
+    return Beside(table, whole.source.sha256)
 
 
 def clock_beside(table: Columned, form: WrenchFile, main: Columned, recipe: Recipe) -> Array:

@@ -69,10 +69,10 @@ def demonstration_of(
     `told` are the notices of whoever opened the table; they come first.
     """
     beside = table_beside(file.source.path, recipe, limit_bytes)
-    channels, notices = channels_of(table, recipe, beside)
+    channels, notices = channels_of(table, recipe, beside and beside.table)
     notices = told + notices
     if beside is not None:
-        notices += (f"Force and torque are those of {beside.file}.",)
+        notices += (f"Force and torque are those of {beside.table.file}.",)
     events = _events(table, recipe)
     channels, more = by_joints(channels, recipe)
     notices += more
@@ -88,7 +88,8 @@ def demonstration_of(
     notices += more
     if "gripper" in channels:
         channels["gripper"] = channels["gripper"][:, 0]
-    source = replace(file.source, recipe=recipe.name, recipe_sha256=recipe.sha256)
+    known_by = recipe.sha256 if beside is None else beside.with_recipe(recipe.sha256)
+    source = replace(file.source, recipe=recipe.name, recipe_sha256=known_by)
     read = replace(file, source=source)
     own, named = without_named(channels)
     told = (f"Read with the recipe {recipe.name}.", *notices)
