@@ -21,7 +21,7 @@ from keyphase.segmentation import Parameters, Segmenter, segment
 from keyphase.segmentation.paper.force import normalized_error
 
 RATE_HZ = round(synthetic.RATE_HZ)
-THRESHOLDS = np.geomspace(10.0, 3000.0, 41)
+THRESHOLDS = np.linspace(0.02, 0.98, 41)
 
 
 @cache

@@ -128,14 +128,15 @@ class EvidenceMethod:
         gaussians = self._gaussians.fitted(times[order])
         intervals = intervals_s(gaussians, times[order])
         with_motion = self._joined(selection)
-        boundaries = []
-        for index, interval in zip(order.tolist(), intervals.tolist(), strict=True):
-            if index < len(contacts):
-                candidate = int(contacts[index])
-                boundaries.append(told.contact(candidate, with_motion.get(candidate)))
-            else:
-                candidate = int(motions[index - len(contacts)])
-                boundaries.append(told.motion(candidate, (interval[0], interval[1])))
+        candidates = np.concatenate([contacts, motions])[order].tolist()
+        boundaries = [
+            told.contact(candidate, with_motion.get(candidate))
+            if is_contact
+            else told.motion(candidate, (low, high))
+            for candidate, is_contact, (low, high) in zip(
+                candidates, (order < len(contacts)).tolist(), intervals.tolist(), strict=True
+            )
+        ]
         return tuple(boundaries), gaussians
 
     def _apart(self, times: Array) -> np.ndarray:
@@ -146,16 +147,16 @@ class EvidenceMethod:
 
     def _joined(self, selection: Selection) -> dict[int, float]:
         """For contact changes at which the motion changes too, when it does."""
-        contacts = selection.contacts
-        joined: dict[int, float] = {}
-        times = self.evidence.contact_s[contacts]
-        for moved in self.evidence.motion_s[selection.motion == CONTACT].tolist():
-            after = int(np.searchsorted(times, moved))
-            near = [i for i in (after - 1, after) if 0 <= i < len(times)]
-            nearest = min(near, key=lambda i: abs(float(times[i]) - moved))
-            candidate = int(contacts[nearest])
-            known = joined.get(candidate)
-            here = float(times[nearest])
-            if known is None or abs(moved - here) < abs(known - here):
-                joined[candidate] = moved
-        return joined
+        times = self.evidence.contact_s[selection.contacts]
+        moved = self.evidence.motion_s[selection.motion == CONTACT]
+        after = np.searchsorted(times, moved)
+        before = np.maximum(after - 1, 0)
+        after = np.minimum(after, len(times) - 1)
+        nearest = np.where(
+            np.abs(times[before] - moved) <= np.abs(times[after] - moved), before, after
+        )
+        away = np.abs(times[nearest] - moved)
+        # Of several at one contact the nearest comes last, and stays.
+        order = np.argsort(away, kind="stable")[::-1]
+        candidates = selection.contacts[nearest][order].tolist()
+        return dict(zip(candidates, moved[order].tolist(), strict=True))

@@ -90,8 +90,11 @@ def _likeliest_beside(motion_s: Array, contact_s: Array, contact: Array, reach_s
     first = np.searchsorted(contact_s, motion_s - reach_s, side="right")
     last = np.searchsorted(contact_s, motion_s + reach_s, side="left")
     best = np.full(len(motion_s), -np.inf)
-    for index in np.flatnonzero(last > first).tolist():
-        best[index] = contact[first[index] : last[index]].max()
+    some = last > first
+    if some.any():
+        # Every other stretch of reduceat is one that was asked for.
+        edges = np.stack([first[some], last[some]], axis=1).ravel()
+        best[some] = np.maximum.reduceat(np.append(contact, -np.inf), edges)[::2]
     return best
 
 

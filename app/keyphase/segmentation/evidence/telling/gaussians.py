@@ -3,6 +3,7 @@
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.motion import Motion
@@ -10,12 +11,16 @@ from keyphase.segmentation.segmentation import Gaussian
 
 _FLOOR_M = 2e-4
 
+_MAX_KNOWN = 5000
+"""About so many Gaussians of segments that are no more are kept."""
+
 
 class SegmentGaussians:
     """Fits one Gaussian to each segment of a motion, in time that grows with the segments."""
 
     def __init__(self, motion: Motion) -> None:
         self._motion = motion
+        self._known: dict[tuple[int, int], Gaussian] = {}
 
     @cached_property
     def _middle_m(self) -> Array:
@@ -37,12 +42,30 @@ class SegmentGaussians:
         )
 
     def fitted(self, boundaries_s: Array) -> tuple[Gaussian, ...]:
-        """One Gaussian per segment between boundaries (B,), ascending; B + 1 of them."""
-        motion, (sums, products) = self._motion, self._sums
+        """One Gaussian per segment between boundaries (B,), ascending; B + 1 of them.
+
+        Those of segments that were there before are known: a line that is dragged changes few.
+        """
+        motion = self._motion
         inner = np.searchsorted(motion.time_s, boundaries_s)
         edges = np.concatenate([[0], inner, [len(motion.time_s)]])
         first = np.minimum(edges[:-1], len(motion.time_s) - 1)
         last = np.maximum(edges[1:], first + 1)
+        spans = list(zip(first.tolist(), last.tolist(), strict=True))
+        # Several threads may ask at once: what is known is replaced, never changed.
+        known = self._known
+        new = [i for i, span in enumerate(spans) if span not in known]
+        if new:
+            if len(known) > _MAX_KNOWN + len(spans):
+                known = {span: known[span] for span in spans if span in known}
+            found = self._between(first[new], last[new])
+            known = known | dict(zip([spans[i] for i in new], found, strict=True))
+            self._known = known
+        return tuple([known[span] for span in spans])
+
+    def _between(self, first: NDArray[np.intp], last: NDArray[np.intp]) -> tuple[Gaussian, ...]:
+        """The Gaussians of the samples from `first` to before `last` (B,)."""
+        motion, (sums, products) = self._motion, self._sums
         count = (last - first)[:, None]
         mean = (sums[last] - sums[first]) / count
         square = np.empty((len(count), 4, 4))

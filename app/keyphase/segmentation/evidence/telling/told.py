@@ -52,6 +52,7 @@ class Told:
         self._weights = weights
         self._change_at = change_at
         self._boundaries: dict[tuple[int, float | None], Boundary] = {}
+        self._motions: dict[int, Boundary] = {}
         self._reasons: dict[tuple[CandidateKind, int], tuple[Reason, ...]] = {}
         self._known: dict[tuple[CandidateKind, int, int], Candidate] = {}
         self._told: list[tuple[float, CandidateKind, int]] = self._worth_telling()
@@ -77,16 +78,20 @@ class Told:
 
     def motion(self, candidate: int, interval_s: tuple[float, float]) -> Boundary:
         """The boundary at a candidate of motion, in the interval its Gaussians leave it."""
-        time = float(self._evidence.motion_s[candidate])
-        return Boundary(
-            time_s=time,
-            origin="position",
-            interval_s=interval_s,
-            confidence=float(sigmoid(self._scores.motion[candidate])),
-            contact_change=False,
-            position_s=time,
-            reasons=self.reasons("motion", candidate),
-        )
+        known = self._motions.get(candidate)
+        # While a line is dragged nearly all intervals stay.
+        if known is None or known.interval_s != interval_s:
+            time = float(self._evidence.motion_s[candidate])
+            known = self._motions[candidate] = Boundary(
+                time_s=time,
+                origin="position",
+                interval_s=interval_s,
+                confidence=float(sigmoid(self._scores.motion[candidate])),
+                contact_change=False,
+                position_s=time,
+                reasons=self.reasons("motion", candidate),
+            )
+        return known
 
     def candidates(self, selection: Selection) -> tuple[Candidate, ...]:
         """The likeliest candidates of both kinds in time order, given or not."""
