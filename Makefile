@@ -29,7 +29,7 @@ test: $(VENV)/ready-to-test browser page-scripts
 	$(BIN)/ruff check --quiet $(SOURCES)
 	PYTHONPATH=app $(BIN)/lint-imports --no-cache --no-logo
 	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist worksteal --reruns 1 -rR -m "not browser" --ignore tests/browser
-	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist worksteal --reruns 2 -rR -m browser tests/browser
+	OMP_NUM_THREADS=1 $(BIN)/pytest -q -n 3 --dist worksteal --reruns 2 -rR -m browser tests/browser
 
 browser:
 	sh tests/ensure_chromium.sh
