@@ -3,7 +3,8 @@
 Threshold: from the input event that carried the value to the first frame of the timeline with the
 new segments, and to that of the 3D scene, for the line and for the panel's slider. A million
 samples: how long the page takes to open, and zooming, panning and dragging a boundary with the
-mouse, from each input event to the frame of the timeline that shows it.
+mouse, from each input event to the frame of the timeline that shows it. All of it without a camera,
+and with one beside the scene whose picture follows the pointer.
 """
 
 import math
@@ -22,10 +23,12 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 sys.path.insert(0, str(Path(__file__).parents[1] / "browser"))
 from chromium import chromium_browser
 from driver import KeyphasePage
+from footage import name_beside
 
 from keyphase.files.shipped import shipped
 from keyphase.web.server import PageServer
 from long_recording import write_long
+from numbered_videos import LIKE_LEROBOT, write_video
 
 MOVES = 100
 PAUSE_MS = 60
@@ -51,25 +54,40 @@ def browser() -> Iterator[Browser]:
         yield running
 
 
+@pytest.fixture(scope="module", params=["no camera", "camera"])
+def camera(request: pytest.FixtureRequest) -> bool:
+    return request.param == "camera"
+
+
 @pytest.fixture(scope="module")
-def short(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[KeyphasePage]:
+def short(
+    browser: Browser, tmp_path_factory: pytest.TempPathFactory, camera: bool
+) -> Iterator[KeyphasePage]:
     """The recorded Setup 1, under the method whose line lies over the normalized error."""
     path = tmp_path_factory.mktemp("short") / "setup1.npz"
     shutil.copy(shipped("data") / "setup1.npz", path)
-    for page in visited(browser, path):
+    for page in visited(browser, path, (200, 30.0) if camera else None):
         page.set_parameter("variant", "paper")
         yield page
 
 
 @pytest.fixture(scope="module")
-def long(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[KeyphasePage]:
+def long(
+    browser: Browser, tmp_path_factory: pytest.TempPathFactory, camera: bool
+) -> Iterator[KeyphasePage]:
     """A million samples: Setup 1 again and again, at 250 Hz for more than an hour."""
     path = tmp_path_factory.mktemp("long") / "million.npz"
     write_long(path)
-    yield from visited(browser, path)
+    yield from visited(browser, path, (2000, 0.5) if camera else None)
 
 
-def visited(browser: Browser, path: Path) -> Iterator[KeyphasePage]:
+def visited(
+    browser: Browser, path: Path, video: tuple[int, float] | None = None
+) -> Iterator[KeyphasePage]:
+    """The page on a recording, with a video of so many frames at so many a second beside it."""
+    if video is not None:
+        file, (frames, fps) = name_beside(path, "above"), video
+        write_video(file, frames, fps, codec=LIKE_LEROBOT, size=(640, 360))
     begun = time.perf_counter()
     server = PageServer([path])
     page = KeyphasePage(browser.new_page(viewport={"width": 1920, "height": 1080}))
@@ -83,6 +101,8 @@ def visited(browser: Browser, path: Path) -> Iterator[KeyphasePage]:
     page.wait_for_scene()
     rest = time.perf_counter()
     print(f"\n{path.stem}: timeline after {drawn - begun:.1f} s, scene after {rest - begun:.1f} s")
+    if video is not None:
+        page.until("document.querySelector('.camera video')?.readyState >= 2")
     page.page.evaluate(_WATCH)
     yield page
     page.close()
