@@ -94,3 +94,27 @@ def test_what_is_no_table_is_refused(data: bytes) -> None:
 def test_time_and_place_of_real_logs_are_found(real_data: Path, name: str) -> None:
     roles = {guess.role for guess in propose(real_data / "raw" / name).guesses}
     assert {"time", "position"} <= roles
+
+
+@pytest.mark.parametrize(("turn", "parts"), [((1, 0, 0, 0), "wxyz"), ((0, 0, 0, 1), "xyzw")])
+def test_without_names_the_order_that_a_tool_at_rest_has_is_shown_first_and_stays_open(
+    tmp_path: Path, turn: tuple[float, ...], parts: str
+) -> None:
+    path = tmp_path / "trajectory.dat"
+    rows = [(0.4 + np.sin(i / 30), 0.01, 0.3 - 0.002 * i, *turn) for i in range(200)]
+    path.write_text("\n".join(" ".join(f"{cell:.6f}" for cell in row) for row in rows) + "\n")
+    proposal = propose(path)
+    found = {guess.role: guess for guess in proposal.guesses}
+    assert found["position"].columns == (0, 1, 2)
+    assert found["quaternion"].columns == (3, 4, 5, 6)
+    assert found["quaternion"].likely == parts
+    assert "orientation.order" in proposal.open
+
+
+@pytest.mark.parametrize("columns", [3, 4])
+def test_a_matrix_that_never_turns_is_no_quaternion(tmp_path: Path, columns: int) -> None:
+    path = tmp_path / "matrix.dat"
+    still = np.eye(4)[:columns, :columns].ravel().tolist()
+    rows = [(0.4 + np.sin(i / 30), 0.01, 0.3, *still) for i in range(200)]
+    path.write_text("\n".join(" ".join(f"{cell:.6f}" for cell in row) for row in rows) + "\n")
+    assert "quaternion" not in {guess.role for guess in propose(path).guesses}

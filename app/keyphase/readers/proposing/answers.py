@@ -144,7 +144,7 @@ def recipe_text(answers: Answers, names: tuple[str, ...]) -> str:
 
 def _parts_of(guess: Guess) -> tuple[Part, ...]:
     if guess.role == "quaternion":
-        return tuple(_QUATERNION[letter] for letter in guess.detail or "wxyz")
+        return tuple(_QUATERNION[letter] for letter in guess.detail or guess.likely or "wxyz")
     if guess.detail == "seconds and nanoseconds":
         return ("seconds", "nanoseconds")
     if guess.role == "joints":

@@ -27,6 +27,7 @@ class Guess:
     detail    order of a quaternion, sequence of Euler angles, layout of a matrix, format of a
               stamp, or ""
     evidence  sentences, the best reason first
+    likely    where `detail` is open: what a person is shown first
     """
 
     role: Role
@@ -34,6 +35,7 @@ class Guess:
     unit: str
     detail: str
     evidence: tuple[str, ...]
+    likely: str = ""
 
     @property
     def is_one_of_several(self) -> bool:

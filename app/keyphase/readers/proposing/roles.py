@@ -33,6 +33,8 @@ from keyphase.readers.proposing.naming import (
 )
 from keyphase.readers.proposing.vectors import vector_guesses
 
+_NEAR_ONE = 0.9
+_HOMOGENEOUS = 16
 _UNNAMED = re.compile(r"column \d+|.*\[\d+\]")
 _MOST_JOINTS = 16
 _TURNS = ("quaternion", "euler", "turn", "rot6d", "matrix", "pose")
@@ -99,15 +101,42 @@ def _quaternion(names: Sequence[str], values: Array, free: list[int]) -> Guess |
         moving = int((np.ptp(rows, axis=0) > 0).sum())
         told = all(QUATERNION.search(names[c]) for c in columns) or _ordered(names, columns)
         unnamed = all(_UNNAMED.fullmatch(names[c]) for c in columns)
-        enough = told or (unnamed and moving >= 2) or moving == 4
+        still = unnamed and moving == 0 and _at_rest(values, rows[0], first)
+        enough = told or (unnamed and moving >= 2) or moving == 4 or still
         # Of a rotation matrix three numbers have norm one, and a zero beside them changes nothing.
-        beside = _one_of_more(names, columns) and moving < 4
+        beside = _one_of_more(names, columns) and moving < 4 and not still
         if np.abs(norms - 1).max() > 0.02 or not enough or beside:
             continue
         order, why = _order([names[c] for c in columns])
+        likely, seen = ("", "") if order else _likely_order(rows[0])
         evidence = (f"norm of these four is {norms.mean():.3f} in every row: a quaternion", why)
-        return Guess("quaternion", columns, "", order, evidence)
+        more = (seen,) if seen else ()
+        return Guess("quaternion", columns, "", order, (*evidence, *more), likely)
     return None
+
+
+def _at_rest(values: Array, row: Array, first: int) -> bool:
+    """Whether four numbers that never change are a turn by nothing, and no part of a matrix."""
+    if sorted(np.abs(row).round(6).tolist()) != [0.0, 0.0, 0.0, 1.0]:
+        return False
+    starts = range(max(first - _HOMOGENEOUS + 1, 0), first + 1)
+    return not any(_is_matrix(values[0, start:]) for start in starts)
+
+
+def _is_matrix(row: Array) -> bool:
+    """Whether numbers begin with a rotation matrix, alone or within three or four rows of four."""
+    blocks = [row[:9].reshape(3, 3)] if len(row) >= 9 else []
+    blocks += [row[:12].reshape(3, 4)[:, :3]] if len(row) >= 12 else []
+    return any(np.allclose(block @ block.T, np.eye(3), atol=0.02) for block in blocks)
+
+
+def _likely_order(row: Array) -> tuple[str, str]:
+    """What the first row suggests, which a person has to look at."""
+    if abs(row[3]) > _NEAR_ONE:
+        return "xyzw", "the last is near 1 at the beginning: x y z w, if the tool is not turned"
+    if abs(row[0]) > _NEAR_ONE:
+        return "wxyz", "the first is near 1 at the beginning: w x y z, if the tool is not turned"
+    return "", ""
 
 
 def _one_of_more(names: Sequence[str], columns: tuple[int, ...]) -> bool:

@@ -128,16 +128,15 @@ class EvidenceMethod:
         gaussians = self._gaussians.fitted(times[order])
         intervals = intervals_s(gaussians, times[order])
         with_motion = self._joined(selection)
-        candidates = np.concatenate([contacts, motions])[order].tolist()
-        boundaries = [
+        by_contact = order < len(contacts)
+        boundaries = np.empty(len(order), dtype=object)
+        boundaries[by_contact] = [
             told.contact(candidate, with_motion.get(candidate))
-            if is_contact
-            else told.motion(candidate, (low, high))
-            for candidate, is_contact, (low, high) in zip(
-                candidates, (order < len(contacts)).tolist(), intervals.tolist(), strict=True
-            )
+            for candidate in contacts[order[by_contact]].tolist()
         ]
-        return tuple(boundaries), gaussians
+        moving = motions[order[~by_contact] - len(contacts)]
+        boundaries[~by_contact] = told.motions(moving, intervals[~by_contact])
+        return tuple(boundaries.tolist()), gaussians
 
     def _apart(self, times: Array) -> np.ndarray:
         """Which of ascending times are inside the recording and later than the one before."""

@@ -1,10 +1,12 @@
 """Candidates told as values: boundaries with their reasons, and what would let the others in."""
 
+import threading
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.evidence.contact_terms import CONTACT_TERMS
@@ -52,7 +54,9 @@ class Told:
         self._weights = weights
         self._change_at = change_at
         self._boundaries: dict[tuple[int, float | None], Boundary] = {}
-        self._motions: dict[int, Boundary] = {}
+        self._motions = np.empty(len(evidence.motion_s), dtype=object)
+        self._motion_intervals_s = np.full((len(evidence.motion_s), 2), np.nan)
+        self._lock = threading.Lock()
         self._reasons: dict[tuple[CandidateKind, int], tuple[Reason, ...]] = {}
         self._known: dict[tuple[CandidateKind, int, int], Candidate] = {}
         self._told: list[tuple[float, CandidateKind, int]] = self._worth_telling()
@@ -76,22 +80,31 @@ class Told:
             )
         return self._boundaries[key]
 
-    def motion(self, candidate: int, interval_s: tuple[float, float]) -> Boundary:
-        """The boundary at a candidate of motion, in the interval its Gaussians leave it."""
-        known = self._motions.get(candidate)
-        # While a line is dragged nearly all intervals stay.
-        if known is None or known.interval_s != interval_s:
-            time = float(self._evidence.motion_s[candidate])
-            known = self._motions[candidate] = Boundary(
-                time_s=time,
-                origin="position",
-                interval_s=interval_s,
-                confidence=float(sigmoid(self._scores.motion[candidate])),
-                contact_change=False,
-                position_s=time,
-                reasons=self.reasons("motion", candidate),
-            )
-        return known
+    def motions(self, candidates: NDArray[np.intp], intervals_s: Array) -> list[Boundary]:
+        """The boundaries at candidates of motion (B,), in the intervals (B, 2) of their Gaussians.
+
+        While a line is dragged nearly all of them stay, and are told as they were.
+        """
+        with self._lock:
+            other = (self._motion_intervals_s[candidates] != intervals_s).any(axis=1)
+            for candidate, (low, high) in zip(
+                candidates[other].tolist(), intervals_s[other].tolist(), strict=True
+            ):
+                self._motions[candidate] = self._motion(candidate, (low, high))
+            self._motion_intervals_s[candidates[other]] = intervals_s[other]
+            return self._motions[candidates].tolist()
+
+    def _motion(self, candidate: int, interval_s: tuple[float, float]) -> Boundary:
+        time = float(self._evidence.motion_s[candidate])
+        return Boundary(
+            time_s=time,
+            origin="position",
+            interval_s=interval_s,
+            confidence=float(sigmoid(self._scores.motion[candidate])),
+            contact_change=False,
+            position_s=time,
+            reasons=self.reasons("motion", candidate),
+        )
 
     def candidates(self, selection: Selection) -> tuple[Candidate, ...]:
         """The likeliest candidates of both kinds in time order, given or not."""
