@@ -34,20 +34,29 @@ export function createFilmStrip(store, group, scale) {
       camera,
       places.map(({ frame }) => frame),
     );
+    const left = /** @type {SVGElement[]} */ ([...group.children]);
     return group.replaceChildren(
-      ...places.map(({ x, width, frame }) =>
-        svg("image", {
-          x: x + 0.5,
-          y: row.y + MARGIN_PX,
-          width,
-          height,
-          preserveAspectRatio: "xMidYMid slice",
-          href: maker.url(frame),
-          data: { frame },
-        }),
-      ),
+      ...places.map(({ x, width, frame }) => {
+        const node = imageOf(frame, left);
+        const url = maker.url(frame);
+        if (url && node.getAttribute("href") !== url) node.setAttribute("href", url);
+        const box = { x: x + 0.5, y: row.y + MARGIN_PX, width, height };
+        for (const [name, value] of Object.entries(box)) node.setAttribute(name, String(value));
+        return node;
+      }),
     );
   };
+}
+
+/**
+ * The picture of a frame: one that is there already is not decoded again.
+ * @param {number} frame
+ * @param {SVGElement[]} left those that nobody has taken
+ */
+function imageOf(frame, left) {
+  const at = left.findIndex((node) => node.dataset.frame === String(frame));
+  if (at >= 0) return left.splice(at, 1)[0];
+  return svg("image", { preserveAspectRatio: "xMidYMid slice", data: { frame } });
 }
 
 /** Pictures of frames, made one after another from a video of its own that is never seen. */
