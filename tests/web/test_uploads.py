@@ -2,6 +2,7 @@
 
 import io
 import json
+import time
 from pathlib import Path
 
 import h5py
@@ -127,8 +128,9 @@ def test_a_page_that_leaves_while_it_sends_leaves_nothing(
         for _ in range(100):
             staying.send("seek", time_s=0.1)
             staying.wait_for("playhead")
-            if len(server.sockets) == 1:
+            if len(server.sockets) == 1 and _files(own_copy.parent) == {own_copy.name}:
                 break
+            time.sleep(0.05)
 
     assert _files(own_copy.parent) == {own_copy.name}
 
