@@ -67,7 +67,7 @@ class UnknownTable:
         self._limit_bytes = limit_bytes
         proposal = propose_table(path, limit_bytes)
         self.proposed = answers_to(proposal)
-        self.layout_evidence = dict(proposal.layout.evidence)
+        self.layout_evidence = dict(proposal.layout.evidence if proposal.layout else ())
         self.evidence = tuple(
             "; ".join(
                 r for guess in proposal.guesses if column in guess.columns for r in guess.evidence
