@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.figure import Figure
 
+from keyphase.demonstration import Demonstration
 from keyphase.making import FAMILIES, Made, make
 
 COLUMNS = 3
@@ -30,13 +31,18 @@ def main() -> None:
     figure.savefig(given.output, dpi=75)
 
 
-def draw(made: Made, above, below) -> None:
-    """Speed above, the force's components below, events as lines through both."""
-    it = made.demonstration
+def draw_speed(it: Demonstration, above) -> None:
+    """The tool's speed over time [m/s], the mean of 50 ms."""
     step = np.gradient(it.position_m, axis=0) * it.rate_hz
     width = max(1, round(0.05 * it.rate_hz))
     speed = np.convolve(np.linalg.norm(step, axis=1), np.full(width, 1 / width), "same")
     above.plot(it.time_s, speed, color="#4a5560", lw=0.8)
+
+
+def draw(made: Made, above, below) -> None:
+    """Speed above, the force's components below, events as lines through both."""
+    it = made.demonstration
+    draw_speed(it, above)
     above.set_title(f"{made.family}, {it.rate_hz:.0f} Hz", fontsize=9, loc="left")
     above.set_ylabel("m/s", fontsize=7)
     if it.force_N is None:

@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 from accuracy_made import FIRST_SEED, found_with, taught_on
+from draw_made import draw_speed
 from matplotlib.figure import Figure
 
 from keyphase.making import FAMILIES, Made, make
@@ -70,10 +71,7 @@ def judged(made: Made, claims: list[Claim]) -> tuple[int, list[bool]]:
 def draw(made: Made, claims: list[Claim], right: list[bool], above, below) -> None:
     """Speed above, the force's components below."""
     it = made.demonstration
-    step = np.gradient(it.position_m, axis=0) * it.rate_hz
-    width = max(1, round(0.05 * it.rate_hz))
-    speed = np.convolve(np.linalg.norm(step, axis=1), np.full(width, 1 / width), "same")
-    above.plot(it.time_s, speed, color="#4a5560", lw=0.8)
+    draw_speed(it, above)
     above.set_title(f"{it.name}, {it.rate_hz:.0f} Hz", fontsize=9, loc="left")
     above.set_ylabel("m/s", fontsize=7)
     if it.force_N is not None:

@@ -137,11 +137,9 @@ def transforms(folder: Path) -> Path:
         stamp = kinds["builtin_interfaces/msg/Time"](sec=ns // 10**9, nanosec=ns % 10**9)
         return kinds["std_msgs/msg/Header"](stamp=stamp, frame_id=frame)
 
+    vector, quaternion = kinds["geometry_msgs/msg/Vector3"], kinds["geometry_msgs/msg/Quaternion"]
+
     def link(ns: int, parent: str, child: str, place: object, turn: object) -> object:
-        vector, quaternion = (
-            kinds["geometry_msgs/msg/Vector3"],
-            kinds["geometry_msgs/msg/Quaternion"],
-        )
         inner = kinds["geometry_msgs/msg/Transform"](vector(*place), quaternion(*turn))
         return kinds["geometry_msgs/msg/TransformStamped"](header(ns, parent), child, inner)
 
@@ -168,9 +166,7 @@ def transforms(folder: Path) -> Path:
             wrist = POSITION[i] - TURNS[i].apply([0, 0, 0.1])
             moving = link(ns, "base_link", "wrist", wrist.tolist(), XYZW[i].tolist())
             write("/tf", ns, sent([moving]))
-            force = kinds["geometry_msgs/msg/Vector3"](*FORCE[i].tolist())
-            zero = kinds["geometry_msgs/msg/Vector3"](0.0, 0.0, 0.0)
-            wrench = kinds["geometry_msgs/msg/Wrench"](force, zero)
+            wrench = kinds["geometry_msgs/msg/Wrench"](vector(*FORCE[i].tolist()), vector(0, 0, 0))
             told = kinds["geometry_msgs/msg/WrenchStamped"](header(ns, "tool0"), wrench)
             write("/ft", ns, told)
     return folder / "bag"

@@ -29,6 +29,14 @@ def test_the_example_interpreter_does_what_the_replay_does(name, height_m, tmp_p
     assert len(alone[0]) > 1
 
 
+def same_reference(executor, alone):
+    """What the executor wants, which the example interpreter wants, too."""
+    wanted = executor.reference
+    np.testing.assert_allclose(alone.reference[0], wanted.position_m, atol=1e-9)
+    np.testing.assert_allclose(alone.reference[2], wanted.velocity, atol=1e-7)
+    return wanted
+
+
 def test_the_example_interpreter_pushes_what_was_recorded_besides_what_is_pressed(tmp_path) -> None:
     """Tick by tick in a slide that no skill came into contact for, while its friction is felt."""
     demonstration = pressed_slide()
@@ -41,9 +49,7 @@ def test_the_example_interpreter_pushes_what_was_recorded_besides_what_is_presse
     executor = Executor(skills, Sensed(position, wxyz, velocity, force))
     alone = example().Plan(file, (position, wxyz, velocity, force))
     for _ in range(400):
-        wanted = executor.reference
-        np.testing.assert_allclose(alone.reference[0], wanted.position_m, atol=1e-9)
-        np.testing.assert_allclose(alone.reference[2], wanted.velocity, atol=1e-7)
+        wanted = same_reference(executor, alone)
         velocity = np.r_[0.5 * wanted.velocity[:3], np.zeros(3)]
         position = position + 0.004 * velocity[:3]
         executor.step(Sensed(position, wxyz, velocity, force))
@@ -64,9 +70,7 @@ def test_the_example_interpreter_is_as_soft_as_the_executor(tmp_path) -> None:
     executor = Executor(skills, Sensed(position, wxyz, velocity, force))
     alone = example().Plan(file, (position, wxyz, velocity, force))
     for _ in range(1000):
-        wanted = executor.reference
-        np.testing.assert_allclose(alone.reference[0], wanted.position_m, atol=1e-9)
-        np.testing.assert_allclose(alone.reference[2], wanted.velocity, atol=1e-7)
+        wanted = same_reference(executor, alone)
         velocity = np.r_[0.5 * wanted.velocity[:3], np.zeros(3)]
         position, wxyz = (position + wanted.position_m) / 2.0, wanted.orientation_wxyz
         executor.step(Sensed(position, wxyz, velocity, force))
