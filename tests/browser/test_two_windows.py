@@ -45,7 +45,7 @@ def test_what_is_done_in_one_moves_nothing_in_another_with_another_recording(
 
 
 def _go_about(page: KeyphasePage) -> None:
-    """Chooses, zooms, names, drops, turns to the other theme, plays and hides the robot."""
+    """Chooses, drops, zooms, tunes, hides the robot, turns to the other theme, plays on and on."""
     page.change(lambda: page.press("x"))
     for key in ("]", "]", "+", "+", "End", "n"):
         page.press(key)
@@ -53,7 +53,6 @@ def _go_about(page: KeyphasePage) -> None:
     page.until("document.documentElement.dataset.theme === 'dark'")
     page.page.get_by_role("checkbox", name="Robot").uncheck()
     page.set_parameter("force_threshold", 0.9)
-    page.wait_for_scene()
     page.settle()
 
 
