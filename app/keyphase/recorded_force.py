@@ -1,9 +1,4 @@
-"""What a recorded force says of itself: its offset in free space, and whether it can be one at all.
-
-The surroundings take energy from a tool that moves in contact with them, they do not give it: the
-mean of F·v / (|F| |v|) in contact is below zero. Where it is not, the force has a wrong sign, or
-stands in another frame than is said.
-"""
+"""What a recorded force says of itself: its offset in free space, and where it is a contact."""
 
 from dataclasses import dataclass
 
@@ -19,16 +14,12 @@ CONTACT_N, CONTACT_SHARE = 1.0, 0.1
 MOVING_M_S = 0.005
 MIN_SAMPLES = 10
 
-HELPS = 0.05
-"""A force whose mean share of power is above this helps the motion."""
-
 _FREE_M_S = 0.03
 _MIN_FREE = 40
 _CALM_S = 0.25
 _SMALL_N = 1.0
 _REST_M = 0.004
 _ALIKE = 0.25
-_LOOKED_AT_S = 600.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,29 +99,9 @@ def offset_while_moving(even: Even) -> Array:
     return free if is_offset else np.zeros(3)
 
 
-def power_share(even: Even) -> float | None:
-    """Mean of F·v / (|F| |v|) while moving in contact, -1 to 1; None where there is no contact."""
-    force = even.force_N - offset_while_moving(even)
-    velocity = even.velocity(0.05)
-    speed, size = np.linalg.norm(velocity, axis=1), np.linalg.norm(force, axis=1)
+def in_contact(force_N: Array, velocity_m_s: Array) -> np.ndarray:
+    """Where (N,) a force counts as one while the tool moves; nowhere, if that is too seldom."""
+    size, speed = np.linalg.norm(force_N, axis=1), np.linalg.norm(velocity_m_s, axis=1)
     least = max(CONTACT_N, CONTACT_SHARE * float(np.percentile(size, 98)))
     inside = (speed > MOVING_M_S) & (size > least)
-    if inside.sum() < MIN_SAMPLES:
-        return None
-    power = (force[inside] * velocity[inside]).sum()
-    return float(power / (size[inside] * speed[inside]).sum())
-
-
-def doubtful_force(demonstration: Demonstration) -> str | None:
-    """Why the recorded force cannot be what the surroundings exert on the tool; None if it can."""
-    if demonstration.force_N is None or demonstration.duration_s < 2 * _CALM_S:
-        return None
-    share = power_share(evenly(demonstration, _LOOKED_AT_S))
-    if share is None or share <= HELPS:
-        return None
-    return (
-        f"The recorded force helps the motion ({100 * share:+.0f} % of its power, where the "
-        "surroundings can only take): its sign is wrong, or it stands in another frame than the "
-        "positions; check both in the recipe. Directions, contact ends and a world made from this "
-        "recording are not to be trusted."
-    )
+    return inside if inside.sum() >= MIN_SAMPLES else np.zeros(len(inside), bool)

@@ -7,8 +7,9 @@ import pytest
 from drawn_contact import DOWN_S, PRESSED_N, its_plan, pressed_slide, reversed_force
 from replaying import bundled
 
+from keyphase.doubtful_force import doubtful_force, power_share
 from keyphase.errors import SimulationError
-from keyphase.recorded_force import doubtful_force, evenly, offset_while_moving, power_share
+from keyphase.recorded_force import evenly, offset_while_moving
 from keyphase.simulation import Disturbance
 from keyphase.simulation.choosing import cell_for, unfit
 from keyphase.simulation.recorded.cell import RecordedCell
@@ -78,9 +79,9 @@ def test_a_constant_offset_of_the_sensor_is_no_contact() -> None:
 
 def test_the_surroundings_take_energy_and_a_force_that_gives_is_doubted() -> None:
     right, wrong = pressed_slide(), reversed_force(pressed_slide())
-    share = power_share(evenly(right))
-    assert share is not None
-    assert share < -0.1
+    found = power_share(evenly(right))
+    assert found is not None
+    assert found[0] < -0.1
     assert doubtful_force(right) is None
     assert "helps the motion" in str(doubtful_force(wrong))
 

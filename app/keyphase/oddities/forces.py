@@ -3,8 +3,8 @@
 import numpy as np
 
 from keyphase.demonstration import Demonstration
+from keyphase.doubtful_force import doubtful_force
 from keyphase.oddities.oddity import Oddity
-from keyphase.recorded_force import doubtful_force
 
 _MAX_FORCE_N = 5000.0
 _MIN_FORCE_N = 0.05

@@ -9,8 +9,9 @@ from pathlib import Path
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.doubtful_force import doubtful_force
 from keyphase.errors import SimulationError
-from keyphase.recorded_force import Even, doubtful_force, evenly, offset_while_moving
+from keyphase.recorded_force import Even, evenly, offset_while_moving
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.impedance import Gains
 from keyphase.simulation.recorded.reaching import Pose
