@@ -145,12 +145,18 @@ def folder_recipe(path: Path) -> Path | None:
     return recipe if os.path.isfile(recipe) else None
 
 
-def undescribed_tables(folder: Path) -> tuple[Path, ...]:
-    """Tables right in a folder that nobody has said how to read, sorted."""
+def undescribed_alike(path: Path, folder: Path) -> tuple[Path, ...]:
+    """Files right in a folder that nobody has said how to read and that are of the format of
+    `path`, sorted.
+    """
+    form = format_of(path)
     try:
         paths = sorted(path for path in folder.iterdir() if not path.name.startswith("."))
     except OSError:
         return ()
+    if form is not None:
+        alike = [one for one in paths if one.suffix == path.suffix and format_of(one) is form]
+        return tuple(one for one in alike if not (own_recipe(one) or folder_recipe(one)))
     return tuple(
         path
         for path in paths

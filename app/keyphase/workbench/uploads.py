@@ -25,7 +25,7 @@ DEFAULT_LIMIT_BYTES = 2 << 30
 
 SUFFIXES = frozenset(
     {".npz", ".csv", ".tsv", ".txt", ".dat", ".log", ".asc"}
-    | {".hdf5", ".h5", ".zarr.zip", ".bag", ".mcap", ".mat", ".npy"}
+    | {".hdf5", ".h5", ".zarr.zip", ".bag", ".mcap", ".mat", ".npy", ".parquet"}
 )
 """How recordings end; a segment file ends as it always does."""
 

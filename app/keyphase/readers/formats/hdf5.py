@@ -26,12 +26,12 @@ MAGIC = b"\x89HDF\r\n\x1a\n"
 EXTRA = "hdf5"
 
 _EPISODES = "data"
-_NUMBERED = re.compile(
-    r"(episode|ep|demo|demonstration|trial|run|traj|trajectory|take|recording|rollout|sequence)"
-    r"[\s_-]?\d+",
-    re.I,
-)
+_RECORDING = r"(episode|ep|demo|demonstration|trial|run|traj|trajectory|take|recording|rollout"
+_RECORDING += r"|sequence|sample|repetition|rep|session)"
+_NUMBERED = re.compile(rf"{_RECORDING}[\s_-]?\d+", re.I)
 """How groups are called that are a recording each."""
+_GATHERED = re.compile(rf"{_RECORDING}s|data|repetitions|trajectories|demos", re.I)
+"""How the group is called that holds them, where they may be called by a number alone."""
 
 MAX_DEPTH = 8
 MAX_ARRAYS = 20_000
@@ -91,12 +91,26 @@ def opened(path: Path) -> Iterator[Any]:
 
 
 def _episodes(file: Any) -> Any:
-    """The group whose groups are a recording each, or None where the file is one recording."""
+    """The group whose groups are a recording each, or None where the file is one recording.
+
+    It is `data`, the file itself, or a group right in it.
+    """
     group = _group(file, _EPISODES)
     if group is not None and len(_groups(group)) == len(group):
         return group
-    numbered = [name for name in _groups(file) if _NUMBERED.fullmatch(name)]
-    return file if numbered and len(numbered) == len(_groups(file)) else None
+    if _are_recordings(file, ""):
+        return file
+    inner = [name for name in _groups(file) if _are_recordings(file[name], name)]
+    return file[inner[0]] if len(inner) == 1 else None
+
+
+def _are_recordings(parent: Any, name: str) -> bool:
+    """Whether the groups of a group called so are a recording each."""
+    groups = _groups(parent)
+    gathered = _GATHERED.fullmatch(name) is not None
+    return bool(groups) and all(
+        _NUMBERED.fullmatch(one) or (gathered and one.isdigit()) for one in groups
+    )
 
 
 def _groups(parent: Any) -> list[str]:

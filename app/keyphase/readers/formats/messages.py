@@ -11,6 +11,7 @@ EXTRA = "mcap"
 ROS_PROFILES = ("ros1", "ros2")
 _MAX_DEPTH = 8
 _MAX_LIST = 512
+_STAMPS = ("stamp", "timestamp", "time")
 
 Plain = dict[str, Any]
 
@@ -85,8 +86,10 @@ def _is_repeated(value: Any) -> bool:
 def stamp_of(message: Mapping[str, Any]) -> int | None:
     """The time [ns] in a message's header or timestamp, as ROS and Foxglove write it."""
     header = message.get("header")
-    stamp = header.get("stamp") if isinstance(header, dict) else message.get("timestamp")
-    if not isinstance(stamp, dict):
+    places = (header if isinstance(header, dict) else {}, message)
+    told = (place.get(name) for place in places for name in _STAMPS)
+    stamp = next((one for one in told if isinstance(one, dict)), None)
+    if stamp is None:
         return None
     seconds = next((stamp[k] for k in ("sec", "secs", "seconds") if k in stamp), None)
     rest = next((stamp[k] for k in ("nanosec", "nsec", "nsecs", "nanos") if k in stamp), 0)
@@ -107,5 +110,5 @@ def numbers_in(value: Any, before: str = "", depth: int = 0) -> Iterator[tuple[s
     elif isinstance(value, dict):
         for name, inner in value.items():
             path = f"{before}.{name}" if before else str(name)
-            if path not in ("header", "timestamp") or not isinstance(inner, dict):
+            if path not in ("header", *_STAMPS) or not isinstance(inner, dict):
                 yield from numbers_in(inner, path, depth + 1)

@@ -1,20 +1,24 @@
-"""How a person says that a table is to be read: a role for each column, and what goes with it."""
+"""How a person says that a recording is read: a role for each column, and what goes with it."""
 
-import json
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Literal, get_args
 
-from keyphase.errors import RecipeError
 from keyphase.readers.proposing.guess import Guess
 from keyphase.readers.proposing.proposal import Proposal
+from keyphase.readers.proposing.times import RESTARTS
+from keyphase.readers.recipes.presets import left_open
+from keyphase.readers.table import TableForm
 
 Part = Literal[
-    "ignore", "time", "seconds", "nanoseconds", "x", "y", "z", "qw", "qx", "qy", "qz",
-    "roll", "pitch", "yaw", "fx", "fy", "fz", "tx", "ty", "tz", "gripper", "joint",
+    "ignore", "time", "seconds", "nanoseconds", "demonstration", "x", "y", "z", "qw", "qx", "qy",
+    "qz", "quaternion", "roll", "pitch", "yaw", "rot6d", "rotation", "pose", "fx", "fy", "fz", "tx",
+    "ty", "tz", "gripper", "joint",
 ]  # fmt: skip
-"""What one column can be."""
+"""What one column can be. `quaternion`, `rot6d`, `rotation` (a matrix of nine), `pose` (one of
+sixteen) and `joint` are several columns, in the order of the file."""
 
 PARTS: tuple[Part, ...] = get_args(Part)
+ROTATION_VECTOR = "rotation_vector"
 
 _PARTS_OF_ROLE: dict[str, tuple[Part, ...]] = {
     "time": ("time",),
@@ -25,20 +29,43 @@ _PARTS_OF_ROLE: dict[str, tuple[Part, ...]] = {
     "torque": ("tx", "ty", "tz"),
     "gripper": ("gripper",),
 }
-_QUANTITIES: dict[str, str] = {"position": "length", "euler": "angle", "turn": "angle"}
+_WHOLE: dict[str, Part] = {
+    "joints": "joint",
+    "rot6d": "rot6d",
+    "matrix": "rotation",
+    "pose": "pose",
+}
+_QUANTITIES: dict[str, str] = {"position": "length", "pose": "length", "euler": "angle"}
+_QUANTITIES |= {"turn": "angle"}
 _QUATERNION: dict[str, Part] = {"w": "qw", "x": "qx", "y": "qy", "z": "qz"}
+_ASKED_IN_WORDS = {
+    "rate_hz": "Say how many rows there are a second.",
+    "frame": "Say in whose axes the wrench is written.",
+    "sign": "Say which way the force points when the tool presses.",
+    "robot": "Say which robot moved: its description (URDF) and the link that is the tool.",
+    "torque_sign": "Say whether the joint torques act on the robot.",
+}
 
 
 @dataclass(frozen=True)
 class Answers:
-    """Everything a recipe says of one table; what is "" or None is still open.
+    """Everything a recipe says of one recording; what is "", 0 or None is still open.
 
-    parts              what each column is
-    units              of `time`, `length`, `angle`, `force`, `torque`, `joints`, `gripper`
-    sequence           of roll, pitch and yaw, as in a recipe
-    frame, sign        of the wrench, as in a recipe
-    rate_hz            of a table without time
-    from_first_s       so long nothing touches the tool at the beginning: the mean is taken out
+    parts                 what each column is
+    units                 of `time`, `length`, `angle`, `force`, `torque`, `joints`, `gripper`
+    order, layout         of a quaternion in four columns, of a matrix
+    sequence              of roll, pitch and yaw, as in a recipe, or `ROTATION_VECTOR`
+    frame, sign           of the wrench, as in a recipe
+    rate_hz               of a recording without time
+    from_first_s          so long nothing touches the tool at the beginning: the mean is taken out
+    time_format           of a time in words, as in a recipe
+    clocks                the column with the time of a section, where that is not the time itself
+    sides                 to which of two tools each column belongs, "" to both; none where one is
+    lines_after_header, restarts, leave_out_empty  as in a recipe
+    urdf, tool_frame      of the robot, where joints say where the tool is
+    torque_sign           of joint torques, where a preset reads them
+    preset                what reads the recording but for what that leaves open
+    text                  the recipe itself, where a person has written it; nothing else counts then
     """
 
     encoding: str
@@ -48,64 +75,125 @@ class Answers:
     header: bool
     parts: tuple[Part, ...]
     units: dict[str, str]
-    sequence: str = "xyz"
+    order: Literal["", "wxyz", "xyzw"] = ""
+    layout: Literal["", "row_major", "column_major"] = ""
+    sequence: str = ""
     frame: Literal["", "base", "tool"] = ""
     sign: Literal[0, 1, -1] = 0
     rate_hz: float | None = None
     from_first_s: float | None = None
+    time_format: str = ""
+    clocks: dict[str, str] = field(default_factory=dict)
+    sides: tuple[str, ...] = ()
+    lines_after_header: int = 0
+    restarts: bool = False
+    leave_out_empty: bool = False
+    urdf: str = ""
+    tool_frame: str = ""
+    torque_sign: Literal[0, 1, -1] = 0
+    preset: str = ""
+    text: str = ""
+
+    def asked(self) -> tuple[str, ...]:
+        """What a person is asked beside columns and units: some of `rate_hz`, `order`, `layout`,
+        `sequence`, `frame`, `sign`, `robot`, `torque_sign`.
+        """
+        if self.preset:
+            return _asked_by(self.preset)
+        has = set(self.parts)
+        is_asked = {
+            "rate_hz": not has & {"time", "seconds"},
+            "order": "quaternion" in has,
+            "layout": bool(has & {"rotation", "pose"}),
+            "sequence": "roll" in has,
+            "frame": bool(has & {"fx", "tx"}),
+            "sign": bool(has & {"fx", "tx"}),
+            "robot": "joint" in has and not has & {"x", "y", "z", "pose"},
+        }
+        return tuple(question for question, is_so in is_asked.items() if is_so)
 
     def open(self) -> tuple[str, ...]:
-        """What must be said before the table can be read, as sentences."""
-        has = set(self.parts)
+        """What must be said before the recording can be read, as sentences."""
+        return () if self.text else (*self._open_columns(), *self._open_questions())
+
+    def _open_columns(self) -> list[str]:
+        has, asked = set(self.parts), self.asked()
+        if self.preset:
+            return []
         said = []
-        if not has & {"time", "seconds"} and self.rate_hz is None:
+        if "rate_hz" in asked and self.rate_hz is None:
             said.append("Say which column is the time, or how many rows there are a second.")
-        if not {"x", "y", "z"} <= has:
+        if not ({"x", "y", "z"} <= has or has & {"pose", "joint"}):
             said.append("Say which three columns are x, y and z of the tool.")
         needed = {
-            "time": "time" in has,
-            "length": "x" in has,
+            "time": "time" in has and not self.time_format,
+            "length": bool(has & {"x", "pose"}),
             "angle": "roll" in has,
             "force": "fx" in has,
             "torque": "tx" in has,
             "joints": "joint" in has,
             "gripper": "gripper" in has,
         }
-        said += [
+        return said + [
             f"Say the unit of the {quantity}."
             for quantity, is_needed in needed.items()
             if is_needed and not self.units.get(quantity)
         ]
-        if has & {"fx", "tx"}:
-            said += [] if self.frame else ["Say in whose axes the wrench is written."]
-            said += [] if self.sign else ["Say which way the force points when the tool presses."]
-        return tuple(said)
+
+    def _open_questions(self) -> list[str]:
+        is_open = {
+            "rate_hz": bool(self.preset) and self.rate_hz is None,
+            "order": not self.order,
+            "layout": not self.layout,
+            "sequence": not self.sequence,
+            "frame": not self.frame,
+            "sign": not self.sign,
+            "robot": not (self.urdf and self.tool_frame),
+            "torque_sign": not self.torque_sign,
+        }
+        words = {
+            "order": "Say whether the quaternion begins or ends with w.",
+            "layout": "Say whether the matrix is written row by row or column by column.",
+            "sequence": "Say about which axes the angles turn.",
+            **_ASKED_IN_WORDS,
+        }
+        return [words[question] for question in self.asked() if is_open[question]]
 
 
 def answers_to(proposal: Proposal) -> Answers:
-    """A proposal for a table as answers, frame and sign of the wrench left open.
-
-    Raises RecipeError for the proposal for a binary format.
-    """
-    parts: list[Part] = ["ignore"] * len(proposal.names)
-    units: dict[str, str] = {}
-    for guess in proposal.guesses:
-        for column, part in zip(guess.columns, _parts_of(guess), strict=True):
-            parts[column] = part
-        quantity = _QUANTITIES.get(guess.role, guess.role)
-        if guess.unit:
-            units[quantity] = guess.unit
+    """A proposal as answers; what only a person knows is left open."""
+    count = len(proposal.names)
+    parts: list[Part] = ["ignore"] * count
+    sides = [""] * count
+    for side, guesses in {"": proposal.guesses, **proposal.sides}.items():
+        for guess in guesses:
+            for column, part in zip(guess.columns, _parts_of(guess), strict=True):
+                parts[column] = part
+                sides[column] = "" if guess.role == "time" else side
+    if proposal.split is not None:
+        parts[proposal.split.columns[0]] = "demonstration"
+    guesses = (*proposal.guesses, *(g for side in proposal.sides.values() for g in side))
+    details = {guess.role: guess.detail for guess in guesses}
+    stamp = details.get("time", "")
     layout = proposal.layout
-    if layout is None:
-        raise RecipeError("Expected a table of text; another format is described by a recipe.")
+    form = TableForm() if layout is None else layout.form
     return Answers(
-        encoding=layout.encoding,
-        separator=layout.separator,
-        decimal=layout.form.decimal,
-        skip_lines=layout.form.skip_lines,
-        header=layout.form.header,
+        encoding="utf-8" if layout is None else layout.encoding,
+        separator="," if layout is None else layout.separator,
+        decimal=form.decimal,
+        skip_lines=form.skip_lines,
+        header=form.header,
+        lines_after_header=form.lines_after_header,
         parts=tuple(parts),
-        units=units,
+        units={_QUANTITIES.get(g.role, g.role): g.unit for g in guesses if g.unit},
+        layout=_layout(details.get("pose", "")),
+        sequence=details.get("euler", ""),
+        time_format="" if stamp in (RESTARTS, _TWO_PARTS) else stamp,
+        clocks=dict(proposal.clocks),
+        sides=tuple(sides) if proposal.sides else (),
+        restarts=stamp == RESTARTS and proposal.split is None,
+        leave_out_empty=bool(proposal.gaps),
+        preset=proposal.preset[0] if proposal.preset else "",
     )
 
 
@@ -115,120 +203,39 @@ def with_parts(answers: Answers, count: int) -> Answers:
     return replace(answers, parts=(*answers.parts, *more)[:count])
 
 
-def recipe_text(answers: Answers, names: tuple[str, ...]) -> str:
-    """The recipe (TOML) that answers make, columns by name where names tell them apart.
+_TWO_PARTS = "seconds and nanoseconds"
 
-    Raises RecipeError for what is still open, or said twice.
-    """
-    if missing := answers.open():
-        raise RecipeError(" ".join(missing))
-    sections = [_table(answers), _time(answers, names)]
-    lists: tuple[tuple[str, tuple[Part, ...], str], ...] = (
-        ("position", ("x", "y", "z"), "length"),
-        ("force", ("fx", "fy", "fz"), "force"),
-        ("torque", ("tx", "ty", "tz"), "torque"),
-        ("gripper", ("gripper",), "gripper"),
-    )
-    for section, parts, quantity in lists:
-        columns = _columns(answers, names, parts)
-        if columns:
-            lines = [f"columns = {_toml(columns)}", f"unit = {_toml(answers.units[quantity])}"]
-            if section in ("force", "torque") and answers.from_first_s:
-                lines.append(f"offset_from_first_s = {answers.from_first_s}")
-            sections.append([f"[{section}]", *lines])
-    sections += [_orientation(answers, names), _joints(answers, names)]
-    if set(answers.parts) & {"fx", "tx"}:
-        sections.append(["[wrench]", f"frame = {_toml(answers.frame)}", f"sign = {answers.sign}"])
-    return "\n\n".join("\n".join(lines) for lines in sections if lines) + "\n"
+
+def _layout(detail: str) -> Literal["", "row_major", "column_major"]:
+    match detail:
+        case "row_major" | "column_major":
+            return detail
+    return ""
+
+
+def _asked_by(preset: str) -> tuple[str, ...]:
+    """What a preset leaves open, as questions."""
+    asked: list[str] = []
+    for section, lines in left_open(preset).items():
+        keys = {line.removeprefix("#").split("=")[0].strip() for line in lines}
+        asked += {
+            "time": ["rate_hz"],
+            "wrench": [key for key in ("frame", "sign") if key in keys],
+            "robot": ["robot"],
+            "joint_torques": ["torque_sign"],
+        }[section]
+    return tuple(asked)
 
 
 def _parts_of(guess: Guess) -> tuple[Part, ...]:
+    if guess.is_one_of_several:
+        return ("ignore",) * len(guess.columns)
     if guess.role == "quaternion":
-        return tuple(_QUATERNION[letter] for letter in guess.detail or guess.likely or "wxyz")
-    if guess.detail == "seconds and nanoseconds":
+        known = tuple(_QUATERNION[letter] for letter in guess.detail)
+        return known or ("quaternion",) * len(guess.columns)
+    if guess.detail == _TWO_PARTS:
         return ("seconds", "nanoseconds")
-    if guess.role == "joints":
-        return ("joint",) * len(guess.columns)
+    if guess.role in _WHOLE:
+        return (_WHOLE[guess.role],) * len(guess.columns)
     ignored: tuple[Part, ...] = ("ignore",) * len(guess.columns)
     return (*_PARTS_OF_ROLE.get(guess.role, ()), *ignored)[: len(guess.columns)]
-
-
-def _table(answers: Answers) -> list[str]:
-    values = (
-        ("encoding", answers.encoding, "utf-8"),
-        ("separator", answers.separator, ","),
-        ("decimal", answers.decimal, "."),
-        ("skip_lines", answers.skip_lines, 0),
-        ("header", answers.header, True),
-    )
-    lines = [f"{key} = {_toml(value)}" for key, value, usual in values if value != usual]
-    return ["[table]", *lines] if lines else []
-
-
-def _time(answers: Answers, names: tuple[str, ...]) -> list[str]:
-    if "seconds" in answers.parts:
-        seconds, nanoseconds = _columns(answers, names, ("seconds", "nanoseconds"))
-        lines = [f"seconds = {_toml(seconds)}", f"nanoseconds = {_toml(nanoseconds)}"]
-    elif "time" in answers.parts:
-        column = _columns(answers, names, ("time",))[0]
-        lines = [
-            f"column = {_toml(column)}",
-            f"unit = {_toml(answers.units['time'])}",
-            "from_zero = true",
-        ]
-    else:
-        lines = [f"rate_hz = {answers.rate_hz}"]
-    return ["[time]", *lines]
-
-
-def _orientation(answers: Answers, names: tuple[str, ...]) -> list[str]:
-    quaternion = _columns(answers, names, ("qw", "qx", "qy", "qz"))
-    if quaternion:
-        lines = [f"columns = {_toml(quaternion)}", 'order = "wxyz"', "normalise = true"]
-        return ["[orientation]", 'kind = "quaternion"', *lines]
-    angles = _columns(answers, names, ("roll", "pitch", "yaw"))
-    if not angles:
-        return []
-    return [
-        "[orientation]",
-        'kind = "euler"',
-        f"columns = {_toml(angles)}",
-        f"sequence = {_toml(answers.sequence)}",
-        f"unit = {_toml(answers.units['angle'])}",
-    ]
-
-
-def _joints(answers: Answers, names: tuple[str, ...]) -> list[str]:
-    columns = [_name(answers, names, i) for i, part in enumerate(answers.parts) if part == "joint"]
-    if not columns:
-        return []
-    unit = _toml(answers.units["joints"])
-    return ["[joints]", f"columns = {_toml(columns)}", f"unit = {unit}"]
-
-
-def _columns(answers: Answers, names: tuple[str, ...], parts: tuple[Part, ...]) -> list[str | int]:
-    """The columns of some parts in their order; none where none is named.
-
-    Raises RecipeError where some are missing or one is named twice.
-    """
-    found = {part: [i for i, one in enumerate(answers.parts) if one == part] for part in parts}
-    if not any(found.values()):
-        return []
-    for part, columns in found.items():
-        if len(columns) != 1:
-            many = "no column" if not columns else f"{len(columns)} columns"
-            together = ", ".join(parts)
-            raise RecipeError(
-                f"One column must be {part}, but {many} are said to be; {together} go together."
-            )
-    return [_name(answers, names, found[part][0]) for part in parts]
-
-
-def _name(answers: Answers, names: tuple[str, ...], column: int) -> str | int:
-    name = names[column]
-    return name if answers.header and name and names.count(name) == 1 else column
-
-
-def _toml(value: object) -> str:
-    """Texts, numbers and lists are written alike in TOML and JSON."""
-    return json.dumps(value, ensure_ascii=False)

@@ -13,6 +13,7 @@ from keyphase.readers.proposing.times import is_clock
 from keyphase.readers.table import UNMEASURED, Table, split_cells
 
 _LOOKED_AT_ROWS = 2000
+_SHOWN_ROWS = 4
 _FEW_ROWS = 0.02
 """Arrays with less than this share of the longest are no streams beside it."""
 
@@ -53,6 +54,11 @@ class Looked:
     def length(self, guess: Guess) -> int:
         """How many rows the columns of a guess have."""
         return self.lengths[guess.columns[0]]
+
+    def first_rows(self) -> tuple[tuple[str, ...], ...]:
+        """The first numbers of all columns as text, "" where there is none."""
+        rows = self.values[:_SHOWN_ROWS]
+        return tuple(tuple(f"{v + 0.0:.6g}" if np.isfinite(v) else "" for v in row) for row in rows)
 
     def clocks(self) -> tuple[int, ...]:
         """Columns that rise like a time and are called so."""

@@ -58,6 +58,7 @@ class Proposal:
     remarks what the file says of its columns
     sides   what belongs to the left and the right of two tools; else none
     others  further columns that rise like a time
+    rows    the first rows as text, "" where a stream has none; of arrays alone
     """
 
     layout: Layout | None
@@ -71,6 +72,7 @@ class Proposal:
     remarks: tuple[str, ...] = ()
     sides: dict[str, tuple[Guess, ...]] = field(default_factory=dict)
     others: tuple[str, ...] = ()
+    rows: tuple[tuple[str, ...], ...] = ()
 
     def recipe_text(self) -> str:
         """The recipe as TOML, the evidence as comments; what is open stands as a comment, too."""
@@ -85,7 +87,7 @@ class Proposal:
             lines += self._sections([g for g in self.guesses if g.role != "time"])
         for side, guesses in self.sides.items():
             lines += ["", "[[demonstration]]", f"name = {toml(side)}"]
-            lines += self._sections(guesses, "demonstration.")
+            lines += self._sections(guesses, "demonstration.", f"{side}.")
         if self.gaps:
             told = f"# {', '.join(self.gaps)}: not in all rows is there a number"
             lines += ["", told, "[rows]", f"empty = {toml('leave_out')}"]
@@ -102,12 +104,12 @@ class Proposal:
             name for i, name in enumerate(self.names) if i not in used and name not in clocks
         )
 
-    def _sections(self, guesses: Sequence[Guess], inside: str = "") -> list[str]:
+    def _sections(self, guesses: Sequence[Guess], inside: str = "", side: str = "") -> list[str]:
         lines: list[str] = []
         for guess in guesses:
-            clock = self.clocks.get(section_of(guess))
+            clock = self.clocks.get(f"{side}{section_of(guess)}")
             lines += guess_lines(guess, self._chosen(guess), clock, inside)
-            if clock is None and guess.role in ("force", "torque"):
+            if self.layout and clock is None and guess.role in ("force", "torque"):
                 lines += maybe_clock_lines(self.others)
         roles = {guess.role for guess in guesses}
         if "joints" in roles and not roles & {"position", "pose"}:
@@ -200,8 +202,11 @@ def _of_arrays(looked: Looked) -> Proposal:
     preset = _preset_of(looked.names)
     clocks = looked.clocks()
     passed_over = other_transforms(looked.names, looked.values, looked.remarks)
-    found = guesses_of(looked.told, looked.values, (*clocks, *passed_over))
-    leading = next((g for r in ("pose", "position", "joints") for g in found if g.role == r), None)
+    taken = (*clocks, *passed_over)
+    found = tuple(guesses_of(looked.told, looked.values, taken))
+    sides = _sides_of(looked, found, taken)
+    placed = next(iter(sides.values()), found)
+    leading = next((g for r in ("pose", "position", "joints") for g in placed if g.role == r), None)
     main = looked.clock_of(leading, clocks) if leading else next(iter(clocks), None)
     if main is not None:
         time = clock_guess(looked.told, looked.values, main)
@@ -209,19 +214,40 @@ def _of_arrays(looked: Looked) -> Proposal:
         used = {column for guess in found for column in guess.columns}
         free = [i for i in range(len(looked.told)) if i not in used]
         time = time_of_numbers(looked.told, looked.values, free)
-    own, questions = {}, list(_open_questions([*([time] if time else []), *found]))
-    for guess in found:
-        clock = looked.clock_of(guess, clocks)
-        if clock is not None and main is not None and clock != main:
-            own[section_of(guess)] = looked.names[clock]
-        elif clock is None and looked.length(guess) != (looked.length(leading) if leading else 0):
-            questions.append(f"{section_of(guess)}.time")
-    guesses = ((time,) if time else ()) + tuple(found)
-    gaps = tuple(section_of(g) for g in found if looked.has_gaps(g.columns))
-    questions = list(preset[1]) if preset else questions
+    guesses = ((time,) if time else ()) + placed
+    own, without = _own_clocks(looked, sides or {"": found}, leading, main)
     return Proposal(
-        None, looked.names, guesses, tuple(questions), own, None, preset, gaps, looked.remarks
+        layout=None,
+        names=looked.names,
+        guesses=guesses,
+        open=tuple(preset[1]) if preset else (*_open_questions(guesses), *without),
+        clocks=own,
+        preset=preset,
+        gaps=tuple(section_of(g) for g in placed if looked.has_gaps(g.columns)),
+        remarks=looked.remarks,
+        sides=sides,
+        others=tuple(looked.names[clock] for clock in clocks),
+        rows=looked.first_rows(),
     )
+
+
+def _own_clocks(
+    looked: Looked, sides: dict[str, tuple[Guess, ...]], leading: Guess | None, main: int | None
+) -> tuple[dict[str, str], list[str]]:
+    """The clocks of sections that do not follow the main one, and sections whose clock is open."""
+    own, without = dict[str, str](), list[str]()
+    clocks = looked.clocks()
+    for side, guesses in sides.items():
+        for guess in guesses:
+            section = f"{side}.{section_of(guess)}" if side else section_of(guess)
+            clock = looked.clock_of(guess, clocks)
+            if clock is not None and main is not None and clock != main:
+                own[section] = looked.names[clock]
+            elif clock is None and looked.length(guess) != (
+                looked.length(leading) if leading else 0
+            ):
+                without.append(f"{section}.time")
+    return own, without
 
 
 def _preset_of(names: Sequence[str]) -> tuple[str, dict[str, list[str]]] | None:

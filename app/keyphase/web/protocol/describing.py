@@ -1,4 +1,4 @@
-"""A page's talk about tables nobody has described yet: proposed, tried, confirmed or left."""
+"""A page's talk about recordings nobody has described yet: proposed, tried, confirmed or left."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import assert_never
 
 from keyphase.errors import KeyphaseError, RequestError
+from keyphase.files.parts import split_part
 from keyphase.web.protocol import requests as ask
 from keyphase.web.protocol.import_messages import TableDone, table_proposal
 from keyphase.web.protocol.voice import Send
@@ -16,7 +17,7 @@ from keyphase.workbench.workbench import Workbench
 
 
 class Describing:
-    """Asks the person at one page how tables are read. What takes long runs beside the talk."""
+    """Asks the person at one page how recordings are read. What takes long runs beside the talk."""
 
     def __init__(self, workbench: Workbench, view: View, send: Send) -> None:
         self._workbench, self._view, self._send = workbench, view, send
@@ -27,7 +28,7 @@ class Describing:
         self._importing.close()
 
     def waits_for(self, upload: Upload) -> bool:
-        """Ask how a file that was sent is read; whether it is a table one can be asked about."""
+        """Ask how a file that was sent is read; whether one can be asked about it."""
         if not self._workbench.is_undescribed(upload):
             return False
         try:
@@ -78,6 +79,11 @@ class Describing:
         paths = self._importing.confirm(request.id, request.answers.answers(), request.scope)
         for id in before - self._importing.ids:
             self._send(TableDone(id))
+        files = {split_part(path)[0] for path in paths}
+        for line in self._workbench.recordings.recordings:
+            if line.error and line.path not in paths and split_part(line.path)[0] in files:
+                # It is listed by its tools now.
+                self._workbench.remove(line.path)
         self.take_in(paths)
 
     def take_in(self, paths: tuple[Path, ...]) -> None:

@@ -1,10 +1,10 @@
-"""What a page is told of tables nobody has described yet."""
+"""What a page is told of recordings nobody has described yet."""
 
 from msgspec import Struct
 
 from keyphase.readers.proposing.answers import PARTS, Part
 from keyphase.readers.recipes.units import Quantity, units_of
-from keyphase.web.protocol.import_requests import TableAnswers
+from keyphase.web.protocol.import_requests import TableAnswers, table_answers
 from keyphase.workbench.importing.importing import Waiting
 from keyphase.workbench.importing.unknown_table import Look, Tried
 
@@ -38,9 +38,13 @@ class TableLook(Struct, frozen=True):
 
 
 class TableProposal(Struct, frozen=True, tag_field="type", tag="table"):
-    """A table that waits for a person to say how it is read; and what the answers come to so far.
+    """A recording that waits for a person to say how it is read; what the answers come to so far.
 
-    others           so many more tables of its folder nobody has described either
+    others           so many more files of its folder and kind nobody has described either
+    is_text          whether it is a table of text; else columns of a binary format
+    others_inside    so many more recordings are in the same file and read alike
+    asked            what is asked beside columns and units
+    clocks           columns that rise like a time
     names, rows      its columns and first rows, as the answers split them
     evidence         why each column was proposed to be what it is, "" where it was not
     layout_evidence  the same for encoding, separator, decimal and header
@@ -55,6 +59,10 @@ class TableProposal(Struct, frozen=True, tag_field="type", tag="table"):
     name: str
     others: int
     answers: TableAnswers
+    is_text: bool
+    others_inside: int
+    asked: tuple[str, ...]
+    clocks: tuple[str, ...]
     names: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     evidence: tuple[str, ...]
@@ -79,20 +87,11 @@ def table_proposal(waiting: Waiting, tried: Tried) -> TableProposal:
         id=waiting.id,
         name=table.name,
         others=waiting.others,
-        answers=TableAnswers(
-            encoding=answers.encoding,
-            separator=answers.separator,
-            decimal="," if answers.decimal == "," else ".",
-            skip_lines=answers.skip_lines,
-            header=answers.header,
-            parts=list(answers.parts),
-            units=answers.units,
-            sequence=answers.sequence,
-            frame=answers.frame,
-            sign=answers.sign,
-            rate_hz=answers.rate_hz,
-            from_first_s=answers.from_first_s,
-        ),
+        answers=table_answers(answers),
+        is_text=table.is_text,
+        others_inside=table.others_inside,
+        asked=answers.asked(),
+        clocks=table.clocks,
         names=tried.names,
         rows=tried.rows,
         evidence=table.evidence,
@@ -114,5 +113,5 @@ def _look(look: Look) -> TableLook:
         path_m=look.path_m.tolist(),
         time_s=None if force is None else force[0].tolist(),
         force_N=None if force is None else force[1].tolist(),
-        notices=look.notices,
+        notices=tuple(str(notice) for notice in look.notices),
     )

@@ -1,4 +1,4 @@
-"""Tables that wait for a person at one page to say how they are read."""
+"""Recordings that wait for a person at one page to say how they are read."""
 
 import itertools
 import threading
@@ -7,9 +7,10 @@ from pathlib import Path
 from typing import Literal
 
 from keyphase.errors import KeyphaseError, RequestError
+from keyphase.files.parts import split_part
 from keyphase.files.writing import write_whole
 from keyphase.readers import FOLDER_RECIPE, RECIPE_SUFFIX, find_recordings
-from keyphase.readers.finding import undescribed_tables
+from keyphase.readers.finding import undescribed_alike
 from keyphase.readers.proposing.answers import Answers
 from keyphase.workbench.importing.unknown_table import Tried, UnknownTable
 from keyphase.workbench.uploads import Upload
@@ -20,9 +21,10 @@ Scope = Literal["file", "folder"]
 
 @dataclass(frozen=True)
 class Waiting:
-    """A table that waits; `upload` is there where it was sent and has no name of its own yet.
+    """A recording that waits; `upload` is there where it was sent and has no name of its own yet.
 
-    others  so many more tables of its folder, or sent with it, nobody has described either
+    others  so many more files of its kind in its folder, or sent with it, nobody has described
+            either
     """
 
     id: str
@@ -49,16 +51,18 @@ class Importing:
     def ask_about_upload(self, upload: Upload) -> Waiting:
         """Wait for what a person says of a file that was sent.
 
-        Raises DemonstrationError where it is no table of numbers.
+        Raises DemonstrationError where it holds no numbers.
         """
         table = UnknownTable(upload.part, upload.name)
         return self._wait(table, upload.folder, upload)
 
     def ask_about(self, path: Path) -> Waiting:
-        """Wait for what a person says of a table on disk; once, however often it is asked.
+        """Wait for what a person says of a recording on disk; once, however often it is asked.
 
-        Raises DemonstrationError where it is no table of numbers.
+        Of one in a file of many the file is asked about. Raises DemonstrationError where it holds
+        no numbers.
         """
+        path = split_part(path)[0]
         with self._lock:
             known = next((one for one in self._waiting.values() if one.table.path == path), None)
         return known or self._wait(UnknownTable(path, path.name), path.parent, None)
@@ -89,16 +93,17 @@ class Importing:
         path = self._named(waiting, tried.recipe)
         _write_recipe(path.with_name(path.name + RECIPE_SUFFIX), tried.recipe)
         self._forget(waiting.id)
-        return (path,)
+        return _recordings_in(path)
 
     def try_again(self) -> tuple[Path, ...]:
         """Take in what was sent and can be read by now, because a recipe has come for it."""
         with self._lock:
             waiting = tuple(self._waiting.values())
-        paths = []
+        paths: list[Path] = []
         for one in waiting:
             try:
-                paths.append(one.table.path if one.upload is None else one.upload.finish())
+                file = one.table.path if one.upload is None else one.upload.finish()
+                paths += _recordings_in(file)
             except KeyphaseError:
                 continue
             self._forget(one.id)
@@ -121,13 +126,13 @@ class Importing:
     def _confirm_folder(self, waiting: Waiting, recipe: str) -> tuple[Path, ...]:
         """The recipe of the folder; what waits from the same folder and fits is taken in, too."""
         _write_recipe(waiting.folder / FOLDER_RECIPE, recipe)
-        named = [self._named(waiting, recipe)]
+        named = list(_recordings_in(self._named(waiting, recipe)))
         self._forget(waiting.id)
         with self._lock:
             beside = [one for one in self._waiting.values() if one.folder == waiting.folder]
         for one in beside:
             try:
-                named.append(self._named(one, recipe))
+                named += _recordings_in(self._named(one, recipe))
             except KeyphaseError:
                 continue
             self._forget(one.id)
@@ -140,7 +145,7 @@ class Importing:
         return waiting.upload.finish(waiting.table.recipe(recipe))
 
     def _wait(self, table: UnknownTable, folder: Path, upload: Upload | None) -> Waiting:
-        there = [path for path in undescribed_tables(folder) if path != table.path]
+        there = [path for path in undescribed_alike(table.path, folder) if path != table.path]
         with self._lock:
             sent = [one for one in self._waiting.values() if one.upload and one.folder == folder]
             waiting = Waiting(
@@ -152,6 +157,11 @@ class Importing:
     def _forget(self, id: str) -> None:
         with self._lock:
             self._waiting.pop(id, None)
+
+
+def _recordings_in(file: Path) -> tuple[Path, ...]:
+    """Each recording in a file that can be read now."""
+    return tuple(found.path for found in find_recordings([file]))
 
 
 def _write_recipe(path: Path, text: str) -> None:

@@ -1,4 +1,4 @@
-"""One table nobody has described yet, and how it would be read by what a person says of it."""
+"""One recording nobody has described yet, and how it would be read by what a person says of it."""
 
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -6,15 +6,20 @@ from pathlib import Path
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.errors import KeyphaseError, RecipeError
+from keyphase.errors import DemonstrationError, KeyphaseError, RecipeError
+from keyphase.files.parts import with_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
 from keyphase.readers import RECIPE_SUFFIX, Recipe, parse_recipe, read
-from keyphase.readers.proposing.answers import Answers, answers_to, recipe_text, with_parts
-from keyphase.readers.proposing.proposal import propose_table
+from keyphase.readers.finding import parts_of
+from keyphase.readers.formats.known import format_of
+from keyphase.readers.proposing.answered import recipe_text
+from keyphase.readers.proposing.answers import Answers, answers_to, with_parts
+from keyphase.readers.proposing.proposal import propose
 from keyphase.readers.recipes.sections import ENCODINGS, SEPARATORS
 from keyphase.readers.table import TableForm, open_table, split_cells
 
 SHOWN_ROWS = 20
+MAX_COLUMNS = 2000
 PATH_POINTS, FORCE_POINTS = 240, 320
 """So much of the path and the force is shown of a recording before it is taken in."""
 
@@ -57,21 +62,35 @@ class Tried:
 
 
 class UnknownTable:
-    """The table at `path`, called `name` by people; `evidence` says why each column is proposed.
+    """The recording at `path`, called `name` by people; `evidence` says why each column is
+    proposed.
 
-    Raises DemonstrationError where it is no table of numbers.
+    It is a table of text, or columns of a binary format (`is_text`), of which the first of several
+    recordings, `part`, is looked at; the others are read alike.
+
+    Raises DemonstrationError where it holds no numbers.
     """
 
     def __init__(self, path: Path, name: str, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> None:
         self.path, self.name = path, name
         self._limit_bytes = limit_bytes
-        proposal = propose_table(path, limit_bytes)
-        self.proposed = answers_to(proposal)
-        self.layout_evidence = dict(proposal.layout.evidence if proposal.layout else ())
-        self.evidence = tuple(
-            "; ".join(
-                r for guess in proposal.guesses if column in guess.columns for r in guess.evidence
+        parts = _recordings_in(path)
+        self.part, self.others_inside = (parts[0], len(parts) - 1) if parts else (None, 0)
+        self._first = with_part(path, self.part) if self.part else path
+        self._proposal = proposal = propose(self._first, limit_bytes)
+        if len(proposal.names) > MAX_COLUMNS:
+            raise DemonstrationError(
+                f"{name}: the page shows at most {MAX_COLUMNS} columns, but there are "
+                f"{len(proposal.names)}; `keyphase inspect --write` proposes a recipe for it."
             )
+        self.is_text = proposal.layout is not None
+        self.proposed = answers_to(proposal)
+        self.clocks = proposal.others
+        self.layout_evidence = dict(proposal.layout.evidence if proposal.layout else ())
+        sides = [guess for side in proposal.sides.values() for guess in side]
+        guesses = [*proposal.guesses, *sides]
+        self.evidence = tuple(
+            "; ".join(dict.fromkeys(r for g in guesses if column in g.columns for r in g.evidence))
             for column in range(len(proposal.names))
         )
 
@@ -85,17 +104,27 @@ class UnknownTable:
         shown = Tried(answers, names, rows)
         try:
             text = recipe_text(answers, names)
-            demonstration = read(self.path, self.recipe(text), limit_bytes=self._limit_bytes)
+            demonstration = self._read(self.recipe(text))
         except KeyphaseError as error:
             return replace(shown, missing=answers.open() or (self._in_words(error),))
         return replace(shown, look=_look(demonstration), recipe=text)
 
     def recipe(self, text: str) -> Recipe:
         """A recipe's text, parsed. Raises RecipeError for what no recipe can say."""
-        return parse_recipe(text, self.name + RECIPE_SUFFIX)
+        return parse_recipe(text, str(self.path.with_name(self.name + RECIPE_SUFFIX)))
+
+    def _read(self, recipe: Recipe) -> Demonstration:
+        """The first recording by a recipe, which may find two tools in it, or several tables."""
+        inside = self._first if self.part else self.path
+        sides = parts_of(self.path, recipe)
+        if sides:
+            inside = with_part(self.path, sides[0])
+        return read(inside, recipe, limit_bytes=self._limit_bytes)
 
     def _split(self, answers: Answers) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]:
         """Names of the columns, "" where they have none, and the first rows."""
+        if not self.is_text:
+            return self._proposal.names, self._proposal.rows
         data = read_whole(self.path, self._limit_bytes).data[:_LOOKED_AT_BYTES]
         data = data[: data.rfind(b"\n") + 1] or data
         table = open_table(self.name, data, _form(answers), self._limit_bytes)
@@ -108,12 +137,25 @@ class UnknownTable:
         return str(error).replace(str(self.path), self.name)
 
 
+def _recordings_in(path: Path) -> tuple[str, ...]:
+    """The recordings of a binary format in one file; none where it is one, or a table."""
+    form = format_of(path)
+    return () if form is None else form.parts(path)
+
+
 def _form(answers: Answers) -> TableForm:
     """The layout that was chosen. Raises RecipeError for one that no recipe can name."""
     if answers.separator not in SEPARATORS or answers.encoding not in ENCODINGS:
         raise RecipeError("Separator and encoding must be among those that recipes name.")
     separator, encoding = SEPARATORS[answers.separator], ENCODINGS[answers.encoding]
-    return TableForm(separator, answers.skip_lines, answers.header, encoding, answers.decimal)
+    return TableForm(
+        separator,
+        answers.skip_lines,
+        answers.header,
+        encoding,
+        answers.decimal,
+        answers.lines_after_header,
+    )
 
 
 def _look(demonstration: Demonstration) -> Look:

@@ -3,8 +3,12 @@
 import type { TableAnswers } from "./import_requests";
 
 /**
- * A table that waits for a person to say how it is read; and what the answers come to so far.
- * - others: so many more tables of its folder nobody has described either
+ * A recording that waits for a person to say how it is read; what the answers come to so far.
+ * - others: so many more files of its folder and kind nobody has described either
+ * - is_text: whether it is a table of text; else columns of a binary format
+ * - others_inside: so many more recordings are in the same file and read alike
+ * - asked: what is asked beside columns and units
+ * - clocks: columns that rise like a time
  * - names, rows: its columns and first rows, as the answers split them
  * - evidence: why each column was proposed to be what it is, "" where it was not
  * - layout_evidence: the same for encoding, separator, decimal and header
@@ -20,6 +24,10 @@ export interface TableProposal {
   name: string;
   others: number;
   answers: TableAnswers;
+  is_text: boolean;
+  others_inside: number;
+  asked: string[];
+  clocks: string[];
   names: string[];
   rows: string[][];
   evidence: string[];
@@ -27,7 +35,7 @@ export interface TableProposal {
   missing: string[];
   look: TableLook | null;
   recipe: string | null;
-  choices: ("fx" | "fy" | "fz" | "gripper" | "ignore" | "joint" | "nanoseconds" | "pitch" | "qw" | "qx" | "qy" | "qz" | "roll" | "seconds" | "time" | "tx" | "ty" | "tz" | "x" | "y" | "yaw" | "z")[];
+  choices: ("demonstration" | "fx" | "fy" | "fz" | "gripper" | "ignore" | "joint" | "nanoseconds" | "pitch" | "pose" | "quaternion" | "qw" | "qx" | "qy" | "qz" | "roll" | "rot6d" | "rotation" | "seconds" | "time" | "tx" | "ty" | "tz" | "x" | "y" | "yaw" | "z")[];
   units: { [name: string]: string[] };
 }
 

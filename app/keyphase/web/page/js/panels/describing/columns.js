@@ -1,32 +1,7 @@
 /** The first rows of a table, and over each column what it is. */
 
 import { el } from "../../lib/dom.js";
-
-/** @type {Object<string, string>} */
-const PART_TEXTS = {
-  ignore: "not read",
-  time: "time",
-  seconds: "time, seconds",
-  nanoseconds: "time, nanoseconds",
-  x: "position x",
-  y: "position y",
-  z: "position z",
-  qw: "quaternion w",
-  qx: "quaternion x",
-  qy: "quaternion y",
-  qz: "quaternion z",
-  roll: "roll, about x",
-  pitch: "pitch, about y",
-  yaw: "yaw, about z",
-  fx: "force x",
-  fy: "force y",
-  fz: "force z",
-  tx: "torque x",
-  ty: "torque y",
-  tz: "torque z",
-  gripper: "gripper",
-  joint: "joint",
-};
+import { PART_TEXTS } from "./parts.js";
 
 /**
  * @param {import("./describing.js").Proposal} table

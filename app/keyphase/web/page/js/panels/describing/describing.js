@@ -1,6 +1,6 @@
 /**
- * How a table is read that nobody has described yet: a person says what each column is, sees the
- * recording it makes, and reads it.
+ * How a recording is read that nobody has described yet, a table or a binary format: a person says
+ * what each column is, sees the recording it makes, and reads it.
  *
  * @typedef {import("../../messages/import_messages").TableProposal} Proposal
  * @typedef {import("../../messages/import_requests").TableAnswers} Answers
@@ -8,9 +8,11 @@
  */
 
 import { byId, el } from "../../lib/dom.js";
+import { drawChannels } from "./channels.js";
 import { drawColumns } from "./columns.js";
 import { drawLayout } from "./layout.js";
 import { drawLook } from "./look.js";
+import { drawRecipe } from "./recipe.js";
 import { drawUnits } from "./units.js";
 import { drawWrench } from "./wrench.js";
 
@@ -28,7 +30,7 @@ export function createDescribing(store, send) {
   function change(patch) {
     const [table] = store.state.tables;
     if (!table) return;
-    answers = { ...(answers ?? table.answers), ...patch };
+    answers = { ...(answers ?? table.answers), text: "", ...patch };
     send({ type: "describe_try", id: table.id, answers });
   }
 
@@ -54,10 +56,12 @@ export function createDescribing(store, send) {
     if (table.id !== shown) answers = null;
     shown = table.id;
     const focused = /** @type {HTMLElement|null} */ (document.activeElement)?.dataset.field;
-    const left = dialog.querySelector(".describing-table")?.scrollLeft ?? 0;
+    const before = dialog.querySelector(".describing-table");
+    const [left, top] = [before?.scrollLeft ?? 0, before?.scrollTop ?? 0];
+    const isOpen = dialog.querySelector("details")?.open ?? false;
     dialog.replaceChildren(...drawTable(table, change, confirm, leave));
-    const scrolled = dialog.querySelector(".describing-table");
-    if (scrolled) scrolled.scrollLeft = left;
+    dialog.querySelector(".describing-table")?.scrollTo(left, top);
+    dialog.querySelector("details")?.toggleAttribute("open", isOpen);
     if (!dialog.open) dialog.showModal();
     const again = focused && dialog.querySelector(`[data-field="${CSS.escape(focused)}"]`);
     if (again) /** @type {HTMLElement} */ (again).focus();
@@ -74,6 +78,7 @@ export function createDescribing(store, send) {
  */
 function drawTable(table, change, confirm, leave) {
   const isWhole = table.look !== null;
+  const { preset } = table.answers;
   const button = (text, primary, onClick, disabled = false) =>
     el("button", {
       type: "button",
@@ -85,14 +90,9 @@ function drawTable(table, change, confirm, leave) {
     });
   const nodes = [
     el("h2", { text: `How is ${table.name} read?` }),
-    el("p", {
-      class: "quiet",
-      text:
-        "Nobody has said yet what its columns are. What is proposed comes from names and " +
-        "numbers; nothing of it counts before you read the recording so.",
-    }),
-    drawLayout(table, change),
-    drawColumns(table, change),
+    el("p", { class: "quiet", text: introduction(table) }),
+    table.is_text && !preset && drawLayout(table, change),
+    !preset && (table.is_text ? drawColumns(table, change) : drawChannels(table, change)),
     el(
       "div",
       { class: "describing-answers" },
@@ -100,13 +100,7 @@ function drawTable(table, change, confirm, leave) {
       drawWrench(table, change),
       drawLook(table),
     ),
-    table.recipe &&
-      el(
-        "details",
-        {},
-        el("summary", { text: "The recipe that is written beside it" }),
-        el("pre", { text: table.recipe }),
-      ),
+    drawRecipe(table, change),
     el(
       "div",
       { class: "buttons" },
@@ -114,7 +108,7 @@ function drawTable(table, change, confirm, leave) {
       button("Cancel", false, leave),
       table.others > 0 &&
         button(
-          `Read all ${table.others + 1} tables here so`,
+          `Read all ${table.others + 1} ${table.is_text ? "tables" : "files"} here so`,
           true,
           () => confirm("folder"),
           !isWhole,
@@ -123,4 +117,23 @@ function drawTable(table, change, confirm, leave) {
     ),
   ];
   return nodes.filter((node) => node instanceof HTMLElement);
+}
+
+/** @param {Proposal} table */
+function introduction({ answers: { preset }, others_inside: more }) {
+  const several =
+    more === 1
+      ? " One more recording in the same file is read alike."
+      : more > 1
+        ? ` ${more} more recordings in the same file are read alike.`
+        : "";
+  if (preset)
+    return (
+      `All columns of ${preset} are there, which keyphase knows; only what that format does ` +
+      `not say is asked.${several}`
+    );
+  return (
+    "Nobody has said yet what its columns are. What is proposed comes from names and " +
+    `numbers; nothing of it counts before you read the recording so.${several}`
+  );
 }

@@ -49,3 +49,17 @@ export function number(label, field, value, choose, { min, step, title = "" }) {
   );
   return el("label", { class: "describing-field", title }, el("span", { text: label }), input);
 }
+
+/**
+ * A labelled text.
+ * @param {string} label
+ * @param {string} field
+ * @param {string} value
+ * @param {(value: string) => void} choose
+ */
+export function text(label, field, value, choose) {
+  const input = /** @type {HTMLInputElement} */ (
+    el("input", { type: "text", value, data: { field }, on: { change: () => choose(input.value) } })
+  );
+  return el("label", { class: "describing-field" }, el("span", { text: label }), input);
+}

@@ -6,12 +6,9 @@ import { el, svg } from "../../lib/dom.js";
  * @param {import("./describing.js").Proposal} table
  * @param {import("./describing.js").Change} change
  */
-export function drawWrench({ answers }, change) {
-  const { parts, sign, frame } = answers;
-  if (!parts.some((part) => part === "fx" || part === "tx")) return null;
-  return el(
-    "section",
-    { "aria-label": "The force" },
+export function drawWrench({ answers, asked }, change) {
+  const { sign, frame } = answers;
+  const signs = asked.includes("sign") && [
     el("h3", { text: "Pressing down on a table, the force in this file points" }),
     el(
       "div",
@@ -19,6 +16,8 @@ export function drawWrench({ answers }, change) {
       picture("up, on the tool", sign === 1, () => change({ sign: 1 }), pressing(true)),
       picture("down, on the table", sign === -1, () => change({ sign: -1 }), pressing(false)),
     ),
+  ];
+  const frames = asked.includes("frame") && [
     el("h3", { text: "Its x, y and z are axes of" }),
     el(
       "div",
@@ -26,7 +25,9 @@ export function drawWrench({ answers }, change) {
       picture("the robot's base", frame === "base", () => change({ frame: "base" }), axes(false)),
       picture("the tool", frame === "tool", () => change({ frame: "tool" }), axes(true)),
     ),
-  );
+  ];
+  if (!signs && !frames) return el("section", { class: "nothing" });
+  return el("section", { "aria-label": "The force" }, ...(signs || []), ...(frames || []));
 }
 
 function picture(text, chosen, choose, drawing) {
