@@ -113,5 +113,5 @@ def _look(look: Look) -> TableLook:
         path_m=look.path_m.tolist(),
         time_s=None if force is None else force[0].tolist(),
         force_N=None if force is None else force[1].tolist(),
-        notices=tuple(str(notice) for notice in look.notices),
+        notices=look.notices,
     )

@@ -107,7 +107,8 @@ class UnknownTable:
             demonstration = self._read(self.recipe(text))
         except KeyphaseError as error:
             return replace(shown, missing=answers.open() or (self._in_words(error),))
-        return replace(shown, look=_look(demonstration), recipe=text)
+        notices = tuple(map(self._in_words, demonstration.notices))
+        return replace(shown, look=_look(demonstration, notices), recipe=text)
 
     def recipe(self, text: str) -> Recipe:
         """A recipe's text, parsed. Raises RecipeError for what no recipe can say."""
@@ -133,8 +134,8 @@ class UnknownTable:
         first = table.lines[:SHOWN_ROWS]
         return names, tuple(tuple(c.strip() for c in split_cells(r, separator)) for r in first)
 
-    def _in_words(self, error: Exception) -> str:
-        return str(error).replace(str(self.path), self.name)
+    def _in_words(self, told: object) -> str:
+        return str(told).replace(str(self.path), self.name).replace(f"{self.path.parent}/", "")
 
 
 def _recordings_in(path: Path) -> tuple[str, ...]:
@@ -158,7 +159,7 @@ def _form(answers: Answers) -> TableForm:
     )
 
 
-def _look(demonstration: Demonstration) -> Look:
+def _look(demonstration: Demonstration, notices: tuple[str, ...]) -> Look:
     force = demonstration.force_N
     at = _spread(len(demonstration), FORCE_POINTS)
     return Look(
@@ -167,7 +168,7 @@ def _look(demonstration: Demonstration) -> Look:
         rate_hz=demonstration.rate_hz,
         path_m=demonstration.position_m[_spread(len(demonstration), PATH_POINTS)],
         force_N=None if force is None else (demonstration.time_s[at], _largest(force, at)),
-        notices=demonstration.notices,
+        notices=notices,
     )
 
 

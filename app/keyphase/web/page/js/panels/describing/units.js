@@ -60,6 +60,11 @@ export function drawUnits(table, change) {
   );
 }
 
+/**
+ * @param {import("./describing.js").Proposal} table
+ * @param {(parts: readonly string[]) => boolean} has
+ * @param {import("./describing.js").Change} change
+ */
 function unitFields({ answers, units }, has, change) {
   return QUANTITIES.filter(
     ([quantity, , parts]) => has(parts) && !(quantity === "time" && answers.time_format),
@@ -92,7 +97,12 @@ function turnFields({ answers, asked }, change) {
   ].filter((field) => field instanceof HTMLElement);
 }
 
-/** Which clock a section follows, where there is more than one. */
+/**
+ * Which clock a section follows, where there is more than one.
+ * @param {import("./describing.js").Proposal} table
+ * @param {(parts: readonly string[]) => boolean} has
+ * @param {import("./describing.js").Change} change
+ */
 function clockFields({ answers, clocks }, has, change) {
   if (answers.preset || answers.sides.length > 0 || clocks.length < 2) return [];
   return CLOCKED.filter(([section, , parts]) => has(parts) || answers.clocks[section]).map(
