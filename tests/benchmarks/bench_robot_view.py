@@ -137,4 +137,5 @@ def get(server, path):
     answer = connection.getresponse()
     body = answer.read()
     assert answer.status == 200, path
-    return len(body), body.decode("utf-8", "ignore")
+    text = gzip.decompress(body) if answer.getheader("Content-Encoding") == "gzip" else body
+    return len(body), text.decode("utf-8", "ignore")

@@ -87,6 +87,15 @@ def test_two_windows_see_the_same_document_at_once(
     assert one.document["boundaries"] == other.document["boundaries"]
     assert one.boundaries.count() == other.boundaries.count() == 4
 
+    other.press("]")
+    other.until("keyphase.state.selected === 0")
+    one.page.locator(".segment-other", has_text="Page 2").wait_for()
+    one.settle()
+    one.picture("where_the_other_is")
+    assert other.page.locator(".segment-other").count() == 0
+    other.press("Escape")
+    one.until("!document.querySelector('.segment-other')")
+
 
 def test_a_page_opened_for_looking_looks_and_changes_nothing(
     folder: Path, serve: Serve, visit: Visit

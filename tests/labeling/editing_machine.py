@@ -30,6 +30,7 @@ from keyphase.labeling.edits import (
     Remove,
     RenamePhase,
     Reset,
+    Ripple,
 )
 from keyphase.labeling.label import label
 from keyphase.labeling.segment_file import schema
@@ -95,6 +96,15 @@ class Editing(RuleBasedStateMachine):
         from_s = self.boundary_near(from_s)
         seen = self.apply(Move(from_s, from_s + by_s))
         assert seen is None or from_s + by_s in [b.time_s for b in seen.boundaries]
+
+    @rule(from_s=anywhere, by_s=st.floats(-2, 2))
+    def move_with_all_later(self, from_s, by_s):
+        from_s = self.boundary_near(from_s)
+        later = [b.time_s for b in self.labeling.boundaries if b.time_s >= from_s]
+        seen = self.apply(Ripple(from_s, by_s))
+        if seen is not None:
+            times = [b.time_s for b in seen.boundaries]
+            assert [time + by_s for time in later] == times[len(times) - len(later) :]
 
     @rule(time_s=anywhere, name=names)
     def name(self, time_s, name):

@@ -11,9 +11,11 @@ test("what is left is told in minutes once the pace is known", () => {
   assert.equal(timeLeft(3, 4), "less than a minute left");
 });
 
-test("the clock stays around a doubt, and at the end where there is none", () => {
+test("the clock stays around a doubt, and at an end where there is none", () => {
+  const whole = { start_s: 0, end_s: 9 };
   const around = { time_s: 0, playing: true, speed: 1, loop: false, between_s: [2, 3] };
-  assert.equal(runningClock(3.25, around, 9), 2.25);
-  assert.equal(runningClock(1.75, around, 9), 2.75);
-  assert.equal(runningClock(9.5, { ...around, between_s: null }, 9), 9);
+  assert.equal(runningClock(3.25, around, whole), 2.25);
+  assert.equal(runningClock(1.75, around, whole), 2.75);
+  assert.equal(runningClock(9.5, { ...around, between_s: null }, whole), 9);
+  assert.equal(runningClock(-1, { ...around, between_s: null }, whole), 0);
 });

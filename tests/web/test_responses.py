@@ -1,5 +1,6 @@
 """What the server sends with every answer, and that no path leads out of the page's folder."""
 
+import gzip
 from pathlib import Path
 
 import pytest
@@ -57,6 +58,25 @@ def test_a_file_the_browser_has_is_not_sent_again(server: PageServer) -> None:
     assert (second.status, nothing) == (304, b"")
 
 
+def test_text_is_packed_for_a_browser_that_can_unpack_it(server: PageServer) -> None:
+    path = "/app/static/js/main.js"
+    plain, whole = get(server, path, cookie(server))
+    answered, packed = get(server, path, {**cookie(server), "Accept-Encoding": "gzip, br"})
+
+    assert plain.getheader("Content-Encoding") is None
+    assert answered.getheader("Content-Encoding") == "gzip"
+    assert answered.getheader("Vary") == "Accept-Encoding"
+    assert gzip.decompress(packed) == whole
+    assert len(packed) < 0.5 * len(whole)
+
+
+def test_a_file_that_was_changed_is_packed_anew(tmp_path: Path) -> None:
+    files = StaticFiles("/s/", (tmp_path,))
+    for text in ("let one = 1;", "let two = 2;"):
+        (tmp_path / "a.js").write_text(text)
+        assert gzip.decompress(files.response("/s/a.js", "", None, "gzip").body) == text.encode()
+
+
 @pytest.mark.parametrize(
     "path",
     [
@@ -82,9 +102,9 @@ def test_no_link_leads_out_of_the_folder(tmp_path: Path) -> None:
     (tmp_path / "secret.js").write_text("secret")
     (inside / "link.js").symlink_to(tmp_path / "secret.js")
 
-    assert StaticFiles("/s/", (inside,)).response("/s/link.js", "", None).status_code == 404
+    assert StaticFiles("/s/", (inside,)).response("/s/link.js", "", None, "").status_code == 404
 
 
 @given(st.text())
 def test_any_path_gets_an_answer(path: str) -> None:
-    assert page_files().response(f"/app/static/{path}", "", None).status_code in (200, 404)
+    assert page_files().response(f"/app/static/{path}", "", None, "").status_code in (200, 404)

@@ -85,6 +85,26 @@ def test_the_frame_stands_where_the_tool_was(page: PageClient, framed: Frame) ->
     np.testing.assert_allclose(tool.position, expected)
 
 
+def test_the_last_half_second_of_the_way_trails_the_tool(page: PageClient, framed: Frame) -> None:
+    page.send("seek", time_s=1.0)
+    page.wait_for("playhead", lambda m: m["time_s"] == 1.0)
+    recorded = page.server.workbench.find_view(page.page).current().demonstration
+
+    tail = np.asarray(framed.node("/frame/tail").batched_positions)
+    opacities = np.asarray(framed.node("/frame/tail").batched_opacities)
+    for place, time_s in ((tail[0], 1.0), (tail[-1], 0.5)):
+        expected = recorded.position_m[recorded.index_at(time_s)]
+        np.testing.assert_allclose(place, expected, atol=2e-3)
+    assert (np.diff(opacities) < 0.0).all()
+    page.send("seek", time_s=recorded.start_s)
+    page.wait_for("playhead", lambda m: m["time_s"] == recorded.start_s)
+    np.testing.assert_allclose(
+        framed.node("/frame/tail").batched_positions,
+        np.broadcast_to(recorded.position_m[0], tail.shape),
+        atol=1e-6,
+    )
+
+
 def test_clicking_the_path_selects_the_segment_there(page: PageClient, framed: Frame) -> None:
     framed.say(_click(framed.scene.client.scene._owner_id))  # pyright: ignore
 
@@ -203,12 +223,42 @@ def test_with_a_segment_selected_the_rest_is_faint(page: PageClient, framed: Fra
 
 def test_only_what_is_in_view_is_drawn(page: PageClient, framed: Frame) -> None:
     whole = len(framed.node("/path/pieces").batched_positions)
-    framed.scene.show_range(1.0, 2.0)
+    recording = _document(page)["id"]
+    page.send("in_view", recording="another", from_s=1.0, to_s=2.0)
+    page.send("in_view", recording=recording, from_s=1.0, to_s=2.0)
+    page.send("seek", time_s=1.0)
+    page.wait_for("playhead", lambda m: m["time_s"] == 1.0)
     part = len(framed.node("/path/pieces").batched_positions)
-    framed.scene.show_range(-1.0, 1e9)
+    page.send("in_view", recording=recording, from_s=-1.0, to_s=1e9)
+    page.send("seek", time_s=2.0)
+    page.wait_for("playhead", lambda m: m["time_s"] == 2.0)
 
     assert 0 < part < whole
     assert len(framed.node("/path/pieces").batched_positions) == whole
+
+
+def test_what_is_drawn_anew_beside_a_robot_is_as_it_was_last(
+    page: PageClient, framed: Frame
+) -> None:
+    """Seen from where the robot is, path and tool are built anew."""
+    document = _document(page)
+    framed.settle()
+    page.send("edit", edit={"kind": "merge", "from_s": 0.01, "to_s": document["end_s"] - 0.01})
+    page.wait_for("document", lambda m: len(m["segments"]) == 1)
+    page.send("in_view", recording=document["id"], from_s=1.0, to_s=2.0)
+    page.send("seek", time_s=1.5)
+    page.wait_for("playhead", lambda m: m["time_s"] == 1.5)
+    before = framed.node("/path/pieces")
+    page.send("show", what="robot", visible=False)
+    page.wait_for("shown", lambda m: not m["parts"]["robot"])
+
+    after, tool = framed.node("/path/pieces"), framed.node("/frame/tool")
+    opened = page.server.workbench.find_view(page.page).current()
+    assert after is not before
+    assert len(after.batched_positions) == len(before.batched_positions)
+    assert len(_colors(framed)) == 1
+    index = opened.demonstration.index_at(1.5)
+    np.testing.assert_allclose(tool.position, opened.demonstration.position_m[index])
 
 
 def test_nothing_of_a_recording_is_left_when_another_is_on_its_way(

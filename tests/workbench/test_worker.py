@@ -95,18 +95,32 @@ def test_an_error_is_reported_and_the_next_job_runs() -> None:
     assert done == ["next"]
 
 
-@given(st.floats(-1e6, 1e6), st.floats(0, 1e3), st.floats(0.01, 100), st.booleans())
+@given(
+    st.floats(-1e6, 1e6),
+    st.floats(0, 1e3),
+    st.floats(0.01, 100) | st.floats(-100, -0.01),
+    st.booleans(),
+)
 def test_the_playhead_never_leaves_the_recording(
     time_s: float, elapsed_s: float, speed: float, loop: bool
 ) -> None:
     head = Playhead(2.0, 2.0, 9.0).at(time_s).played(True, speed, loop).advanced(elapsed_s)
 
     assert 2.0 <= head.time_s <= 9.0
-    assert head.playing or head.time_s == 9.0
+    assert head.playing or head.time_s == (9.0 if speed > 0.0 else 2.0)
 
 
 def test_playing_again_at_the_end_begins_at_the_start() -> None:
     assert Playhead(9.0, 2.0, 9.0).played(True, 1.0, False).time_s == 2.0
+
+
+def test_backwards_it_runs_to_the_start_and_then_begins_at_the_end() -> None:
+    head = Playhead(4.0, 2.0, 9.0).played(True, -2.0, False)
+
+    assert head.advanced(0.5).time_s == 3.0
+    assert (head.advanced(5.0).time_s, head.advanced(5.0).playing) == (2.0, False)
+    assert head.advanced(5.0).played(True, -2.0, False).time_s == 9.0
+    assert head.around(5.0).speed == 2.0
 
 
 def test_a_paused_playhead_stays() -> None:

@@ -119,6 +119,13 @@ class BoundaryLine:
         mark.time_s, mark.by_hand = time_s, True
         insort(self.marks, mark, key=_time)
 
+    def move_by_hand(self, mark: Mark, time_s: float) -> None:
+        """Put a mark elsewhere by hand; where the program had it is remembered."""
+        if not mark.by_hand and mark.automatic is not None:
+            mark.was_s = mark.automatic.time_s
+        mark.proposed_confidence = None
+        self.place(mark, time_s)
+
     def take_away(self, mark: Mark) -> None:
         """Remove a mark by hand."""
         self.marks.remove(mark)

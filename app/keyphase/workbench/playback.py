@@ -16,6 +16,7 @@ STEPS_PER_S = 60.0
 class Playhead:
     """Where playback is; times in the demonstration's own clock.
 
+    speed      below zero it runs backwards
     between_s  the stretch that is played again and again, as around a doubt, until it is left
     """
 
@@ -37,24 +38,33 @@ class Playhead:
         return replace(self, time_s=time_s, playing=playing, between_s=None)
 
     def advanced(self, elapsed_s: float) -> "Playhead":
-        """After `elapsed_s` of real time; at the end it stops, or begins again if it loops."""
+        """After `elapsed_s` of real time; at the end it stops, or begins again if it loops.
+
+        Backwards the start is the end.
+        """
         if not self.playing:
             return self
         time_s = self.time_s + elapsed_s * self.speed
         if self.between_s is not None:
             from_s, to_s = self.between_s
             return replace(self, time_s=from_s + (time_s - from_s) % (to_s - from_s))
-        if time_s < self.end_s:
+        forwards = self.speed > 0.0
+        if (time_s < self.end_s) if forwards else (time_s > self.start_s):
             return replace(self, time_s=time_s)
         if self.loop and self.end_s > self.start_s:
             duration = self.end_s - self.start_s
             return replace(self, time_s=self.start_s + (time_s - self.start_s) % duration)
-        return replace(self, time_s=self.end_s, playing=False)
+        return replace(self, time_s=self.end_s if forwards else self.start_s, playing=False)
 
     def played(self, playing: bool, speed: float, loop: bool) -> "Playhead":
-        """The same, playing or paused; playing at the end begins at the start."""
-        begins = playing and not self.playing and self.time_s >= self.end_s
-        time_s = self.start_s if begins else self.time_s
+        """The same, playing or paused; playing at the end begins at the start.
+
+        Backwards it is the other way round.
+        """
+        ends_s, begins_s = self.end_s, self.start_s
+        if speed < 0.0:
+            ends_s, begins_s = begins_s, ends_s
+        time_s = begins_s if playing and not self.playing and self.time_s == ends_s else self.time_s
         between_s = self.between_s if playing else None
         return replace(
             self, time_s=time_s, playing=playing, speed=speed, loop=loop, between_s=between_s
@@ -66,7 +76,8 @@ class Playhead:
         to_s = min(time_s + AROUND_S, self.end_s)
         if not from_s < to_s:
             return self
-        return replace(self, time_s=from_s, playing=True, between_s=(from_s, to_s))
+        between_s, speed = (from_s, to_s), abs(self.speed)
+        return replace(self, time_s=from_s, playing=True, speed=speed, between_s=between_s)
 
 
 class Clock:

@@ -4,11 +4,14 @@ import threading
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from keyphase.errors import RequestError
 from keyphase.workbench.proposals import Proposal
 from keyphase.workbench.recordings import Recording, recording_at
+
+if TYPE_CHECKING:
+    from keyphase.workbench.view import View
 
 PAGE_COLORS = 8
 """So many colours tell pages apart."""
@@ -22,6 +25,12 @@ class Presence:
     name: str
     color: int
     recording: str | None
+
+    @staticmethod
+    def of(view: "View") -> "Presence":
+        """That of a page."""
+        number = view.number
+        return Presence(view.id, f"Page {number}", (number - 1) % PAGE_COLORS, view.recording)
 
 
 @dataclass(frozen=True)

@@ -36,6 +36,7 @@ class SceneChoices:
         self.hidden = FIRST_HIDDEN
         self.dark = False
         self.push_offered = False
+        self.in_view: tuple[str, float, float] | None = None
         self.robot = RobotChoice(arms, arms[0] if arms else "")
         self._each = each
         self._lock = threading.RLock()
@@ -47,6 +48,8 @@ class SceneChoices:
             watcher.show_theme(self.dark)
             watcher.show_robot(self.robot)
             watcher.show_push(self.push_offered)
+            if self.in_view is not None:
+                watcher.show_range(*self.in_view)
 
     def show(self, part: str, visible: bool) -> None:
         """Show or hide a part of the scene. Raises RequestError for no such part."""
@@ -55,6 +58,12 @@ class SceneChoices:
         with self._lock:
             self.hidden = self.hidden - {part} if visible else self.hidden | {part}
             self._each(lambda watcher: watcher.show_parts(self.hidden))
+
+    def look_at(self, recording: str, from_s: float, to_s: float) -> None:
+        """Draw what of a recording's path lies in this time."""
+        with self._lock:
+            self.in_view = recording, from_s, to_s
+            self._each(lambda watcher: watcher.show_range(recording, from_s, to_s))
 
     def set_theme(self, dark: bool) -> None:
         """Draw the scene light or dark."""

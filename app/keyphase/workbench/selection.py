@@ -1,9 +1,15 @@
-"""Which segment a page has selected, as a value."""
+"""Which segment a page has selected, and what others at the same recording have, as values."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from keyphase.errors import RequestError
 from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.recording_list import Presence
+
+if TYPE_CHECKING:
+    from keyphase.workbench.view import View
 
 
 @dataclass(frozen=True)
@@ -34,6 +40,26 @@ class Selection:
         return Selection(
             self.segment if is_there else None, state.revision if cut_anew else self.cut_at
         )
+
+
+@dataclass(frozen=True)
+class OtherSelection:
+    """The segment that another page at the same recording has selected."""
+
+    page: str
+    name: str
+    color: int
+    segment: int
+
+
+def selected_by_others(view: "View", views: Iterable["View"]) -> tuple[OtherSelection, ...]:
+    """What the other pages at the recording of `view` have selected."""
+    return tuple(
+        OtherSelection(there.page, there.name, there.color, one.selected)
+        for one in views
+        if one is not view and one.recording == view.recording and one.selected is not None
+        for there in (Presence.of(one),)
+    )
 
 
 def _cuts(state: DeskState) -> list[float]:

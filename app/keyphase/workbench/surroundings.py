@@ -29,6 +29,10 @@ class Surroundings(Protocol):
         """It looks at another recording."""
         ...
 
+    def selection_changed(self) -> None:
+        """A view has selected another segment."""
+        ...
+
     def followers(self, page: str) -> tuple["View", ...]:
         """The views that follow a page."""
         ...

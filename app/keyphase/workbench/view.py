@@ -10,7 +10,6 @@ from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.leading.session import LeadThroughSession
 from keyphase.workbench.playback import Playhead
-from keyphase.workbench.recording_list import PAGE_COLORS, Presence
 from keyphase.workbench.recordings import Recording
 from keyphase.workbench.replaying.session import ReplaySession
 from keyphase.workbench.scene_choices import SceneChoices
@@ -63,13 +62,6 @@ class View:
         """Index of the segment that is selected."""
         return self._selection.segment
 
-    @property
-    def presence(self) -> Presence:
-        """This page as others see it."""
-        return Presence(
-            self.id, f"Page {self.number}", (self.number - 1) % PAGE_COLORS, self.recording
-        )
-
     def current(self) -> DeskState:
         """What is looked at. Raises RequestError where nothing is."""
         if self._state is None:
@@ -93,6 +85,7 @@ class View:
             self._watchers.add(watcher)
         self.lead.greet(watcher)
         self.replay.greet(watcher)
+        self._around.selection_changed()
 
     def unwatch(self, watcher: Watcher) -> None:
         """Tell `watcher` no more."""
@@ -190,6 +183,7 @@ class View:
             before, self._state = self._state, state
             self._selection = self._selection.after(before, state)
             self._show_state(state)
+        self._around.selection_changed()
 
     def _turned(self, state: DeskState, before: Desk | None) -> None:
         if before is not None:
@@ -226,6 +220,7 @@ class View:
             if recording is not None and recording != self.recording:
                 raise RequestError("Another recording is shown by now, so nothing was selected.")
             self._select(self._selection.of(segment, self._state, revision))
+        self._around.selection_changed()
         self._lead_on()
 
     def select_at(self, time_s: float) -> None:
@@ -289,6 +284,7 @@ class View:
             self._move(lambda _: playhead)
         if selected != self.selected:
             self._select(replace(self._selection, segment=selected))
+            self._around.selection_changed()
 
     def _leave_other(self) -> None:
         """Whoever acts for itself follows nobody any more."""

@@ -16,6 +16,7 @@ from keyphase.workbench.replaying.run import Tick
 from keyphase.workbench.replaying.running import Running
 from keyphase.workbench.replaying.settings import ReplaySettings
 from keyphase.workbench.replaying.trials import TrialsRun
+from keyphase.workbench.selection import OtherSelection
 from keyphase.workbench.spread import Spread
 from keyphase.workbench.tasks import TaskState
 from keyphase.workbench.telling import Level
@@ -40,6 +41,12 @@ class Watcher:
 
     def show_selection(self, segment: int | None) -> None:
         """Another segment is selected."""
+
+    def show_others(self, others: Sequence[OtherSelection]) -> None:
+        """What the other pages at the same recording have selected."""
+
+    def show_range(self, recording: str, from_s: float, to_s: float) -> None:
+        """So much of a recording is to be seen in the scene."""
 
     def show_parts(self, hidden: frozenset[str]) -> None:
         """Parts of the scene are shown or hidden."""

@@ -21,8 +21,9 @@ from keyphase.workbench.leading.takes import Takes
 from keyphase.workbench.looking import Looking
 from keyphase.workbench.playback import Clock
 from keyphase.workbench.proposals import Proposals
-from keyphase.workbench.recording_list import Listing, RecordingList
+from keyphase.workbench.recording_list import Listing, Presence, RecordingList
 from keyphase.workbench.recordings import Recording
+from keyphase.workbench.selection import selected_by_others
 from keyphase.workbench.sharing import Sharing
 from keyphase.workbench.spread import Spread, Trial, beside, look_into
 from keyphase.workbench.tasks import Tasks, TaskState
@@ -157,8 +158,15 @@ class Workbench:
 
     def view_changed(self, view: View) -> None:
         """A view looks at another recording, or has come or gone."""
-        self.recordings.show_pages(lambda: [one.presence for one in self.views])
+        self.recordings.show_pages(lambda: [Presence.of(one) for one in self.views])
         view.each(lambda watcher: watcher.show_recordings(self.recordings.listing, view.recording))
+        self.selection_changed()
+
+    def selection_changed(self) -> None:
+        """A view has selected another segment: whoever is at the same recording is told."""
+        for one in self.views:
+            others = selected_by_others(one, self.views)
+            one.each(lambda watcher, others=others: watcher.show_others(others))
 
     def wake_clock(self) -> None:
         """A playhead has begun to run."""

@@ -39,11 +39,7 @@ class Move(BaseEdit, frozen=True, tag="move"):
         elif obstacle is not None:
             walk.miss(number, self.from_s, self.to_s, f"{what}: {obstacle}.")
         else:
-            mark = mark or Mark(self.from_s, contact_change=False)
-            if not mark.by_hand and mark.automatic is not None:
-                mark.was_s = mark.automatic.time_s
-            mark.proposed_confidence = None
-            walk.line.place(mark, self.to_s)
+            walk.line.move_by_hand(mark or Mark(self.from_s, contact_change=False), self.to_s)
 
     def step_name(self, labeling: Labeling) -> str:
         """With the number it had."""

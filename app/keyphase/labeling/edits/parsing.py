@@ -25,6 +25,7 @@ from keyphase.labeling.edits.remove import Remove
 from keyphase.labeling.edits.reset import Reset
 from keyphase.labeling.edits.set_end import SetEnd
 from keyphase.labeling.edits.stretches.name_stretch import NameStretch
+from keyphase.labeling.edits.stretches.ripple import Ripple
 from keyphase.labeling.edits.take_over import TakeOver
 from keyphase.labeling.edits.together.phases import DropPhase, RenamePhase
 
@@ -51,6 +52,7 @@ Edit = (
     | Assess
     | AssessSegment
     | NameStretch
+    | Ripple
     | RenamePhase
     | DropPhase
 )

@@ -16,6 +16,7 @@ from keyphase.web.protocol.comparison_messages import comparison_message, lanes_
 from keyphase.web.protocol.control_messages import cameras_message
 from keyphase.web.protocol.export_messages import offers_message
 from keyphase.web.protocol.signals_frame import signals_frame
+from keyphase.web.protocol.view_requests import LEAST_SPEED
 from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.parameters import with_parameter
 from keyphase.workbench.exporting.beside import Beside
@@ -239,13 +240,16 @@ def _look(page: "Conversation", request: ask.LookRequest) -> None:
         case ask.Seek():
             view.move_playhead(lambda playhead: playhead.at(request.time_s))
         case ask.Play():
-            view.move_playhead(
-                lambda head: head.played(request.playing, request.speed, request.loop)
-            )
+            speed = request.speed
+            if abs(speed) < LEAST_SPEED:
+                raise RequestError(f"Expected a speed of {LEAST_SPEED} or more, but {speed} came.")
+            view.move_playhead(lambda head: head.played(request.playing, speed, request.loop))
         case ask.PlayAround():
             view.move_playhead(lambda head: head.around(request.time_s))
         case ask.Show():
             view.scene.show(request.what, request.visible)
+        case ask.InView():
+            view.scene.look_at(request.recording, request.from_s, request.to_s)
         case ask.Theme():
             view.scene.set_theme(request.dark)
         case ask.Robot():

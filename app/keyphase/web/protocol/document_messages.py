@@ -256,6 +256,20 @@ class GhostMessage(Struct, frozen=True, tag_field="type", tag="ghost"):
     boundaries: tuple[Ghost, ...]
 
 
+class OtherSelected(Struct, frozen=True):
+    """Another page at the same recording, and the segment it has selected."""
+
+    name: str
+    color: int
+    segment: int
+
+
+class OthersMessage(Struct, frozen=True, tag_field="type", tag="others"):
+    """What the other pages at the recording that is shown have selected."""
+
+    pages: tuple[OtherSelected, ...]
+
+
 class PlayheadMessage(Struct, frozen=True, tag_field="type", tag="playhead"):
     """Where this page's playhead is; `between_s` is a stretch that is played again and again."""
 

@@ -14,6 +14,7 @@ from keyphase.web.protocol.document_messages import (
     DocumentMessage,
     GhostMessage,
     NothingMessage,
+    OthersMessage,
     PlayheadMessage,
     SelectionMessage,
     ShownMessage,
@@ -43,6 +44,7 @@ Message = (
     | NothingMessage
     | GhostMessage
     | SelectionMessage
+    | OthersMessage
     | PlayheadMessage
     | ShownMessage
     | Following

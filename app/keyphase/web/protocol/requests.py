@@ -51,6 +51,7 @@ from keyphase.web.protocol.view_requests import (
     Cameras,
     Follow,
     Grid,
+    InView,
     Latency,
     Open,
     OpenDemonstration,
@@ -95,6 +96,7 @@ LookRequest = (
     | Play
     | PlayAround
     | Show
+    | InView
     | Grid
     | Theme
     | Robot
@@ -132,6 +134,7 @@ LOOKING_REQUESTS = (
     Play,
     PlayAround,
     Show,
+    InView,
     Grid,
     Theme,
     Signals,

@@ -6,7 +6,10 @@ from msgspec import Meta
 
 from keyphase.web.protocol.request_kinds import Counter, Id, Name, PageRequest, Time
 
-Speed = Annotated[float, Meta(ge=0.01, le=100.0)]
+Speed = Annotated[float, Meta(ge=-100.0, le=100.0)]
+
+LEAST_SPEED = 0.01
+"""A playhead does not run more slowly than this."""
 
 
 class Open(PageRequest, tag="open", frozen=True):
@@ -55,7 +58,7 @@ class PlayAround(PageRequest, tag="play_around", frozen=True):
 
 
 class Play(PageRequest, tag="play", frozen=True):
-    """Start, pause, or change how playback runs."""
+    """Start, pause, or change how playback runs; backwards below zero."""
 
     playing: bool
     speed: Speed = 1.0
@@ -67,6 +70,14 @@ class Show(PageRequest, tag="show", frozen=True):
 
     what: Name
     visible: bool
+
+
+class InView(PageRequest, tag="in_view", frozen=True):
+    """Draw in the scene what of the recording's path lies in this time."""
+
+    recording: Id
+    from_s: Time
+    to_s: Time
 
 
 class Grid(PageRequest, tag="grid", frozen=True):

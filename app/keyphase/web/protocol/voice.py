@@ -32,6 +32,7 @@ from keyphase.workbench.replaying.running import Running
 from keyphase.workbench.replaying.settings import ReplaySettings
 from keyphase.workbench.replaying.trials import TrialsRun
 from keyphase.workbench.scene_choices import PARTS
+from keyphase.workbench.selection import OtherSelection
 from keyphase.workbench.spread import Spread
 from keyphase.workbench.tasks import TaskState
 from keyphase.workbench.telling import Level
@@ -111,6 +112,7 @@ class Voice(Watcher):
         self._send, self._page, self._selected, self._grid = send, page, selected, grid
         self._lock = threading.Lock()
         self._ghosts: tuple[documents.Ghost, ...] = ()
+        self._others: tuple[documents.OtherSelected, ...] = ()
         self._streamed: Streamed | None = None
         self._record_told_at = 0.0
         self._record_told: tuple[object, ...] = ()
@@ -227,6 +229,13 @@ class Voice(Watcher):
         """The list, with who else is at which recording."""
         self._send(lists.recordings_message(listing, current, self._page))
         self._grid.tell()
+
+    def show_others(self, others: Sequence[OtherSelection]) -> None:
+        """What others have selected here."""
+        told = tuple(documents.OtherSelected(one.name, one.color, one.segment) for one in others)
+        if told != self._others:
+            self._others = told
+            self._send(documents.OthersMessage(told))
 
     def show_grid(self) -> None:
         """What is known of the folder."""

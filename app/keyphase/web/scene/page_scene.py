@@ -87,9 +87,9 @@ class PageScene(Watcher):
         self._drawn_at = now
         self._later(lambda: self._show_playhead(playhead), "playhead")
 
-    def show_range(self, from_s: float, to_s: float) -> None:
+    def show_range(self, recording: str, from_s: float, to_s: float) -> None:
         """So much of the recording is in view."""
-        self._later(lambda: self.stage.show_range(from_s, to_s), "range")
+        self._later(lambda: self.stage.show_range(recording, from_s, to_s), "range")
 
     def show_selection(self, segment: int | None) -> None:
         """Another segment is selected."""

@@ -5,7 +5,7 @@ changes colours and a few small things; only another recording builds the stage 
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import viser
 
@@ -19,6 +19,7 @@ from keyphase.web.scene.recording.ground_shadow import GroundShadow
 from keyphase.web.scene.recording.marks import draw_forces, draw_gaussians
 from keyphase.web.scene.recording.path import ScenePath
 from keyphase.web.scene.recording.path_geometry import MIN_SIZE_M, Path, path_of
+from keyphase.web.scene.recording.tail import Tail
 from keyphase.web.scene.recording.viewpoint import (
     WITH_ROBOT_M,
     Viewpoint,
@@ -45,6 +46,7 @@ class _Standing:
     view: Viewpoint
     tube: ScenePath
     tool: viser.FrameHandle
+    tail: Tail
     base: Placement | None
 
 
@@ -68,6 +70,8 @@ class Stage:
         self._theme: Theme = LIGHT
         self._hidden = FIRST_HIDDEN
         self._drawn: tuple[object, ...] = ()
+        self._playhead = Playhead()
+        self._in_view: tuple[str, float, float] | None = None
         self._covered: Viewpoint | None = None
         self._dressing.dress(LIGHT)
 
@@ -106,15 +110,17 @@ class Stage:
                 self._draw_forces(self._standing)
             self._client.flush()
 
-    def show_range(self, from_s: float, to_s: float) -> None:
-        """Draw what of the path lies in this time."""
+    def show_range(self, recording: str, from_s: float, to_s: float) -> None:
+        """Draw what of the path of a recording lies in this time."""
+        self._in_view = recording, from_s, to_s
         if self._standing is not None:
             with self._client.atomic():
-                self._standing.tube.limit(from_s, to_s)
+                self._limit(self._standing)
             self._client.flush()
 
     def show_playhead(self, playhead: Playhead) -> None:
-        """Put the frame where the tool was."""
+        """Put the frame where the tool was, and its tail behind it."""
+        self._playhead = playhead
         if self._standing is None:
             return
         demonstration = self._standing.shown.demonstration
@@ -123,12 +129,15 @@ class Stage:
             self._standing.tool.position = demonstration.position_m[index]
             if demonstration.orientation_wxyz is not None:
                 self._standing.tool.wxyz = demonstration.orientation_wxyz[index]
+            if "frame" not in self._hidden:
+                self._standing.tail.follow(demonstration, playhead.time_s)
 
     def show_parts(self, hidden: frozenset[str]) -> None:
         """Hide these parts and show the others."""
         self._dressing.cast_shadows("shadows" not in hidden)
         self._hidden = hidden
         self._place_parts()
+        self.show_playhead(self._playhead)
 
     def cover(self, middle_m: Array, size_m: float, of: object) -> None:
         """Hide the recording: something else is to be seen there, before a robot at the origin."""
@@ -159,16 +168,18 @@ class Stage:
         self._theme = theme
         self._dressing.dress(theme)
         if self._standing is not None:
+            self._standing.tail.paint(theme)
             self._draw_floor(self._standing)
             self._draw_forces(self._standing)
 
     def _draw(self, shown: DeskState, standing: _Standing | None) -> None:
         """Put what was found into what stands there, built first if nothing does."""
         with self._client.atomic():
-            standing = standing or self._build(shown)
+            standing = replace(standing, shown=shown) if standing else self._build(shown)
+            self._standing = standing
             standing.tube.color(shown.labeling)
             draw_gaussians(self._client, shown.labeling, standing.path)
-            self._draw_forces(standing, shown)
+            self._draw_forces(standing)
         self._client.flush()
 
     def _build(self, shown: DeskState) -> _Standing:
@@ -184,11 +195,19 @@ class Stage:
         )
         tube = ScenePath(self._client, path, self._select_at)
         tube.select(self._selected)
-        self._standing = _Standing(shown, path, viewpoint_of(path, base), tube, tool, base)
-        self._draw_floor(self._standing)
+        tail = Tail(self._client, path.radius_m, self._theme)
+        standing = _Standing(shown, path, viewpoint_of(path, base), tube, tool, tail, base)
+        self._standing = standing
+        self._limit(standing)
+        self.show_playhead(self._playhead)
+        self._draw_floor(standing)
         if self._covered is None:
-            self._camera.look(self._standing.view, demonstration)
-        return self._standing
+            self._camera.look(standing.view, demonstration)
+        return standing
+
+    def _limit(self, standing: _Standing) -> None:
+        if self._in_view is not None and self._in_view[0] == standing.shown.recording.id:
+            standing.tube.limit(*self._in_view[1:])
 
     def _place_parts(self) -> None:
         for part in _OWN:
@@ -199,8 +218,8 @@ class Stage:
         if self._covered is None:
             self._floor.draw_below(self._theme, standing.path, standing.base)
 
-    def _draw_forces(self, standing: _Standing, shown: DeskState | None = None) -> None:
-        labeling = (shown or standing.shown).labeling
+    def _draw_forces(self, standing: _Standing) -> None:
+        labeling = standing.shown.labeling
         draw_forces(self._client, labeling, standing.path, self._theme, self._selected)
 
 

@@ -4,8 +4,9 @@ Only files of known kinds below the given roots are served; a path is resolved b
 compared with its root, so neither `..` nor a link leads out.
 """
 
+import gzip
 import hashlib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from http import HTTPStatus
 from importlib.util import find_spec
 from pathlib import Path
@@ -23,6 +24,9 @@ _CONTENT_TYPES = {
     ".svg": "image/svg+xml",
     ".woff2": "font/woff2",
 }
+
+_TEXT = frozenset({".css", ".html", ".js", ".json", ".svg"})
+"""What becomes much smaller when it is packed."""
 
 _ALWAYS = {
     # Every answer is the last on its connection; who is not told asks again into a closed one.
@@ -78,23 +82,41 @@ def text(status: HTTPStatus, message: str) -> Response:
 
 @dataclass(frozen=True)
 class StaticFiles:
-    """Files under `prefix`, found in the first of `roots` that has them."""
+    """Files under `prefix`, found in the first of `roots` that has them.
+
+    Text is packed once, until the file becomes another.
+    """
 
     prefix: str
     roots: tuple[Path, ...]
+    _packed: dict[Path, tuple[str, bytes]] = field(default_factory=dict)
 
-    def response(self, path: str, policy: str, known_tag: str | None) -> Response:
-        """The file at `path`, 304 where the browser has it, 404 where there is none."""
+    def response(self, path: str, policy: str, known_tag: str | None, accepted: str) -> Response:
+        """The file at `path`, packed where `accepted` says so and it is text.
+
+        304 where the browser has it, 404 where there is none.
+        """
         found = self._find(unquote(path).removeprefix(self.prefix))
         if found is None:
             return text(HTTPStatus.NOT_FOUND, "There is no such file.")
-        body = found.read_bytes()
+        body, kind = found.read_bytes(), _CONTENT_TYPES[found.suffix]
         tag = f'"{hashlib.sha256(body).hexdigest()[:32]}"'
-        status = HTTPStatus.NOT_MODIFIED if tag == known_tag else HTTPStatus.OK
-        body = b"" if status is HTTPStatus.NOT_MODIFIED else body
-        response = answer(status, body, _CONTENT_TYPES[found.suffix], policy)
+        if tag == known_tag:
+            response = answer(HTTPStatus.NOT_MODIFIED, b"", kind, policy)
+        elif found.suffix in _TEXT and "gzip" in accepted:
+            response = answer(HTTPStatus.OK, self._pack(found, tag, body), kind, policy)
+            response.headers["Content-Encoding"] = "gzip"
+        else:
+            response = answer(HTTPStatus.OK, body, kind, policy)
         response.headers["ETag"] = tag
+        response.headers["Vary"] = "Accept-Encoding"
         return response
+
+    def _pack(self, path: Path, tag: str, body: bytes) -> bytes:
+        known = self._packed.get(path)
+        if known is None or known[0] != tag:
+            known = self._packed[path] = tag, gzip.compress(body, mtime=0)
+        return known[1]
 
     def _find(self, relative: str) -> Path | None:
         if "\0" in relative or "\\" in relative:

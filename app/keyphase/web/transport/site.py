@@ -55,15 +55,16 @@ class OurSite:
         path = request.path.partition("?")[0]
         policy = page_policy(request.headers["Host"])
         tag = request.headers.get("If-None-Match")
+        accepted = request.headers.get("Accept-Encoding", "")
         if path == "/":
-            return self._remembered(entry, self._files.response(INDEX, policy, tag), port)
+            return self._remembered(entry, self._files.response(INDEX, policy, tag, accepted), port)
         if path.startswith(self._files.prefix):
-            return self._files.response(path, policy, tag)
+            return self._files.response(path, policy, tag, accepted)
         if path.startswith(VIDEOS):
             return video_part(self._videos(path.removeprefix(VIDEOS)), request.headers)
         if is_frame(path):
             policy = viser_policy(request.headers["Host"])
-            return self._viser.response(policy, request.headers.get("Accept-Encoding", ""), tag)
+            return self._viser.response(policy, accepted, tag)
         return text(HTTPStatus.NOT_FOUND, "There is no such page.")
 
     def refusal(self, request: Request, port: int) -> Response | None:

@@ -37,6 +37,7 @@ import { createRename } from "./panels/overlays/rename.js";
 import { createScene } from "./scene/scene.js";
 import { createNames } from "./scene/names.js";
 import { aboutDocument } from "./model/about_document.js";
+import { drawWhatIsInView } from "./scene/in_view.js";
 import { askForShadows } from "./scene/shadows.js";
 import { createSignals } from "./model/signals.js";
 import { openSocket } from "./lib/socket.js";
@@ -208,6 +209,7 @@ socket = openSocket(pageId, {
 const upload = createUpload(store, socket, actions);
 const sceneFrame = createScene(store, pageId);
 createNames(store, actions, () => sceneFrame.contentWindow);
+drawWhatIsInView(store, send);
 askForShadows(store, send, () => sceneFrame.contentWindow);
 store.set({ dark: firstDark(), snap: true });
 

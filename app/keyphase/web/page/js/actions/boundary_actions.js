@@ -31,8 +31,11 @@ export function createBoundaryActions(store, edit, others) {
       edit({ kind: "remove", time_s: boundary.time_s });
       if (boundary.unsure) others.nextDoubt();
     },
-    moveBoundary(from, to) {
-      if (Math.abs(to - from) > 1e-6) edit({ kind: "move", from_s: from, to_s: to });
+    /** @param {number} from @param {number} to @param {boolean} [ripples] all later ones go with it */
+    moveBoundary(from, to, ripples = false) {
+      if (Math.abs(to - from) <= 1e-6) return;
+      if (ripples) edit({ kind: "ripple", from_s: from, by_s: to - from });
+      else edit({ kind: "move", from_s: from, to_s: to });
     },
     /** Opens the time of the current boundary, or of the one nearest to the playhead, to be typed. */
     typeTime() {
@@ -47,13 +50,11 @@ export function createBoundaryActions(store, edit, others) {
       store.drawNow();
       /** @type {HTMLElement|null} */ (document.querySelector("#why .typed-time"))?.focus();
     },
-    nudge(direction) {
+    nudge(direction, ripples = false) {
       const boundary = doc()?.boundaries[state.current];
-      if (boundary)
-        actions.moveBoundary(
-          boundary.time_s,
-          boundary.time_s + direction * Math.max(0.01, 1 / doc().rate_hz),
-        );
+      if (!boundary) return;
+      const by = direction * Math.max(0.01, 1 / doc().rate_hz);
+      actions.moveBoundary(boundary.time_s, boundary.time_s + by, ripples);
     },
     acceptBoundary(index = state.current) {
       const boundary = doc()?.boundaries[index];

@@ -42,7 +42,21 @@ export function createPlaybackActions(store, share) {
       asked = playhead;
       before = state.playhead;
     },
-    togglePlay: () => actions.play({ playing: !wanted().playing }),
+    togglePlay() {
+      const { playing, speed } = wanted();
+      actions.play({ playing: !playing, speed: playing ? speed : Math.abs(speed) });
+    },
+    /**
+     * As in editors of film: plays one way, and the same again twice as fast; 0 stops.
+     * @param {-1|0|1} way
+     */
+    shuttle(way) {
+      const { playing, speed } = wanted();
+      const isGoing = playing && speed * way > 0;
+      const faster = SPEEDS.find((one) => one > Math.abs(speed)) ?? Math.abs(speed);
+      if (way === 0) actions.play({ playing: false, speed: 1 });
+      else actions.play({ playing: true, speed: way * (isGoing ? faster : 1) });
+    },
     toggleLoop: () => actions.play({ loop: !wanted().loop }),
     setSpeed: (speed) => actions.play({ speed }),
     /** The next higher speed, or the next lower one. */

@@ -271,6 +271,19 @@ export interface SelectionMessage {
   segment: number | null;
 }
 
+/** What the other pages at the recording that is shown have selected. */
+export interface OthersMessage {
+  type: "others";
+  pages: OtherSelected[];
+}
+
+/** Another page at the same recording, and the segment it has selected. */
+export interface OtherSelected {
+  name: string;
+  color: number;
+  segment: number;
+}
+
 /** Where this page's playhead is; `between_s` is a stretch that is played again and again. */
 export interface PlayheadMessage {
   type: "playhead";

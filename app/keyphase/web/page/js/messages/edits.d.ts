@@ -221,6 +221,17 @@ export interface NameStretchEdit {
 }
 
 /**
+ * Move the boundary at `from_s`, and all later ones, by `by_s`. `all_s` are the times of all of
+ * them, which `anchored` fills in.
+ */
+export interface RippleEdit {
+  kind: "ripple";
+  from_s: number;
+  by_s: number;
+  all_s?: number[];
+}
+
+/**
  * Name every segment that is called `label` `to` instead.
  * - step: the same in all recordings in which it was done together
  * - labels: the segments it is about; None in what a person asks for
@@ -264,5 +275,6 @@ export type Edit =
   | AssessEdit
   | AssessSegmentEdit
   | NameStretchEdit
+  | RippleEdit
   | RenamePhaseEdit
   | DropPhaseEdit;

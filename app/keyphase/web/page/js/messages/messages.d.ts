@@ -14,6 +14,7 @@ import type {
   DocumentMessage,
   GhostMessage,
   NothingMessage,
+  OthersMessage,
   PlayheadMessage,
   SelectionMessage,
   ShownMessage,
@@ -44,6 +45,7 @@ export type Message =
   | NothingMessage
   | GhostMessage
   | SelectionMessage
+  | OthersMessage
   | PlayheadMessage
   | ShownMessage
   | Following

@@ -42,6 +42,7 @@ import type {
   CamerasRequest,
   FollowRequest,
   GridRequest,
+  InViewRequest,
   LatencyRequest,
   OpenDemonstrationRequest,
   OpenRequest,
@@ -85,6 +86,7 @@ export type Request =
   | PlayRequest
   | PlayAroundRequest
   | ShowRequest
+  | InViewRequest
   | GridRequest
   | ThemeRequest
   | RobotRequest

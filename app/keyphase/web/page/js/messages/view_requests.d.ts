@@ -29,7 +29,7 @@ export interface SeekRequest {
   time_s: number;
 }
 
-/** Start, pause, or change how playback runs. */
+/** Start, pause, or change how playback runs; backwards below zero. */
 export interface PlayRequest {
   type: "play";
   playing: boolean;
@@ -48,6 +48,14 @@ export interface ShowRequest {
   type: "show";
   what: string;
   visible: boolean;
+}
+
+/** Draw in the scene what of the recording's path lies in this time. */
+export interface InViewRequest {
+  type: "in_view";
+  recording: string;
+  from_s: number;
+  to_s: number;
 }
 
 /** Tell how all recordings of the folder stand, now and whenever one changes; or no more. */

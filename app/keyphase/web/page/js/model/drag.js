@@ -1,7 +1,8 @@
 /** What the document looks like while a boundary is being dragged, before the server knows. */
 
 /**
- * @typedef {{boundary: number, time: number, snapped: string, x: number, y: number}} Drag
+ * @typedef {{boundary: number, time: number, snapped: string, ripples: boolean, x: number,
+ *   y: number}} Drag  ripples: all later boundaries go with it
  * @param {import("./types.js").Doc} doc
  * @param {Drag|null} drag
  * @returns {import("./types.js").Doc}
@@ -9,29 +10,53 @@
 export function withDrag(doc, drag) {
   const moved = drag && doc.boundaries[drag.boundary];
   if (!moved) return doc;
-  const was = moved.was_s ?? moved.time_s;
-  const boundaries = doc.boundaries.with(drag.boundary, {
-    ...moved,
-    time_s: drag.time,
-    was_s: was,
-  });
-  const before = doc.segments[drag.boundary];
-  const after = doc.segments[drag.boundary + 1];
-  const segments = doc.segments.slice();
-  segments[drag.boundary] = { ...before, end_s: drag.time };
-  segments[drag.boundary + 1] = { ...after, start_s: drag.time };
-  return { ...doc, boundaries, segments };
+  const last = drag.ripples ? doc.boundaries.length : drag.boundary + 1;
+  return withMoved(doc, drag.boundary, last, drag.time - moved.time_s);
 }
 
 /**
- * The stretch a boundary may be dragged in: between its neighbours.
+ * With the boundaries from `first` to before `last` moved by so much, and the segments with them.
+ * @param {import("./types.js").Doc} doc
+ * @param {number} first
+ * @param {number} last
+ * @param {number} by [s]
+ * @returns {import("./types.js").Doc}
+ */
+export function withMoved(doc, first, last, by) {
+  const boundaries = doc.boundaries.map((one, k) =>
+    k < first || k >= last
+      ? one
+      : { ...one, time_s: one.time_s + by, was_s: one.was_s ?? one.time_s },
+  );
+  const segments = doc.segments.map((one, k) => ({
+    ...one,
+    start_s: boundaries[k - 1]?.time_s ?? one.start_s,
+    end_s: boundaries[k]?.time_s ?? one.end_s,
+  }));
+  return { ...doc, boundaries, segments };
+}
+
+/** Two boundaries this near are one; so near the server lets none come by a move of many [s]. */
+const SAME_S = 0.05;
+
+/**
+ * The stretch a boundary may be dragged in: between its neighbours, or as far as those that go with
+ * it have room.
  * @param {import("./types.js").Doc} doc
  * @param {number} index
+ * @param {boolean} [ripples] all later ones go with it
  * @returns {[number, number]}
  */
-export function reachOf(doc, index) {
+export function reachOf(doc, index, ripples = false) {
   const gap = 2 / doc.rate_hz;
   const before = doc.boundaries[index - 1]?.time_s ?? doc.start_s;
+  if (ripples) {
+    const room = doc.end_s - doc.boundaries.at(-1).time_s;
+    return [
+      before + (index ? Math.max(gap, SAME_S) : gap),
+      doc.boundaries[index].time_s + room - gap,
+    ];
+  }
   const after = doc.boundaries[index + 1]?.time_s ?? doc.end_s;
   return [before + gap, after - gap];
 }

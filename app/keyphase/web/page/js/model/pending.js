@@ -8,6 +8,8 @@
  * @typedef {{event: number, edit: Edit}} Pending
  */
 
+import { withMoved } from "./drag.js";
+
 /** How far apart two times may be and still be one boundary's. */
 const SAME_S = 1e-6;
 
@@ -64,6 +66,15 @@ const DRAWN = {
       .with(index, { ...doc.segments[index], end_s: to })
       .with(index + 1, { ...doc.segments[index + 1], start_s: to });
     return { ...doc, boundaries, segments };
+  },
+  ripple(doc, { from_s: from, by_s: by }) {
+    const first = boundaryAt(doc, from);
+    if (first < 0) return null;
+    const moved = withMoved(doc, first, doc.boundaries.length, by);
+    const boundaries = moved.boundaries.map((one, k) =>
+      k < first ? one : { ...one, unsure: false, origin: /** @type {const} */ ("user") },
+    );
+    return { ...moved, boundaries };
   },
   add(doc, { time_s: time }) {
     const index = segmentAt(doc, time);

@@ -13,7 +13,7 @@ export function createPlayback(store) {
     const { playhead, document: doc } = store.state;
     if (!playhead.playing || !doc) return;
     const elapsed = (performance.now() - at.now) / 1000;
-    const clock = runningClock(at.time + elapsed * playhead.speed, playhead, doc.end_s);
+    const clock = runningClock(at.time + elapsed * playhead.speed, playhead, doc);
     follow(store, clock);
     store.set({ clock });
     frame = requestAnimationFrame(run);
@@ -30,13 +30,13 @@ export function createPlayback(store) {
 }
 
 /**
- * Where a running playhead is: in a stretch that is played again and again, or on to the end.
+ * Where a running playhead is: in a stretch that is played again and again, or on to an end.
  * @param {number} time
  * @param {import("./types.js").Playhead} playhead
- * @param {number} end
+ * @param {{start_s: number, end_s: number}} doc
  */
-export function runningClock(time, { between_s: between }, end) {
-  if (!between) return Math.min(time, end);
+export function runningClock(time, { between_s: between }, { start_s: start, end_s: end }) {
+  if (!between) return Math.min(Math.max(time, start), end);
   const [from, to] = between;
   return from + ((((time - from) % (to - from)) + (to - from)) % (to - from));
 }
@@ -49,6 +49,7 @@ function follow(store, clock) {
   const { view, document: doc } = store.state;
   if (!view || (clock >= view.from && clock <= view.to)) return;
   const span = view.to - view.from;
-  const from = Math.min(Math.max(clock - 0.05 * span, doc.start_s), doc.end_s - span);
+  const ahead = store.state.playhead.speed > 0 ? 0.05 : 0.95;
+  const from = Math.min(Math.max(clock - ahead * span, doc.start_s), doc.end_s - span);
   store.set({ view: { from, to: from + span } });
 }

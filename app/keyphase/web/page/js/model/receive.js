@@ -77,6 +77,7 @@ export function createReceiver(
     selection({ segment }) {
       if (segment !== state.selected) store.set({ selected: segment, selectedTo: null });
     },
+    others: ({ pages }) => store.set({ others: pages }),
     task(message) {
       if (message.done) tasks.delete(message.id);
       else tasks.set(message.id, message);

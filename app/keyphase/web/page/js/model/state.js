@@ -60,10 +60,12 @@ import { firstChoice } from "./rows.js";
  *   plotWidth: number, paneHeight: number, paneWidth: number,
  *   layout: import("./rows.js").Layout|null}} Seen
  *
- * All recordings of the folder beside each other; `goTo` is where one goes on from there
+ * The other pages at this recording, and all recordings of the folder beside each other; `goTo` is
+ * where one goes on from there
  * @typedef {{grid: import("./recordings/grid.js").Grid|null, gridShown: boolean, gridAlign: string,
  *   gridChange: import("./recordings/grid.js").Change|null,
  *   refusals: number,
+ *   others: import("../messages/document_messages").OtherSelected[],
  *   phaseSteps: import("./recordings/phase_steps.js").PhaseStep[],
  *   goTo: {id: string, time_s: number}|null}} Beside
  *
@@ -77,6 +79,7 @@ export function firstState(small) {
 
 /** @returns {Beside} */
 const nothingBeside = () => ({
+  others: [],
   grid: null,
   gridShown: false,
   gridAlign: "start",

@@ -10,6 +10,8 @@ import { attachChipKeys } from "./plan_keys.js";
 
 const CLICK_PX = 4;
 const MOST_CHIPS = 150;
+/** The end of the strip fades over so much, where it goes on. */
+const FADES_PX = 20;
 
 /**
  * @param {import("../lib/store.js").Store} store
@@ -47,7 +49,28 @@ export function createPlan(store, actions) {
       );
     drops.replaceChildren(...drawDrops(doc, state, actions));
   });
+  store.later(["selected", "recording"], () => showChosen(chips));
+  chips.addEventListener("wheel", turnSideways, { passive: false });
   attachDragging(chips, store, actions);
+}
+
+/** The chip of the selected segment, where the strip has more than fit. @param {HTMLElement} chips */
+function showChosen(chips) {
+  const chip = /** @type {HTMLElement|null} */ (chips.querySelector(".chip.on"));
+  if (!chip) return;
+  const left = chip.offsetLeft - chips.offsetLeft;
+  const isSeen =
+    left >= chips.scrollLeft &&
+    left + chip.offsetWidth <= chips.scrollLeft + chips.clientWidth - FADES_PX;
+  if (!isSeen) chips.scrollLeft = left - (chips.clientWidth - chip.offsetWidth) / 2;
+}
+
+/** The strip only goes sideways, and so does the wheel over it. @param {WheelEvent} event */
+function turnSideways(event) {
+  const chips = /** @type {HTMLElement} */ (event.currentTarget);
+  if (event.ctrlKey || chips.scrollWidth <= chips.clientWidth) return;
+  event.preventDefault();
+  chips.scrollLeft += event.deltaX || event.deltaY;
 }
 
 /** @param {import("../model/types.js").Doc} doc */

@@ -143,7 +143,7 @@ function pageMark({ name, color }) {
   return el("i", {
     class: "page-mark",
     title: `${name} is here`,
-    text: name.slice(0, 1),
+    text: name.split(" ").at(-1).slice(0, 2),
     style: { background: segmentFill({ color }) },
   });
 }

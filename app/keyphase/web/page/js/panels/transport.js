@@ -102,7 +102,7 @@ function createSpeed(store, actions) {
     )
   );
   store.on(["playhead"], ({ playhead }) => {
-    text.textContent = `${playhead.speed}×`;
+    text.textContent = `${playhead.speed}×`.replace("-", "−");
     select.value = String(playhead.speed);
   });
   return el("div", { class: "boxed speed wide" }, text, icon("down", "small"), select);

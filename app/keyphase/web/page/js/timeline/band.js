@@ -8,6 +8,7 @@ import { svg } from "../lib/dom.js";
 import { chosenStretch } from "../model/segments.js";
 import { duration } from "../lib/format.js";
 import { formsOf } from "../model/label_forms.js";
+import { runsOf, runText } from "./runs.js";
 import { denseSegments, MOST_IN_DETAIL, segmentsInView } from "./dense.js";
 import { textWidth } from "../lib/text_width.js";
 
@@ -37,6 +38,8 @@ export function drawBand(state, scale, row) {
   const rings = [];
   const dense = segmentsInView(doc.segments, scale).length > MOST_IN_DETAIL;
   if (dense) nodes.push(...denseSegments(doc.segments, scale, box.top, box.height));
+  /** @type {import("./runs.js").Narrow[]} */
+  const narrow = [];
   doc.segments.forEach((segment, index) => {
     if (segment.end_s < scale.from || segment.start_s > scale.to || (dense && !isChosen(index)))
       return;
@@ -45,12 +48,47 @@ export function drawBand(state, scale, row) {
     if (right - left < 0.5) return;
     const place = { ...box, left, width: Math.max(right - left, 1) };
     nodes.push(drawSegment(segment, index, place));
+    narrow.push({ number: index + 1, left, right, fits: hasNumber(segment, index, place) });
     if (isChosen(index)) rings.push(drawRing(place));
     if (isMarked(segment)) rings.push(...drawMark(segment, place));
   });
+  if (!dense) nodes.push(...drawRuns(narrow, box));
   nodes.push(...rings);
   if (range) nodes.push(drawRange(doc, range, scale, box));
   return nodes;
+}
+
+const NUMBER = "700 12px";
+const PLATE_NUMBER = "11.5px";
+const RUN = "11px";
+
+/** Whether a segment has room for its own number. */
+function hasNumber({ kept }, index, { width }) {
+  const number = String(index + 1);
+  return kept
+    ? width >= textWidth(number, NUMBER) + 4
+    : width >= textWidth(number, PLATE_NUMBER) + 8;
+}
+
+/** Which segments those are that have no room for their numbers. */
+function drawRuns(narrow, { top, height }) {
+  const widthOf = (first, last) => textWidth(runText(first, last), RUN) + 10;
+  return runsOf(narrow, widthOf).map(({ first, last, left, right }) => {
+    const width = widthOf(first, last) - 2;
+    const middle = (left + right) / 2;
+    const plate = { x: middle - width / 2, y: top + height / 2 - 8, width, height: 16, rx: 3 };
+    return svg(
+      "g",
+      { class: "segment-run" },
+      svg("rect", { ...plate, class: "segment-plate" }),
+      svg("text", {
+        x: middle,
+        y: top + height / 2 + 4,
+        "text-anchor": "middle",
+        text: runText(first, last),
+      }),
+    );
+  });
 }
 
 function drawSegment(segment, index, place) {
@@ -69,8 +107,8 @@ function drawSegment(segment, index, place) {
 /** Number and label, below it (where there is room) how long and by whom it was named. */
 function keptText(segment, index, { left, top, width, height }) {
   const number = String(index + 1);
-  const numberWidth = textWidth(number, "700 12px");
-  if (width < numberWidth + 8) return [];
+  const numberWidth = textWidth(number, NUMBER);
+  if (width < numberWidth + 4) return [];
   const textLeft = left + 9 + numberWidth + 7;
   const room = left + width - textLeft - 6 - markWidth(segment);
   const label = fittingLabel(segment, room, "600 12px");
@@ -101,15 +139,22 @@ function secondLine(segment, x, y, room) {
 function droppedText(segment, index, { left, top, width, height }) {
   const number = String(index + 1);
   const middle = top + height / 2;
-  const numberWidth = textWidth(number, "11.5px");
-  if (width < numberWidth + 14) return [];
+  const numberWidth = textWidth(number, PLATE_NUMBER);
+  if (width < numberWidth + 8) return [];
   const room = width - numberWidth - 38 - markWidth(segment);
   const label = fittingLabel(segment, room, "11.5px");
-  const plate = label ? numberWidth + textWidth(label, "11.5px") + 24 : numberWidth + 12;
+  const plate = label
+    ? numberWidth + textWidth(label, "11.5px") + 24
+    : Math.min(numberWidth + 12, width - 2);
   const at = left + Math.min(6, (width - plate) / 2);
   const nodes = [
     svg("rect", { x: at, y: middle - 9, width: plate, height: 18, rx: 3, class: "segment-plate" }),
-    svg("text", { x: at + 7, y: middle + 4, class: "segment-plate-number", text: number }),
+    svg("text", {
+      x: label ? at + 7 : at + (plate - numberWidth) / 2,
+      y: middle + 4,
+      class: "segment-plate-number",
+      text: number,
+    }),
   ];
   if (label)
     nodes.push(

@@ -78,7 +78,11 @@ function draw(ctx, ratio, state, drag, window) {
   ctx.font = '11px "Liberation Sans", Arial, sans-serif';
   ctx.fillStyle = cssColor(drag.snapped ? "--accent-text" : "--text-3");
   ctx.textAlign = "right";
-  ctx.fillText(drag.snapped || "Alt: no snapping", WIDTH - 10, 15);
+  ctx.fillText(
+    drag.ripples ? "all later ones, too" : drag.snapped || "Alt: no snapping",
+    WIDTH - 10,
+    15,
+  );
   ctx.textAlign = "left";
 }
 

@@ -113,6 +113,7 @@ const SEGMENTS = [
   "range",
   "ghost",
   "folded",
+  "others",
 ];
 const PLACE = ["view", "layout", "plotWidth"];
 

@@ -51,6 +51,9 @@ const playbackCommands = (actions) => [
   ["Play again and again", ["O"], actions.toggleLoop],
   ["Next frame of the camera", ["'"], () => actions.stepFrame(1)],
   ["Previous frame of the camera", [";"], () => actions.stepFrame(-1)],
+  ["Play backwards; again: faster", ["Alt J"], () => actions.shuttle(-1)],
+  ["Stop", ["Alt K"], () => actions.shuttle(0)],
+  ["Play forwards; again: faster", ["Alt L"], () => actions.shuttle(1)],
   ["Play slower", [], () => actions.changeSpeed(-1)],
   ["Play faster", [], () => actions.changeSpeed(1)],
 ];
@@ -83,6 +86,8 @@ const boundariesCommands = (actions) => [
   ["Previous unsure boundary", ["Shift N"], () => actions.visitUnsure(-1)],
   ["Move the boundary earlier", ["<"], () => actions.nudge(-1)],
   ["Move the boundary later", [">"], () => actions.nudge(1)],
+  ["Move the boundary and all later ones earlier", [], () => actions.nudge(-1, true)],
+  ["Move the boundary and all later ones later", [], () => actions.nudge(1, true)],
   ["Type the time of the boundary", ["Shift T"], actions.typeTime],
   ["Remove the boundary", ["Delete", "Backspace"], () => actions.removeBoundary()],
   ["Contact change or not", ["C"], () => actions.toggleContact()],
@@ -162,10 +167,12 @@ const everythingCommands = (actions, dialogs) => [
 const NAMED = { " ": "Space", ContextMenu: "Menu", ArrowLeft: "←", ArrowRight: "→" };
 
 /**
- * A key press as commands write it: "Ctrl Shift Z", "Shift N", "?", "Space".
+ * A key press as commands write it: "Ctrl Shift Z", "Shift N", "Alt L", "?", "Space".
  * @param {KeyboardEvent} event
  */
-export function keyOf({ key, ctrlKey, metaKey, shiftKey }) {
+export function keyOf({ key, code, altKey, ctrlKey, metaKey, shiftKey }) {
+  // With Alt some systems write another sign, but the key is in the same place.
+  if (altKey) return `Alt ${code.replace(/^Key/, "")}`;
   const letter = key.length === 1 ? key.toUpperCase() : key;
   const isLetter = /^[A-Z]$/.test(letter);
   // Shift is part of a sign like "?" already, and told apart only for letters and named keys.

@@ -45,7 +45,8 @@ export function createHeldLabel(store, actions) {
     press({ code, repeat }, number) {
       if (down) return true;
       const label = state.labels[number - 1]?.name;
-      if (repeat || !label || !state.playhead.playing || state.readOnly) return repeat;
+      const { playing, speed } = state.playhead;
+      if (repeat || !label || !playing || speed < 0 || state.readOnly) return repeat;
       down = { code, number, id: state.document.id, since: performance.now() };
       store.set({ naming: { from_s: state.clock, label } });
       return true;

@@ -14,7 +14,8 @@ export function createKeys(store, actions, commands, heldLabel, escape) {
   const byKey = new Map(commands.flatMap((command) => command.keys.map((key) => [key, command])));
 
   return function onKey(event) {
-    if (event.defaultPrevented || event.altKey || event.isComposing) return;
+    if (event.defaultPrevented || event.isComposing) return;
+    if (event.altKey && (event.ctrlKey || event.shiftKey || store.state.replay)) return;
     if (isTyping(event) || document.querySelector("dialog[open]")) return;
     if (event.key === "Escape") {
       if (escape()) event.preventDefault();

@@ -146,7 +146,7 @@ function createView(camera, store, actions) {
       const { document: doc, playhead, pointer, clock } = state;
       const laid = offsetOf(doc, camera);
       offset.show(laid);
-      if (playhead.playing) player.follow(laid, clock, playhead.speed);
+      if (playhead.playing && playhead.speed > 0) player.follow(laid, clock, playhead.speed);
       else player.rest(laid, pointer ?? clock);
     },
   };

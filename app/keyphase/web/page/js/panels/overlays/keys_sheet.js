@@ -7,6 +7,7 @@ const GESTURES = [
   ["Move through time", "drag the tracks"],
   ["Scroll the tracks", "Alt wheel"],
   ["Move without snapping", "Alt drag"],
+  ["Move a boundary and all later ones", "Shift drag"],
   ["Merge", "drag over segments"],
   ["Choose several", "Shift click"],
   ["Rename", "double click"],

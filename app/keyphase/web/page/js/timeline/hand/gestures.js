@@ -143,7 +143,6 @@ function dragBoundary(store, timeline, actions, index, start, readOnly) {
   const { document: doc } = store.state;
   const boundary = doc.boundaries[index];
   const offset = timeline.scale().x(boundary.time_s) - start.x;
-  const [low, high] = reachOf(doc, index);
   const stop = () => store.set({ drag: null });
   return {
     cursor: "ew-resize",
@@ -155,9 +154,11 @@ function dragBoundary(store, timeline, actions, index, start, readOnly) {
       const reach = (REACH_PX * (scale.to - scale.from)) / scale.width;
       const snap = store.state.snap && !event.altKey;
       const evidence = snap ? nearestEvidence(store.state, wanted, reach, index) : null;
+      const ripples = event.shiftKey;
+      const [low, high] = reachOf(doc, index, ripples);
       const time = Math.min(Math.max(evidence?.time ?? wanted, low), high);
       store.set({
-        drag: { boundary: index, time, snapped: evidence?.name ?? "", x, y },
+        drag: { boundary: index, time, snapped: evidence?.name ?? "", ripples, x, y },
         current: index,
       });
     },
@@ -165,7 +166,7 @@ function dragBoundary(store, timeline, actions, index, start, readOnly) {
       const { drag } = store.state;
       stop();
       store.set({ current: index });
-      if (moved && drag) actions.moveBoundary(boundary.time_s, drag.time);
+      if (moved && drag) actions.moveBoundary(boundary.time_s, drag.time, drag.ripples);
       else actions.seek(boundary.time_s);
     },
     cancel: stop,

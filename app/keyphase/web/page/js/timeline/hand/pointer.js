@@ -1,5 +1,7 @@
 /** The pointer on the timeline: hovering, gestures, wheel, double click, context menu. */
 
+import { segmentAt } from "../../model/segments.js";
+import { segmentTitle } from "../segment_title.js";
 import { breakAt } from "../breaks.js";
 import { eventAt } from "../lanes/events.js";
 import { startGesture } from "./gestures.js";
@@ -48,7 +50,7 @@ export function attachPointer(store, timeline, actions) {
     const ruler = timeline.layout().rows.get("ruler");
     const inTracks = point.y >= ruler.y && point.x <= plotWidth;
     surface.style.cursor = CURSORS[hit.kind] ?? "default";
-    surface.title = inTracks ? saidAt(doc, timeline, point) : "";
+    surface.title = inTracks ? saidAt(store.state, timeline, point, hit) : "";
     store.set({
       hovered: hit.kind === "boundary" ? hit.boundary : null,
       candidate: hit.candidate ?? null,
@@ -190,9 +192,15 @@ function turnWheel(store, timeline, event, x) {
   }
 }
 
-/** The words of an event in its row, or of a break. */
-function saidAt(doc, timeline, { x, y }) {
-  const row = timeline.layout().rows.get("events");
-  const within = row && y >= row.y && y < row.y + row.height;
-  return (within && eventAt(doc, x, timeline.scale())) || breakAt(doc, x, timeline.scale());
+/** The words of an event in its row, of a break, or of a segment and what is executed of it. */
+function saidAt({ document: doc }, timeline, { x, y }, hit) {
+  const { rows } = timeline.layout();
+  const within = (key) => {
+    const row = rows.get(key);
+    return row && !row.folded && y >= row.y && y < row.y + row.height;
+  };
+  const broken = breakAt(doc, x, timeline.scale());
+  if (within("events")) return eventAt(doc, x, timeline.scale()) || broken;
+  if (broken || !(hit.kind === "segment" || within("skills"))) return broken;
+  return segmentTitle(doc, segmentAt(doc, timeline.scale().time(x)));
 }

@@ -3,6 +3,7 @@
 import { segmentFill } from "../../lib/colors.js";
 import { svg } from "../../lib/dom.js";
 import { textWidth } from "../../lib/text_width.js";
+import { runsOf, runText } from "../runs.js";
 import { DOUBT, howItEnds } from "../../model/end_condition.js";
 import { MOST_IN_DETAIL, segmentsInView } from "../dense.js";
 
@@ -21,24 +22,57 @@ export function drawSkills({ document: doc }, scale, { y, height }) {
   doc.plan.forEach(({ segment }, k) =>
     places.set(segment, [...(places.get(segment) ?? []), k + 1]),
   );
-  const skills = [...places].flatMap(([index, at]) =>
+  const inTime = [...places].sort(([a], [b]) => a - b);
+  const skills = inTime.flatMap(([index, at]) =>
     drawSkill(doc.segments[index], at, scale, y, height),
   );
-  return [ground, ...skills];
+  return [ground, ...skills, ...drawRuns(doc, inTime, scale, y + height - 1)];
+}
+
+/** The places of brackets that are too narrow for their own. */
+function drawRuns({ segments }, places, scale, foot) {
+  const seen = places.filter(
+    ([index]) => segments[index]?.end_s >= scale.from && segments[index].start_s <= scale.to,
+  );
+  const marks = seen.map(([index, at]) => {
+    const { left, right } = bracketOf(segments[index], scale);
+    const fits = textWidth(at.join(", "), FONT) <= right - left;
+    return { number: at[0], left, right, fits };
+  });
+  const widthOf = (first, last) => textWidth(runText(first, last), FONT) + 6;
+  return runsOf(marks, widthOf).map(({ first, last, left, right }) =>
+    svg("text", {
+      class: "skill-run",
+      x: (left + right) / 2,
+      y: foot - 6.5,
+      "text-anchor": "middle",
+      text: runText(first, last),
+    }),
+  );
+}
+
+/** Where a segment's bracket is [px]. */
+function bracketOf(segment, scale) {
+  return {
+    left: Math.max(scale.x(segment.start_s), 0) + 2,
+    right: Math.min(scale.x(segment.end_s), scale.width) - 2,
+  };
 }
 
 /** A bracket over its segment, closed at the end by what ends it. */
 function drawSkill(segment, places, scale, y, height) {
   if (!segment || segment.end_s < scale.from || segment.start_s > scale.to) return [];
-  const left = Math.max(scale.x(segment.start_s), 0) + 2;
-  const right = Math.min(scale.x(segment.end_s), scale.width) - 2;
+  const { left, right } = bracketOf(segment, scale);
   if (right - left < 3) return [];
   const { kind, agrees } = segment.end_condition;
   const ends = howItEnds(segment.end_condition);
   const order = places.join(", ");
+  const room = right - left;
   const text = [`skill ${order}, ${ends}`, `${order}, ${ends}`, order].find(
-    (form) => textWidth(form, FONT) <= right - left - 14,
+    (form) => textWidth(form, FONT) <= room - 14,
   );
+  // Where there is no room for both, the number says more than the sign of the end.
+  const alone = !text && textWidth(order, FONT) <= room;
   const foot = y + height - 1;
   const doubted = agrees === false;
   return [
@@ -52,10 +86,21 @@ function drawSkill(segment, places, scale, y, height) {
         d: `M${left} ${foot}v-4h${right - left}v4`,
         style: { stroke: segmentFill(segment) },
       }),
-      kind === "contact"
+      text && kind === "contact"
         ? svg("path", { d: `M${right - 4} ${foot - 8}h8l-4 5z`, class: "skill-end" })
-        : svg("circle", { cx: right, cy: foot - 5.5, r: 2.6, class: "skill-end" }),
+        : "",
+      text && kind !== "contact"
+        ? svg("circle", { cx: right, cy: foot - 5.5, r: 2.6, class: "skill-end" })
+        : "",
       text ? svg("text", { x: left + 2, y: foot - 6.5, text }) : "",
+      alone
+        ? svg("text", {
+            x: (left + right) / 2,
+            y: foot - 6.5,
+            "text-anchor": "middle",
+            text: order,
+          })
+        : "",
     ),
   ];
 }

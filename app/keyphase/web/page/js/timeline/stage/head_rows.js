@@ -3,6 +3,7 @@
 import { withDrag } from "../../model/drag.js";
 import { drawBand, drawNaming } from "../band.js";
 import { drawBoundaries, drawGhosts, drawIntervals } from "../boundaries.js";
+import { drawOthers } from "../others.js";
 import { drawBreaks } from "../breaks.js";
 import { drawComparison } from "../lanes/comparison.js";
 import { drawLanes } from "../lanes/arms.js";
@@ -24,7 +25,8 @@ export function drawSegments({ groups, gutters, scale, bottom }, plain) {
   const { layout } = state;
   const at = scale();
   groups.intervals.replaceChildren(...drawIntervals(state, at, layout, bottom()));
-  groups.band.replaceChildren(...drawBand(state, at, layout.rows.get("segments")));
+  const band = layout.rows.get("segments");
+  groups.band.replaceChildren(...drawBand(state, at, band), ...drawOthers(state, at, band));
   groups.breaks.replaceChildren(...drawBreaks(state, at, layout, bottom()));
   groups.boundaries.replaceChildren(...drawBoundaries(state, at, layout, bottom()));
   groups.ghosts.replaceChildren(...drawGhosts(state, at, layout, bottom()));
