@@ -6,6 +6,7 @@ compressed as they are sent, of everything a browser asks for until robot, parts
 the scene.
 """
 
+import gzip
 import re
 import shutil
 import statistics
