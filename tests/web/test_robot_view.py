@@ -123,6 +123,32 @@ def test_the_robot_can_be_hidden(recorded: Path, opened: Opened) -> None:
     assert framed.scene.robot.base is None
 
 
+def test_what_is_drawn_anew_as_the_robot_comes_or_goes_is_as_it_was_last(
+    recorded: Path, opened: Opened
+) -> None:
+    """The path, its colours and the tool, seen from elsewhere."""
+    framed, client = opened(recorded)
+    framed.settle()
+    document = next(m for m in client.heard if m["type"] == "document")
+    client.send("edit", edit={"kind": "merge", "from_s": 0.01, "to_s": document["end_s"] - 0.01})
+    client.wait_for("document", lambda m: len(m["segments"]) == 1)
+    client.send("in_view", recording=document["id"], from_s=1.0, to_s=2.0)
+    client.send("seek", time_s=1.5)
+    client.wait_for("playhead", lambda m: m["time_s"] == 1.5)
+    before = framed.node("/path/pieces")
+    view_of(framed).scene.show("robot", False)
+
+    after, tool = framed.node("/path/pieces"), framed.node("/frame/tool")
+    demonstration = read(recorded)
+    assert after is not before
+    drawn, was = (np.ptp(one.batched_positions, axis=0) for one in (after, before))
+    assert drawn == pytest.approx(was, abs=0.005)
+    assert np.linalg.norm(drawn) < 0.2 * np.linalg.norm(np.ptp(demonstration.position_m, axis=0))
+    assert len(np.unique(after.batched_colors, axis=0)) == 1
+    index = demonstration.index_at(1.5)
+    assert tool.position == pytest.approx(demonstration.position_m[index])
+
+
 def test_the_robot_goes_to_recordings_out_of_its_reach(
     recorded: Path, tmp_path: Path, opened: Opened
 ) -> None:

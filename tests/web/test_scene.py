@@ -237,30 +237,6 @@ def test_only_what_is_in_view_is_drawn(page: PageClient, framed: Frame) -> None:
     assert len(framed.node("/path/pieces").batched_positions) == whole
 
 
-def test_what_is_drawn_anew_beside_a_robot_is_as_it_was_last(
-    page: PageClient, framed: Frame
-) -> None:
-    """Seen from where the robot is, path and tool are built anew."""
-    document = _document(page)
-    framed.settle()
-    page.send("edit", edit={"kind": "merge", "from_s": 0.01, "to_s": document["end_s"] - 0.01})
-    page.wait_for("document", lambda m: len(m["segments"]) == 1)
-    page.send("in_view", recording=document["id"], from_s=1.0, to_s=2.0)
-    page.send("seek", time_s=1.5)
-    page.wait_for("playhead", lambda m: m["time_s"] == 1.5)
-    before = framed.node("/path/pieces")
-    page.send("show", what="robot", visible=False)
-    page.wait_for("shown", lambda m: not m["parts"]["robot"])
-
-    after, tool = framed.node("/path/pieces"), framed.node("/frame/tool")
-    opened = page.server.workbench.find_view(page.page).current()
-    assert after is not before
-    assert len(after.batched_positions) == len(before.batched_positions)
-    assert len(_colors(framed)) == 1
-    index = opened.demonstration.index_at(1.5)
-    np.testing.assert_allclose(tool.position, opened.demonstration.position_m[index])
-
-
 def test_nothing_of_a_recording_is_left_when_another_is_on_its_way(
     page: PageClient, framed: Frame
 ) -> None:

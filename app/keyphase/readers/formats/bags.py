@@ -25,7 +25,7 @@ ROS1_MAGIC = b"#ROSBAG V"
 MCAP_MAGIC = b"\x89MCAP0\r\n"
 ROS2_INFO = "metadata.yaml"
 
-BULKY = ("Image", "PointCloud2", "LaserScan", "OccupancyGrid", "CompressedImage")
+BULKY = ("Image", "PointCloud2", "LaserScan", "OccupancyGrid", "CompressedImage", "CompressedVideo")
 
 
 def is_ros2_bag(path: Path) -> bool:
@@ -46,9 +46,9 @@ def table_of_bag(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     if part is not None:
         raise DemonstrationError(f"{path}: a bag is one recording; name it without #{part[:80]}.")
     streams = Streams(str(path), limit_bytes)
-    if _is_without_ros(path):
+    if is_without_ros(path):
         with damage_told(path, "MCAP file", "copy or record it again"):
-            for topic, log_ns, content in plain_messages(path):
+            for topic, _, log_ns, content in plain_messages(path):
                 streams.add_plain(topic, log_ns, content)
     else:
         with damage_told(path, "bag", "copy or record it again"):
@@ -58,7 +58,7 @@ def table_of_bag(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     return ArrayTable(str(path), arrays, {}, streams.notices(), {}, streams.remarks())
 
 
-def _is_without_ros(path: Path) -> bool:
+def is_without_ros(path: Path) -> bool:
     """Whether it is an MCAP file whose messages are not those of ROS."""
     if path.is_dir() or not first_bytes(path, len(MCAP_MAGIC)).startswith(MCAP_MAGIC):
         return False

@@ -23,8 +23,8 @@ def profile_of(path: Path) -> str:
         return str(reading.make_reader(stream).get_header().profile)
 
 
-def plain_messages(path: Path) -> Iterator[tuple[str, int, Plain]]:
-    """Topic, time of the log [ns] and content of every message that can be understood.
+def plain_messages(path: Path) -> Iterator[tuple[str, str, int, Plain]]:
+    """Topic, schema, time of the log [ns] and content of every message that can be understood.
 
     Raises ValueError for messages that are neither JSON nor Protobuf, MissingPackageError where
     mcap or protobuf is not installed, and what they raise over damaged files.
@@ -35,7 +35,8 @@ def plain_messages(path: Path) -> Iterator[tuple[str, int, Plain]]:
         for schema, channel, message in reading.make_reader(stream).iter_messages():
             if channel.id not in decoders:
                 decoders[channel.id] = _decoder(channel.message_encoding, schema, path)
-            yield channel.topic, message.log_time, decoders[channel.id](message.data)
+            kind = schema.name if schema is not None else ""
+            yield channel.topic, kind, message.log_time, decoders[channel.id](message.data)
 
 
 def _decoder(encoding: str, schema: Any, path: Path) -> Callable[[bytes], Plain]:
