@@ -5,8 +5,8 @@
 
 /** Up to so many kept segments the whole path is drawn. */
 const FEW = 10;
-/** The scene follows once the view has come to rest. */
-const SETTLE_MS = 200;
+/** The scene follows once the hand has let go and the view has come to rest. */
+const SETTLE_MS = 300;
 
 /**
  * @param {import("../lib/store.js").Store} store
@@ -15,9 +15,9 @@ const SETTLE_MS = 200;
 export function drawWhatIsInView(store, send) {
   let told = "";
   let timer = 0;
-  store.later(["view", "document"], ({ view, document: doc }) => {
+  store.later(["view", "document", "holding"], ({ view, document: doc, holding }) => {
     clearTimeout(timer);
-    if (!view || !doc) return;
+    if (!view || !doc || holding) return;
     const { from, to } = seenInScene(view, doc);
     const now = `${doc.id} ${from} ${to}`;
     if (now === told || (told === "" && from === doc.start_s && to === doc.end_s)) return;
