@@ -2,17 +2,20 @@
 
 import { byId } from "../lib/dom.js";
 import { chosenStretch } from "../model/segments.js";
-import { duration, moment } from "../lib/format.js";
+import { duration, moment, plural } from "../lib/format.js";
+
+/** @typedef {import("../model/types.js").Doc} Doc */
 
 /** @param {import("../lib/store.js").Store} store */
 export function createAnnouncer(store) {
   const node = byId("announcer");
-  let undo = null;
+  /** @type {Doc|null} */
+  let before = null;
   const say = (text) => (node.textContent = text);
   store.later(["document"], ({ document: doc }) => {
-    const now = doc?.undo ?? null;
-    if (now !== undo && now) say(`${now}. ${doc.segments.length} segments.`);
-    undo = now;
+    const text = changeText(before, doc);
+    before = doc;
+    if (text) say(text);
   });
   store.later(["selectedTo"], (state) => {
     const [first, last] = chosenStretch(state) ?? [0, 0];
@@ -24,6 +27,22 @@ export function createAnnouncer(store) {
   store.later(["current"], ({ document: doc, current }) => {
     if (doc?.boundaries[current]) say(boundaryText(doc, current));
   });
+}
+
+/**
+ * What has become of a recording, if anything: "Drop segment 3. 5 segments."
+ * @param {Doc|null} before
+ * @param {Doc|null} doc
+ */
+export function changeText(before, doc) {
+  if (!doc) return "";
+  const now = plural(doc.segments.length, "segment");
+  if (before?.id !== doc.id) return `${doc.name} is open. ${now}.`;
+  const isTaken = doc.redo && doc.redo === before.undo;
+  if (isTaken && (doc.redo !== before.redo || doc.edits < before.edits))
+    return `Undone: ${doc.redo}. ${now}.`;
+  const isNew = doc.edits > before.edits || doc.undo !== before.undo;
+  return isNew && doc.undo ? `${doc.undo}. ${now}.` : "";
 }
 
 /** "Segment 3, Move down until contact, 2.464 to 3.596 s, kept". */

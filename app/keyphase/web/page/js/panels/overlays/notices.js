@@ -1,6 +1,6 @@
 /**
- * What the server wants to have said, at the top of the scene, where nothing is pressed. Errors
- * stay until closed; what belongs to a recording ends with it.
+ * What the server wants to have said, over the scene, where nothing is pressed. Errors stay until
+ * closed, the others as long as somebody is at them; what belongs to a recording ends with it.
  */
 
 import { byId, el, icon } from "../../lib/dom.js";
@@ -42,7 +42,15 @@ export function createNotices(store) {
     notice.append(close);
     node.append(notice);
     while (node.children.length > MOST) node.firstChild.remove();
-    if (level !== "error") setTimeout(() => notice.remove(), STAYS_MS);
+    if (level !== "error") leaveLater(notice);
+  }
+
+  /** Gone after a while, but not under the pointer or from under the focus. @param {HTMLElement} notice */
+  function leaveLater(notice) {
+    setTimeout(() => {
+      if (notice.matches(":hover, :focus-within")) leaveLater(notice);
+      else notice.remove();
+    }, STAYS_MS);
   }
 
   store.on(["recording"], ({ recording }) => {

@@ -30,8 +30,8 @@ export function createExportTab(store, actions) {
     replayed.hidden = over;
     for (const { node } of [own, all, other, page]) node.disabled = lookingOnly || !doc;
     if (!over) page.node.disabled = true;
-    if (doc) own.file.textContent = `${stem(doc.name)}.segments.json`;
-    if (doc) page.file.textContent = `${stem(doc.name)}.replay.html`;
+    if (doc) own.file.textContent = `${doc.name}.segments.json`;
+    if (doc) page.file.textContent = `${doc.name}.replay.html`;
   });
   return el(
     "div",
@@ -41,8 +41,6 @@ export function createExportTab(store, actions) {
     group("Replay", {}, page.node, replayed),
   );
 }
-
-const stem = (name) => name.replace(/\.[^.]+$/, "");
 
 /** @param {string} kind @param {string} title @param {string} text @param {() => void} run */
 function exportButton(kind, title, text, run) {
