@@ -36,6 +36,28 @@ def test_a_dragged_boundary_moves_and_leaves_a_mark_where_it_was(editor: Keyphas
     assert editor.page.locator(".was-line").count() == 1
 
 
+def test_with_shift_all_later_boundaries_go_along(editor: KeyphasePage) -> None:
+    before = [boundary["time_s"] for boundary in editor.document["boundaries"]]
+    start = _boundary(editor, 1)
+    editor.page.keyboard.down("Alt")
+    editor.page.keyboard.down("Shift")
+    editor.page.mouse.move(*start)
+    editor.page.mouse.down()
+    editor.page.mouse.move(start[0] + 30, start[1], steps=6)
+    editor.settle()
+    editor.picture("ripple")
+    editor.change(editor.page.mouse.up)
+    editor.page.keyboard.up("Shift")
+    editor.page.keyboard.up("Alt")
+    after = [boundary["time_s"] for boundary in editor.document["boundaries"]]
+    moved = [new - old for new, old in zip(after, before, strict=True)]
+    assert moved[0] == 0.0
+    assert moved[1] > 0.05
+    assert moved[1:] == pytest.approx([moved[1]] * len(moved[1:]))
+    editor.change(lambda: editor.press("Control+z"))
+    assert [one["time_s"] for one in editor.document["boundaries"]] == pytest.approx(before)
+
+
 def test_a_dragged_boundary_snaps_to_evidence_nearby(editor: KeyphasePage) -> None:
     editor.set_parameter("variant", "paper")
     peak = next(p for p in editor.document["peaks"] if p["rejection"] == "at an end")
@@ -95,6 +117,12 @@ def test_double_click_renames_in_place(editor: KeyphasePage) -> None:
     editor.change(lambda: editor.press("Enter"))
     assert editor.labels()[2] == "Put on the table"
     assert "Put on the table" in editor.page.locator("[data-segment='2']").text_content()
+
+    editor.click(editor.middle_of(0), count=2)
+    field.fill("Reach")
+    row = editor.row("ruler")
+    editor.change(lambda: editor.click((row.x + 5, row.y + 5)))
+    assert editor.labels()[0] == "Reach"
 
 
 def test_the_buttons_split_drop_and_undo(editor: KeyphasePage) -> None:

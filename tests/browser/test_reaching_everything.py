@@ -132,3 +132,26 @@ def test_how_fast_it_plays_is_chosen_by_keys_however_quickly(timeline: KeyphaseP
     timeline.page.evaluate("() => { for (const _ of [1, 2]) keyphase.actions.changeSpeed(-1); }")
     timeline.until("keyphase.state.playhead.speed === 0.1")
     assert not timeline.state("playhead")["playing"]
+
+    for key, speed in (("l", 1), ("l", 2), ("j", -1), ("j", -2)):
+        timeline.press(f"Alt+{key}")
+        timeline.until(f"keyphase.state.playhead.speed === {speed}")
+    timeline.until("keyphase.state.clock === keyphase.state.document.start_s")
+    timeline.press("Alt+k")
+    timeline.until("keyphase.state.playhead.speed === 1 && !keyphase.state.playhead.playing")
+    assert timeline.document["state"] == "automatic"
+
+
+def test_what_is_drawn_anew_keeps_the_focus(editor: KeyphasePage) -> None:
+    editor.press("n")
+    editor.tab_to("at.closest('#why') && at.textContent.startsWith('Next')")
+    was = editor.state("current")
+    editor.press("Enter")
+    editor.until(f"keyphase.state.current !== {was} || !document.querySelector('#why button')")
+    editor.settle()
+    focused = "() => document.activeElement.textContent || document.activeElement.className"
+    assert editor.page.evaluate(focused).startswith(("Next", "surface"))
+
+    editor.page.locator("#drop-idle").focus()
+    editor.change(lambda: editor.press("Enter"))
+    assert editor.page.evaluate("() => document.activeElement.className") == "surface"

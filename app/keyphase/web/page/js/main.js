@@ -19,6 +19,7 @@ import { createFirstSteps } from "./panels/first_steps.js";
 import { createExplain } from "./panels/overlays/explain.js";
 import { createHeader } from "./panels/header.js";
 import { createKeys, letGoOfButton } from "./actions/keys/keys.js";
+import { keepFocus } from "./actions/keys/kept_focus.js";
 import { createHeldLabel } from "./actions/keys/held_label.js";
 import { createKeysSheet } from "./panels/overlays/keys_sheet.js";
 import { createOwnChanges } from "./model/own_changes.js";
@@ -211,6 +212,7 @@ const sceneFrame = createScene(store, pageId);
 createNames(store, actions, () => sceneFrame.contentWindow);
 drawWhatIsInView(store, send);
 askForShadows(store, send, () => sceneFrame.contentWindow);
+keepFocus(store, timeline.surface);
 store.set({ dark: firstDark(), snap: true });
 
 /** For tests and for anyone who wants to know how fast it is. */

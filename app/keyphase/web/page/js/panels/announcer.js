@@ -61,7 +61,9 @@ export function boundaryText({ boundaries }, index) {
       ? "from position and force"
       : origin === "user"
         ? "placed by hand"
-        : `from ${origin}`,
+        : origin === "gripper"
+          ? "from the gripper"
+          : `from ${origin}`,
     ...(contact ? ["contact change"] : []),
     accepted ? "accepted" : `confidence ${confidence.toFixed(2)}`,
   ];

@@ -95,7 +95,7 @@ export function createPalette(store, actions, commands) {
     );
     if (!entries.length)
       list.replaceChildren(el("li", { class: "nothing", text: "Nothing has that name." }));
-    input.setAttribute("aria-activedescendant", `found-${at}`);
+    input.setAttribute("aria-activedescendant", entries.length ? `found-${at}` : "");
     list.children[at]?.scrollIntoView({ block: "nearest" });
   }
 

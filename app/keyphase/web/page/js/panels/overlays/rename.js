@@ -14,6 +14,8 @@ const hint = () =>
     "names it",
     el("kbd", { text: "Tab" }),
     "and goes on to the next",
+    el("kbd", { text: "Esc" }),
+    "leaves it",
   );
 
 /**
@@ -109,11 +111,16 @@ export function createRename(store, timeline, actions) {
     );
   }
 
-  function finish(label, goesOn = false) {
+  /** @param {string|null} label @param {-1|0|1} goesOn to the kept segment before, to none, to the one after */
+  function finish(label, goesOn = 0) {
     const { renaming, document: doc } = store.state;
     if (renaming === null) return;
-    const after = doc.segments.findIndex(({ kept }, index) => index > renaming && kept);
-    store.set({ renaming: goesOn && after >= 0 ? after : null });
+    const { segments } = doc;
+    const beside =
+      goesOn > 0
+        ? segments.findIndex(({ kept }, index) => index > renaming && kept)
+        : segments.findLastIndex(({ kept }, index) => index < renaming && kept);
+    store.set({ renaming: goesOn && beside >= 0 ? beside : null });
     store.drawNow();
     const text = label?.trim();
     if (text) actions.label(text, renaming);
@@ -124,7 +131,7 @@ export function createRename(store, timeline, actions) {
     const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     if (by) choose(Math.min(Math.max(at + by, -1), choices.length - 1));
     else if (event.key === "Enter") finish(choices[at]?.name ?? input.value);
-    else if (event.key === "Tab") finish(choices[at]?.name ?? input.value, true);
+    else if (event.key === "Tab") finish(choices[at]?.name ?? input.value, event.shiftKey ? -1 : 1);
     else if (event.key === "Escape") finish(null);
     else if (
       event.key === "Delete" &&
@@ -137,7 +144,10 @@ export function createRename(store, timeline, actions) {
     event.preventDefault();
     event.stopPropagation();
   });
-  input.addEventListener("blur", () => finish(null));
+  // Who types a name and presses elsewhere has named it; another window takes nothing away.
+  input.addEventListener("blur", () => {
+    if (document.hasFocus()) finish(input.value === typed ? null : input.value);
+  });
   form.addEventListener("submit", (event) => event.preventDefault());
 
   store.later(["layout", "view", "plotWidth"], ({ renaming, document: doc }) => {

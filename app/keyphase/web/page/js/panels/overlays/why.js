@@ -11,6 +11,7 @@ const TELLING = 0.2;
 const NAMES = {
   position: "position",
   force: "force",
+  gripper: "gripper",
   both: "position and force",
   user: "set by hand",
 };
@@ -27,7 +28,7 @@ export function createWhy(node, actions) {
     show(doc, index, readOnly) {
       const key = `${doc.revision} ${index} ${document.documentElement.dataset.size}`;
       node.hidden = false;
-      if (key === shown) return;
+      if (key === shown || isTyping(node, index)) return;
       shown = key;
       const boundary = doc.boundaries[index];
       node.replaceChildren(
@@ -46,6 +47,11 @@ export function createWhy(node, actions) {
     },
   };
 }
+
+/** Whether a time is being typed for this very boundary. @param {HTMLElement} node @param {number} index */
+const isTyping = (node, index) =>
+  node.dataset.boundary === String(index) &&
+  node.querySelector(".typed-time[data-typed]:focus") !== null;
 
 /**
  * @param {import("../../model/types.js").Boundary} boundary
