@@ -3,6 +3,8 @@
 import numpy as np
 from driver import SEGMENT_COLORS, KeyphasePage, Picture
 
+from keyphase.web.server import PageServer
+
 _SEGMENT = 2
 _COLOR = SEGMENT_COLORS[1]
 """The third segment of Setup 1, which goes straight down; idle ones before it have no colour."""
@@ -65,6 +67,39 @@ def test_a_segment_selected_in_the_timeline_is_drawn_thicker_in_the_scene(
         setup1.press("]")
         setup1.until(f"keyphase.state.selected === {index}")
     _is_drawn_thicker(setup1, before)
+
+
+_TOOL_AT = """([x, y, z]) => {
+  const at = window.__viserMutable?.nodeRefFromName["/frame/tool"]?.position;
+  return at && Math.hypot(at.x - x, at.y - y, at.z - z) < 1e-4;
+}"""
+
+
+def test_what_is_done_while_the_scene_is_put_up_is_seen_in_it(
+    setup1: KeyphasePage, scene_server: PageServer
+) -> None:
+    """The robot is found then, and all is drawn anew from where it is seen with the robot."""
+    for what in ("labels", "forces", "gaussians", "parts", "robot"):
+        setup1.page.evaluate(
+            "what => keyphase.actions.send({ type: 'show', what, visible: false })", what
+        )
+    setup1.page.evaluate("() => keyphase.actions.seek(3.0)")
+    setup1.change(lambda: setup1.page.evaluate("() => keyphase.actions.mergeRange(0, 4)"))
+    demonstration = scene_server.workbench.views[-1].current().demonstration
+    there = demonstration.position_m[demonstration.index_at(3.0)].tolist()
+    setup1.page.evaluate(
+        "() => keyphase.actions.send({ type: 'show', what: 'robot', visible: true })"
+    )
+    setup1.scene.wait_for_function(_TOOL_AT, arg=there)
+    assert scene_server.scenes.wait_until_drawn(60.0)
+    setup1.page.evaluate(
+        "() => keyphase.actions.send({ type: 'show', what: 'robot', visible: false })"
+    )
+    setup1.scene.wait_for_function(_TOOL_AT, arg=there)
+    view = setup1.box("#viser")
+    seen = setup1.until_seen("merged", lambda now: now.count_hue(_COLOR, view) < 20)
+    assert seen.count_hue(_COLOR, view) < 20
+    assert seen.count_hue(SEGMENT_COLORS[0], view) > 100
 
 
 def _is_drawn_thicker(page: KeyphasePage, before: int) -> None:
