@@ -101,6 +101,16 @@ def square_matrices(values: Array, layout: MatrixLayout) -> Array:
     return matrices if layout == "row_major" else np.swapaxes(matrices, 1, 2)
 
 
+def with_last_row(values: Array, layout: MatrixLayout) -> Array:
+    """The first three rows of 4x4 matrices (N, 12), flat by rows or columns, as (N, 16)."""
+    rows = values.reshape(-1, 3, 4)
+    if layout == "column_major":
+        rows = values.reshape(-1, 4, 3).swapaxes(1, 2)
+    last = np.tile([0.0, 0.0, 0.0, 1.0], (len(rows), 1, 1))
+    whole = np.concatenate([rows, last], axis=1)
+    return (whole if layout == "row_major" else whole.swapaxes(1, 2)).reshape(-1, 16)
+
+
 def refuse_not_homogeneous(matrices: Array, where: Where) -> None:
     """Refuse the first 4x4 matrix (N, 4, 4) whose last row is not 0 0 0 1."""
     error = np.max(np.abs(matrices[:, 3] - [0, 0, 0, 1]), axis=1)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from keyphase.demonstration import Array
 from keyphase.errors import DemonstrationError
 from keyphase.notices import Caution
+from keyphase.readers.list_cells import lists_apart
 
 _MAX_LINE_LENGTH = 100_000
 """Thousands of columns; what is longer is no table, and the csv module would refuse its cells."""
@@ -240,7 +241,7 @@ def _lines(file: str, data: bytes, form: TableForm, limit_bytes: int) -> list[st
         raise DemonstrationError(
             f"{file}: expected a text table, but the file is binary; export it as text or NPZ."
         )
-    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    lines = lists_apart(text.replace("\r\n", "\n").replace("\r", "\n")).split("\n")
     longest = max(range(len(lines)), key=lambda i: len(lines[i]))
     if len(lines[longest]) > _MAX_LINE_LENGTH:
         raise DemonstrationError(

@@ -4,34 +4,32 @@ Links to other files, virtual and externally stored data are passed over: a file
 """
 
 import json
-import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.damage import damage_told
 from keyphase.readers.formats.numeric import (
     in_natural_order,
     is_signal,
+    recordings_among,
     refuse_too_large,
     unknown_part,
 )
 from keyphase.readers.formats.packages import package
+from keyphase.readers.formats.upright import is_lying, stood_up
 
 MAGIC = b"\x89HDF\r\n\x1a\n"
 EXTRA = "hdf5"
 
 _EPISODES = "data"
-_RECORDING = r"(episode|ep|demo|demonstration|trial|run|traj|trajectory|take|recording|rollout"
-_RECORDING += r"|sequence|sample|repetition|rep|session)"
-_NUMBERED = re.compile(rf"{_RECORDING}[\s_-]?\d+", re.I)
-"""How groups are called that are a recording each."""
-_GATHERED = re.compile(rf"{_RECORDING}s|data|repetitions|trajectories|demos", re.I)
-"""How the group is called that holds them, where they may be called by a number alone."""
+_NAMING = ("columns", "column_names", "names", "labels", "fields", "feature_names")
+"""How the attribute is called that names an array's columns."""
 
 MAX_DEPTH = 8
 MAX_ARRAYS = 20_000
@@ -43,14 +41,13 @@ _MIN_ROOM_BYTES = 1024**2
 def parts_of_hdf5(path: Path) -> tuple[str, ...]:
     """The demonstrations of a file with many (`data/demo_0`, …), or none where it is one."""
     with opened(path) as file:
-        group = _episodes(file)
-        return () if group is None else tuple(in_natural_order(_groups(group)))
+        return _episodes(file)[1]
 
 
 def names_in_hdf5(path: Path, part: str | None) -> tuple[str, ...]:
     """What the columns of a demonstration are called, without reading any; none where it is not."""
     with opened(path) as file:
-        episodes = _episodes(file)
+        episodes, _ = _episodes(file)
         group = file if episodes is None else _group(episodes, part) if part else None
         if group is None:
             return ()
@@ -65,7 +62,7 @@ def table_of_hdf5(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     """
     shown = str(path) if part is None else f"{path}#{part}"
     with opened(path) as file:
-        episodes = _episodes(file)
+        episodes, _ = _episodes(file)
         group = file if episodes is None else _group(episodes, part) if part else None
         if group is None or (episodes is None and part is not None):
             raise unknown_part(str(path), part, parts_of_hdf5(path))
@@ -73,13 +70,16 @@ def table_of_hdf5(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
         refuse_too_large(found.values(), shown, limit_bytes)
         refuse_hollow(found)
         arrays = {name: np.asarray(dataset[()]) for name, dataset in found.items()}
-        texts = {}
-        notices = ()
+        arrays, notices = stood_up(arrays)
         if episodes is not None and (rate := _control_rate(episodes)):
             count = max((len(values) for values in arrays.values()), default=0)
             arrays["time"] = np.arange(count) / rate
-            notices = (f"Time is counted at the control rate the file states, {rate:g} Hz.",)
-    return ArrayTable(shown, arrays, texts, notices, {})
+            notices = (
+                *notices,
+                f"Time is counted at the control rate the file states, {rate:g} Hz.",
+            )
+        names_of = {n: names for n, one in found.items() if (names := column_names(one, arrays[n]))}
+    return ArrayTable(shown, arrays, {}, notices, names_of)
 
 
 @contextmanager
@@ -90,27 +90,19 @@ def opened(path: Path) -> Iterator[Any]:
         yield file
 
 
-def _episodes(file: Any) -> Any:
-    """The group whose groups are a recording each, or None where the file is one recording.
+def _episodes(file: Any) -> tuple[Any, tuple[str, ...]]:
+    """The group whose groups are a recording each, with their names; none where the file is one.
 
     It is `data`, the file itself, or a group right in it.
     """
     group = _group(file, _EPISODES)
     if group is not None and len(_groups(group)) == len(group):
-        return group
-    if _are_recordings(file, ""):
-        return file
-    inner = [name for name in _groups(file) if _are_recordings(file[name], name)]
-    return file[inner[0]] if len(inner) == 1 else None
-
-
-def _are_recordings(parent: Any, name: str) -> bool:
-    """Whether the groups of a group called so are a recording each."""
-    groups = _groups(parent)
-    gathered = _GATHERED.fullmatch(name) is not None
-    return bool(groups) and all(
-        _NUMBERED.fullmatch(one) or (gathered and one.isdigit()) for one in groups
-    )
+        return group, tuple(in_natural_order(_groups(group)))
+    if names := recordings_among(_groups(file), ""):
+        return file, names
+    inner = {name: recordings_among(_groups(file[name]), name) for name in _groups(file)}
+    whole = [name for name, names in inner.items() if names]
+    return (file[whole[0]], inner[whole[0]]) if len(whole) == 1 else (None, ())
 
 
 def _groups(parent: Any) -> list[str]:
@@ -140,7 +132,29 @@ def _signals(group: Any, before: str = "", depth: int = 0) -> Iterator[tuple[str
             yield from _signals(item, f"{before}{name}/", depth + 1)
         elif is_own_data(item):
             signals = [("", item)] if item.dtype.names is None else _fields(item)
-            yield from ((f"{before}{name}{at}", one) for at, one in signals if is_signal(one))
+            yield from (
+                (f"{before}{name}{at}", one)
+                for at, one in signals
+                if is_signal(one) or is_lying(one)
+            )
+
+
+def column_names(dataset: Any, values: NDArray[Any]) -> tuple[str, ...]:
+    """The names of the columns of an array (N, D), where it or what lies beside it says them: an
+    attribute such as `columns`, or the items of a frame of pandas.
+    """
+    if values.ndim != 2 or isinstance(dataset, _Field):
+        return ()
+    told = next((dataset.attrs[key] for key in _NAMING if key in dataset.attrs), None)
+    own = str(dataset.name).rpartition("/")[2]
+    beside = own.replace("_values", "_items")
+    if told is None and own != beside and is_own_data(dataset.parent.get(beside)):
+        told = dataset.parent[beside][()]
+    if told is None or np.shape(told) != (values.shape[1],):
+        return ()
+    names = [one.decode(errors="replace") if isinstance(one, bytes) else one for one in told]
+    plain = all(isinstance(one, str) and one.isprintable() for one in names)
+    return tuple(names) if plain and len(set(names)) == len(names) else ()
 
 
 def is_own_data(item: Any) -> bool:

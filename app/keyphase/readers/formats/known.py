@@ -23,6 +23,7 @@ from keyphase.readers.formats.lerobot import (
 from keyphase.readers.formats.matlab import (
     MAT_MAGIC,
     NPY_MAGIC,
+    parts_of_mat,
     table_of_mat,
     table_of_npy,
 )
@@ -86,7 +87,7 @@ ZARR = Format(
 BAG = Format(
     "ROS 1 and ROS 2 bag, MCAP", "ros", ".bag .mcap, a folder", "run.bag", _one, table_of_bag
 )
-MAT = Format("MATLAB 5 to 7.2", "", ".mat", "run.mat", _one, table_of_mat)
+MAT = Format("MATLAB 5 to 7.2", "", ".mat", "run.mat", parts_of_mat, table_of_mat)
 MAT73 = Format("MATLAB 7.3", "hdf5", ".mat", "run.mat", _one, table_of_mat73)
 NPY = Format("NumPy array", "", ".npy", "run.npy", _one, table_of_npy)
 NPZ = Format("NumPy archive with other names", "", ".npz", "run.npz", _one, table_of_npz)

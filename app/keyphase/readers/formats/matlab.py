@@ -9,15 +9,18 @@ from numpy.lib import format as npy
 from numpy.typing import NDArray
 
 from keyphase.errors import DemonstrationError
+from keyphase.files.reading import DEFAULT_LIMIT_BYTES
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.damage import damage_told
-from keyphase.readers.formats.numeric import is_signal, refuse_too_large
+from keyphase.readers.formats.numeric import is_signal, refuse_too_large, unknown_part
 from keyphase.readers.formats.upright import upright
 
 NPY_MAGIC = b"\x93NUMPY"
 MAT_MAGIC = b"MATLAB 5.0 MAT-file"
 
 _MAX_DEPTH = 6
+_MAX_RECORDINGS = 10_000
+_AGAIN = "save it again with save -v7"
 
 
 def table_of_npy(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
@@ -51,24 +54,86 @@ def _refuse_pickled(path: Path) -> None:
         )
 
 
-def table_of_mat(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
-    """The variables of a MATLAB file; fields of a struct are `struct.field`.
+def parts_of_mat(path: Path) -> tuple[str, ...]:
+    """The recordings of a cell or struct array of records, `demos_1`, …; none where it is one.
 
     Raises DemonstrationError for what cannot be read.
     """
+    from scipy.io import whosmat
+
+    with damage_told(path, "MATLAB file", _AGAIN):
+        listed = whosmat(path)
+        if not any(kind in ("cell", "struct") and max(shape) > 1 for _, shape, kind in listed):
+            return ()
+    return tuple(_recordings(_content(path, DEFAULT_LIMIT_BYTES)))
+
+
+def table_of_mat(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
+    """The variables of a MATLAB file; fields of a struct are `struct.field`. Where a list of as
+    many words as an array has columns stands in the file, they are called so.
+
+    Raises DemonstrationError for what cannot be read.
+    """
+    content = _content(path, limit_bytes)
+    recordings = _recordings(content)
+    if (part is None) == bool(recordings) or (part is not None and part not in recordings):
+        raise unknown_part(str(path), part, recordings)
+    variables = dict(_flat(content if part is None else recordings[part]))
+    signals, notices = _signals(variables, str(path))
+    lists = [words for value in variables.values() if (words := _words(value))]
+    names_of = {
+        name: words
+        for name, values in signals.items()
+        for words in lists
+        if values.ndim == 2 and len(words) == values.shape[1]
+    }
+    return ArrayTable(str(path), signals, {}, notices, names_of)
+
+
+def _content(path: Path, limit_bytes: int) -> dict[str, Any]:
     from scipy.io import loadmat
 
-    _refuse_part(path, part)
     if path.stat().st_size > limit_bytes:
         raise DemonstrationError(
             f"{path}: the file is larger than the limit of {limit_bytes} bytes; cut it or raise "
             "the limit."
         )
-    with damage_told(path, "MATLAB file", "save it again with save -v7"):
+    with damage_told(path, "MATLAB file", _AGAIN):
         content = loadmat(path, struct_as_record=True, squeeze_me=False)
-    variables = {name: value for name, value in content.items() if not name.startswith("__")}
-    signals, notices = _signals(dict(_flat(variables)), str(path))
-    return ArrayTable(str(path), signals, {}, notices, {})
+    return {name: value for name, value in content.items() if not name.startswith("__")}
+
+
+def _recordings(content: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    """Each record with signals of the first cell or struct array that has several."""
+    for name, value in content.items():
+        records = [_record(one) for one in np.ravel(value)] if _is_list(value) else []
+        if records and all(any(is_signal(v) for _, v in _flat(one)) for one in records):
+            return {f"{name}_{i}": one for i, one in enumerate(records, start=1)}
+    return {}
+
+
+def _is_list(value: Any) -> bool:
+    several = isinstance(value, np.ndarray) and 1 < value.size <= _MAX_RECORDINGS
+    return several and value.dtype.kind in "OV"
+
+
+def _record(value: Any) -> dict[str, Any]:
+    """The fields of a struct, alone or in a cell; none where it is something else."""
+    if isinstance(value, np.ndarray) and value.size == 1:
+        value = value.reshape(-1)[0]
+    names = getattr(getattr(value, "dtype", None), "names", None) or ()
+    return {name: np.asarray(value[name]) for name in names}
+
+
+def _words(value: Any) -> tuple[str, ...]:
+    """A list of words that differ, in cells or as rows of letters."""
+    if not isinstance(value, np.ndarray) or value.dtype.kind not in "OU" or value.size < 2:
+        return ()
+    cells = [np.ravel(one) for one in np.ravel(value)]
+    if any(len(cell) != 1 or not isinstance(cell[0], str) for cell in cells):
+        return ()
+    words = tuple(str(cell[0]).strip() for cell in cells)
+    return words if len(set(words)) == len(words) and all(map(str.isprintable, words)) else ()
 
 
 def _flat(values: dict[str, Any], before: str = "", depth: int = 0) -> Iterator[tuple[str, Any]]:

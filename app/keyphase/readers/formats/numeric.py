@@ -12,6 +12,12 @@ from keyphase.errors import DemonstrationError
 MAX_NUMBERS_A_ROW = 512
 """Signals have fewer; what has more in a row is an image or a point cloud."""
 
+_WORD = r"(episode|ep|demo|demonstration|trial|run|traj|trajectory|take|recording|rollout|sequence"
+_WORD += r"|sample|repetition|rep|session)"
+_NUMBERED = re.compile(rf"{_WORD}[\s_-]?\d+", re.I)
+_GATHERED = re.compile(rf"{_WORD}s|data|trajectories", re.I)
+_ASIDE = re.compile(r"mask|meta|metadata|info|config|attributes|splits?|stats", re.I)
+
 _DIGITS = re.compile(r"(\d+)")
 
 
@@ -39,6 +45,17 @@ def refuse_too_large(arrays: Iterable[Arraylike], file: str, limit_bytes: int) -
             f"{file}: the recording takes {size} bytes of memory, more than the limit of "
             f"{limit_bytes}; cut it or raise the limit."
         )
+
+
+def recordings_among(groups: Iterable[str], parent: str) -> tuple[str, ...]:
+    """The groups of a group `parent` that are a recording each by their names, in natural order;
+    none where some other group stands beside them that says more than what they are.
+    """
+    wanted = [name for name in groups if not _ASIDE.fullmatch(name)]
+    gathered = _GATHERED.fullmatch(parent) is not None
+    if all(_NUMBERED.fullmatch(one) or (gathered and one.isdigit()) for one in wanted):
+        return tuple(in_natural_order(wanted))
+    return ()
 
 
 def in_natural_order(names: Iterable[str]) -> list[str]:

@@ -12,6 +12,8 @@ from keyphase.readers.formats.numeric import refuse_too_large
 from keyphase.readers.formats.packages import package
 
 MAGIC = b"PAR1"
+_MAX_DEPTH = 4
+"""So deep are records within records looked into."""
 
 
 class _Declared:
@@ -22,7 +24,8 @@ class _Declared:
 
 
 def table_of_parquet(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
-    """Columns of numbers, of equally long lists of numbers, and of dates as seconds since 1970.
+    """Columns of numbers, of equally long lists of numbers, of dates as seconds since 1970, and of
+    records, whose fields are columns.
 
     Raises DemonstrationError for what cannot be read, MissingPackageError where pyarrow is not
     installed.
@@ -36,6 +39,8 @@ def table_of_parquet(path: Path, part: str | None, limit_bytes: int) -> ArrayTab
         rows, width = file.metadata.num_rows, file.metadata.num_columns
         refuse_too_large([_Declared(rows)] * width, str(path), limit_bytes)
         table = file.read()
+        for _ in range(_MAX_DEPTH):
+            table = table.flatten()
         for at, one in enumerate(table.schema):
             if arrow.types.is_timestamp(one.type):
                 whole = table[one.name].cast(arrow.timestamp("ns")).cast(arrow.int64())

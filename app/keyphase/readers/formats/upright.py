@@ -6,6 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from keyphase.readers.formats.numeric import Arraylike
+
 _MAX_LYING = 16
 """A pose has at most so many numbers."""
 
@@ -22,6 +24,25 @@ def upright(
         name: values.reshape(-1) if values.ndim == 2 and 1 in values.shape else values
         for name, values in arrays.items()
     }
+    return _turned(flat)
+
+
+def stood_up(
+    arrays: Mapping[str, NDArray[Any]],
+) -> tuple[dict[str, NDArray[Any]], tuple[str, ...]]:
+    """As `upright`, but a column (N, 1) keeps its shape."""
+    return _turned({n: v.reshape(-1) if is_lying(v) else v for n, v in arrays.items()})
+
+
+def is_lying(array: Arraylike) -> bool:
+    """Whether an array is one long row of numbers."""
+    row = len(array.shape) == 2 and array.shape[0] == 1 and array.shape[1] > _MAX_LYING
+    return row and array.dtype.kind in "fiub"
+
+
+def _turned(
+    flat: dict[str, NDArray[Any]],
+) -> tuple[dict[str, NDArray[Any]], tuple[str, ...]]:
     lengths = {len(values) for values in flat.values() if values.ndim == 1}
     lying = {
         name for name, values in flat.items() if values.ndim == 2 and _lies(values.shape, lengths)

@@ -14,7 +14,12 @@ from numpy.typing import NDArray
 
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.damage import damage_told
-from keyphase.readers.formats.numeric import is_signal, refuse_too_large, unknown_part
+from keyphase.readers.formats.numeric import (
+    is_signal,
+    recordings_among,
+    refuse_too_large,
+    unknown_part,
+)
 from keyphase.readers.formats.packages import package
 
 EXTRA = "zarr"
@@ -23,6 +28,7 @@ MARKS = (".zgroup", "zarr.json")
 
 _ENDS = "episode_ends"
 _MAX_EPISODES = 10_000_000
+_MAX_DEPTH = 4
 
 
 def is_zarr(path: Path) -> bool:
@@ -33,10 +39,12 @@ def is_zarr(path: Path) -> bool:
 
 
 def parts_of_zarr(path: Path) -> tuple[str, ...]:
-    """episode_0, episode_1, …; none where the store has no `meta/episode_ends`."""
+    """episode_0, episode_1, …, or the groups that are a recording each; none where it is one."""
     with _opened(path) as store:
         ends = _ends(store, _ENDS)
-        return () if ends is None else tuple(f"episode_{i}" for i in range(len(ends)))
+        if ends is not None:
+            return tuple(f"episode_{i}" for i in range(len(ends)))
+        return _groups(store)[1]
 
 
 def table_of_zarr(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
@@ -48,16 +56,34 @@ def table_of_zarr(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     shown = str(path) if part is None else f"{path}#{part}"
     with _opened(path) as store:
         ends = _ends(store, _ENDS)
+        group, names = (store, ()) if ends is not None else _groups(store)
         number = _number(part, 0 if ends is None else len(ends))
-        if (ends is None) != (part is None) or (ends is not None and number is None):
+        known = part in names if names else (ends is None) == (part is None)
+        if not known or (ends is not None and number is None):
             raise unknown_part(str(path), part, parts_of_zarr(path))
-        data = store.get("data", store)
-        found = {name: array for name, array in data.arrays() if is_signal(array)}
+        data = group[part] if names else store.get("data", store)
+        found = {name: array for name, array in _arrays(data) if is_signal(array)}
         spans = {name: _span(store, name, array, number) for name, array in found.items()}
         wanted = [_Rows(spans[n], a.shape[1:], a.dtype) for n, a in found.items()]
         refuse_too_large(wanted, shown, limit_bytes)
         arrays = {name: np.asarray(array[slice(*spans[name])]) for name, array in found.items()}
     return ArrayTable(shown, arrays, {}, (), {})
+
+
+def _groups(store: Any) -> tuple[Any, tuple[str, ...]]:
+    """The group whose groups are a recording each (the store or `data`), with their names."""
+    for group, name in ((store, ""), (store.get("data"), "data")):
+        inner = [] if not hasattr(group, "groups") else [key for key, _ in group.groups()]
+        if names := recordings_among(inner, name):
+            return group, names
+    return store, ()
+
+
+def _arrays(group: Any, before: str = "", depth: int = 0) -> Iterator[tuple[str, Any]]:
+    yield from ((f"{before}{name}", array) for name, array in group.arrays())
+    if depth < _MAX_DEPTH:
+        for name, inner in group.groups():
+            yield from _arrays(inner, f"{before}{name}/", depth + 1)
 
 
 class _Rows:

@@ -9,11 +9,13 @@ from keyphase.demonstration import Array
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.proposing.guess import Guess
 from keyphase.readers.proposing.layout import Layout
+from keyphase.readers.proposing.naming import elements_of_vectors
 from keyphase.readers.proposing.times import is_clock
 from keyphase.readers.table import UNMEASURED, Table, split_cells
 
 _LOOKED_AT_ROWS = 2000
 _SHOWN_ROWS = 4
+_OF_THE_LOG = ".log_time"
 _FEW_ROWS = 0.02
 """Arrays with less than this share of the longest are no streams beside it."""
 
@@ -62,8 +64,14 @@ class Looked:
 
     def clocks(self) -> tuple[int, ...]:
         """Columns that rise like a time and are called so."""
-        columns = range(self.values.shape[1])
-        return tuple(i for i in columns if is_clock(self.names[i], self.values[:, i]))
+        vectors = elements_of_vectors(self.names)
+        columns = (i for i in range(self.values.shape[1]) if i not in vectors)
+        found = [i for i in columns if is_clock(self.names[i], self.values[:, i])]
+        # Of a single topic the clock it tells is nearer to the measurement than that of the log;
+        # of several only clocks with one zero go together.
+        topics = {name.partition(".")[0] for name in self.names if name.startswith("/")}
+        own = [i for i in found if not self.names[i].endswith(_OF_THE_LOG)]
+        return tuple(own if own and len(topics) == 1 else found)
 
     def clock_of(self, guess: Guess, clocks: Sequence[int]) -> int | None:
         """Of the clocks as long as a guess's columns that whose name is nearest to theirs."""

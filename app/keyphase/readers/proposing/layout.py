@@ -6,17 +6,22 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from keyphase.errors import DemonstrationError
+from keyphase.readers.list_cells import lists_apart
 from keyphase.readers.table import TableForm, split_cells
 
 _LOOKED_AT_BYTES = 1 << 18
 _LOOKED_AT_LINES = 400
 _BODY_LINES = 40
+_FOLLOWING = 4
+_UNIT = re.compile(r"[\[({]?(m|mm|cm|um|s|ms|us|ns|n|nm|nmm|deg|rad|hz|-|°)[\])}]?", re.I)
+_RATE = re.compile(r"(rate|freq|hz)\D{0,12}?(\d+(\.\d+)?)|^[\s,;]*(\d+(\.\d+)?)[\s,;]*$", re.I)
+_RATES_HZ = (5.0, 10_000.0)
 
 _BOMS = ((b"\xff\xfe", "utf-16"), (b"\xfe\xff", "utf-16"), (b"\xef\xbb\xbf", "utf-8"))
 _SEPARATORS = ("\t", ";", ",", "|", None)
 _SHOWN = {"\t": "tab", None: "whitespace"}
-_POINT = re.compile(r"[+-]?\d*\.\d+(e[+-]?\d+)?|[+-]?\d+(e[+-]?\d+)?|nan|inf", re.I)
-_COMMA = re.compile(r"[+-]?\d*,\d+(e[+-]?\d+)?|[+-]?\d+(e[+-]?\d+)?|nan|inf", re.I)
+_POINT = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?|nan|inf", re.I)
+_COMMA = re.compile(r"[+-]?(\d+,?\d*|,\d+)(e[+-]?\d+)?|nan|inf", re.I)
 
 
 _LISTS = re.compile(r"[\[(]\s*[+-]?\d+(\.\d*)?(e[+-]?\d+)?[\s,;]+[+-]?\d")
@@ -26,13 +31,15 @@ _LISTS = re.compile(r"[\[(]\s*[+-]?\d+(\.\d*)?(e[+-]?\d+)?[\s,;]+[+-]?\d")
 class Layout:
     """A layout, its encoding as a recipe writes it, and why each is thought to be so.
 
-    below  what the line below the names says of each column, such as its unit; else none
+    below    what the line below the names says of each column, such as its unit; else none
+    rate_hz  the rate that a line above the names seems to state
     """
 
     form: TableForm
     encoding: str
     evidence: dict[str, str]
     below: tuple[str, ...] = ()
+    rate_hz: float | None = None
 
     @property
     def separator(self) -> str:
@@ -48,7 +55,8 @@ def layout_of(data: bytes) -> Layout:
     encoding, evidence = _encoding(data[:_LOOKED_AT_BYTES])
     codec = "utf-8-sig" if encoding == "utf-8" else encoding
     text = data[:_LOOKED_AT_BYTES].decode(codec, errors="ignore")
-    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")[:_LOOKED_AT_LINES]
+    lines = lists_apart(text.replace("\r\n", "\n").replace("\r", "\n")).split("\n")
+    lines = lines[:_LOOKED_AT_LINES]
     found = [_fitted(lines, separator, decimal) for separator, decimal in _choices()]
     best = max(found, key=lambda one: one.worth)
     if best.worth <= 0 and any(_LISTS.search(line) for line in lines):
@@ -72,7 +80,18 @@ def layout_of(data: bytes) -> Layout:
     }
     below = _cells(lines[best.body - 1], best.separator) if between else []
     evidence["below"] = f"line {best.body} says more of the columns"
-    return Layout(form, encoding, evidence, tuple(cell.strip("[](){} ") for cell in below))
+    told = tuple(cell.strip("[](){} ") for cell in below)
+    return Layout(form, encoding, evidence, told, _stated_rate(lines[:skip]))
+
+
+def _stated_rate(lines: Sequence[str]) -> float | None:
+    """The rate in lines above the names: a number of its own, or one beside such a word."""
+    for line in lines:
+        found = _RATE.search(line)
+        rate = float(found[2] or found[4]) if found else 0.0
+        if _RATES_HZ[0] <= rate <= _RATES_HZ[1]:
+            return rate
+    return None
 
 
 @dataclass(frozen=True)
@@ -120,7 +139,7 @@ def _fitted(lines: Sequence[str], separator: str | None, decimal: str) -> _Fit:
         return _Fit(separator, decimal, 0, None, 0, 0, 0.0, "")
     width = widths.most_common(1)[0][0]
     fits = [len(row) == width and share >= 0.5 for row, share in zip(cells, shares, strict=True)]
-    body = fits.index(True)
+    body = _first_of_many(fits, cells)
     after = [i for i in range(body, min(len(lines), body + _BODY_LINES)) if cells[i]]
     good = sum(shares[i] for i in after if fits[i])
     marked = sum(decimal in cell for i in after for cell in cells[i])
@@ -128,6 +147,17 @@ def _fitted(lines: Sequence[str], separator: str | None, decimal: str) -> _Fit:
     worth = good / max(len(after), 1) * (1 + 0.02 * min(width, 30)) + 0.1 * (marked > 0)
     shown = f"{marked} cells have a {'comma' if decimal == ',' else 'point'} between digits"
     return _Fit(separator, decimal, body, header, width, sum(fits), worth, shown)
+
+
+def _first_of_many(fits: Sequence[bool], cells: Sequence[Sequence[str]]) -> int:
+    """The first row of numbers that has others below it: a line of numbers stands among words in
+    the heads of some exports.
+    """
+    filled = [i for i, row in enumerate(cells) if row]
+    for at, line in enumerate(filled):
+        if fits[line] and all(fits[i] for i in filled[at : at + _FOLLOWING]):
+            return line
+    return fits.index(True)
 
 
 def _header(cells: Sequence[Sequence[str]], body: int, width: int) -> int | None:
@@ -143,7 +173,8 @@ def _header(cells: Sequence[Sequence[str]], body: int, width: int) -> int | None
     if before[-2:] == [body - 2, body - 1] and len(cells[last]) in fitting:
         names, units = _without_mark(cells[last - 1]), [cell for cell in cells[last] if cell]
         distinct = len(names) in fitting and len(set(names)) == len(names)
-        if distinct and len(set(units)) < len(units):
+        are_units = len(names) in fitting and all(_UNIT.fullmatch(unit) for unit in units)
+        if (distinct and len(set(units)) < len(units)) or are_units:
             return last - 1
     return last if len(_without_mark(cells[last])) in fitting else None
 

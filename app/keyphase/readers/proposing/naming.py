@@ -101,3 +101,18 @@ def vectors(names: Sequence[str], free: Sequence[int]) -> list[tuple[str, tuple[
         if begins and len(numbers) > 2 and stem != "column":
             grown.append((stem, tuple(members[n] for n in numbers)))
     return grown
+
+
+def elements_of_vectors(names: Sequence[str]) -> frozenset[int]:
+    """Columns that are one of several numbered ones, such as `pose[3]`."""
+    groups = vectors(names, range(len(names)))
+    return frozenset(column for _, columns in groups for column in columns)
+
+
+def parts_of_matrices(names: Sequence[str]) -> frozenset[int]:
+    """Columns that are one of so many numbered ones that no four of them are a quaternion."""
+    groups = vectors(names, range(len(names)))
+    return frozenset(c for _, columns in groups if len(columns) in _MATRICES for c in columns)
+
+
+_MATRICES = (6, 9, 12, 16)

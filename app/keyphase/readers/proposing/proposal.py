@@ -9,6 +9,7 @@ import numpy as np
 from keyphase.errors import DemonstrationError
 from keyphase.files.parts import split_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
+from keyphase.readers.foreign import foreign_kind
 from keyphase.readers.formats.known import format_of
 from keyphase.readers.formats.reader import split_side
 from keyphase.readers.proposing.columns import Looked, looked_at_arrays, looked_at_table
@@ -81,7 +82,7 @@ class Proposal:
         if self.preset is not None:
             return "\n".join([*preset_lines(*self.preset), "", *lines]).rstrip() + "\n"
         if not any(guess.role == "time" for guess in self.guesses):
-            lines += without_time()
+            lines += without_time(self.layout.rate_hz if self.layout else None)
         lines += self._sections([g for g in self.guesses if g.role == "time"])
         if not self.sides:
             lines += self._sections([g for g in self.guesses if g.role != "time"])
@@ -144,6 +145,8 @@ def propose(path: Path, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> Proposal:
 def propose_table(path: Path, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> Proposal:
     """A proposal for a table of text. Raises DemonstrationError for what is none."""
     whole = read_whole(path, limit_bytes)
+    if (foreign := foreign_kind(whole.data)) is not None:
+        raise DemonstrationError(f"{whole.name}: expected a recording, but {foreign}.")
     try:
         layout = layout_of(whole.data)
     except DemonstrationError as error:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from keyphase.demonstration import Array
+from keyphase.readers.proposing.conventions import UNNAMED, kuka_angles, translation, unnamed_rows
 from keyphase.readers.proposing.guess import (
     OTHERS,
     Guess,
@@ -29,13 +30,13 @@ from keyphase.readers.proposing.naming import (
     TORQUE,
     bare,
     likely_unit,
+    parts_of_matrices,
     unit_in,
 )
 from keyphase.readers.proposing.vectors import vector_guesses
 
 _NEAR_ONE = 0.9
 _HOMOGENEOUS = 16
-_UNNAMED = re.compile(r"column \d+|.*\[\d+\]")
 _MOST_JOINTS = 16
 _TURNS = ("quaternion", "euler", "turn", "rot6d", "matrix", "pose")
 
@@ -56,6 +57,7 @@ def guesses_of(names: Sequence[str], values: Array, taken: Sequence[int] = ()) -
             free = [i for i in free if i not in guess.columns]
     found = _with_vectors(found, vector_guesses(names, values, free))
     free = [i for i in free if all(i not in guess.columns for guess in found)]
+    found = translation(names, values, unnamed_rows(names, values) or found)
     before = _before_quaternion(names, values, free, found)
     return [*found, before] if before else found
 
@@ -90,9 +92,14 @@ def _before_quaternion(
 
 
 def _quaternion(names: Sequence[str], values: Array, free: list[int]) -> Guess | None:
+    apart = parts_of_matrices(names)
     for first in free:
         columns = tuple(range(first, first + 4))
-        if not set(columns) <= set(free) or any(COMMANDED.search(names[c]) for c in columns):
+        if (
+            apart & set(columns)
+            or not set(columns) <= set(free)
+            or any(COMMANDED.search(names[c]) for c in columns)
+        ):
             continue
         rows = measured_rows(values, columns)
         if len(rows) < 2:
@@ -100,7 +107,7 @@ def _quaternion(names: Sequence[str], values: Array, free: list[int]) -> Guess |
         norms = np.linalg.norm(rows, axis=1)
         moving = int((np.ptp(rows, axis=0) > 0).sum())
         told = all(QUATERNION.search(names[c]) for c in columns) or _ordered(names, columns)
-        unnamed = all(_UNNAMED.fullmatch(names[c]) for c in columns)
+        unnamed = all(UNNAMED.fullmatch(names[c]) for c in columns)
         still = unnamed and moving == 0 and _at_rest(values, rows[0], first)
         enough = told or (unnamed and moving >= 2) or moving == 4 or still
         # Of a rotation matrix three numbers have norm one, and a zero beside them changes nothing.
@@ -196,7 +203,7 @@ def _position(names: Sequence[str], values: Array, free: list[int]) -> Guess | N
 
 def _euler(names: Sequence[str], values: Array, free: list[int]) -> Guess | None:
     angles = [i for i in free if re.search(r"roll|pitch|yaw", names[i], re.I)]
-    kuka = [i for letter in "abc" for i in free if bare(names[i]).lower() == letter]
+    kuka = kuka_angles(names, free)
     told: tuple[str, ...] = ()
     sequence = ""
     role: Role = "euler"

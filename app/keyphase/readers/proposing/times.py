@@ -9,7 +9,13 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.readers.proposing.guess import Guess, measured_rows
-from keyphase.readers.proposing.naming import COUNTER, DEMONSTRATION, TIME, unit_in
+from keyphase.readers.proposing.naming import (
+    COUNTER,
+    DEMONSTRATION,
+    TIME,
+    elements_of_vectors,
+    unit_in,
+)
 
 RESTARTS = "time starts again"
 """Detail of a time that falls back where another demonstration begins."""
@@ -31,8 +37,9 @@ def time_of_numbers(names: Sequence[str], values: Array, free: Sequence[int]) ->
     two = _two_part_time(names, free)
     if two is not None:
         return two
+    elements = elements_of_vectors(names)
     rising = [i for i in free if _rises(values[:, i]) and not _is_counter(names[i], values[:, i])]
-    named = [i for i in rising if TIME.search(names[i])]
+    named = [i for i in rising if TIME.search(names[i]) and i not in elements]
     if not named and not (rising and rising[0] == 0):
         return _restarting(names, values, free)
     return _time_of(names, values, (named or rising)[0], bool(named))
@@ -44,7 +51,7 @@ def clock_guess(names: Sequence[str], values: Array, column: int) -> Guess | Non
 
 
 def is_clock(name: str, values: Array) -> bool:
-    """Whether numbers (N,) rise like a time and are called so."""
+    """Whether numbers (N,) rise like a time and are called so; no element of a vector is one."""
     return bool(TIME.search(name)) and _rises(values) and not _is_counter(name, values)
 
 

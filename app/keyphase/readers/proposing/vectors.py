@@ -101,6 +101,8 @@ def _by_number(
     match len(columns):
         case 16:
             yield from _pose(columns, rows)
+        case 12:
+            yield from three_rows(columns, rows)
         case 9:
             yield from _nine(columns, rows)
         case 7 if not is_joint:
@@ -142,6 +144,19 @@ def _pose(columns: tuple[int, ...], rows: Array) -> Iterator[Guess]:
         f"its place reaches {reach:.4g}: {unit} (by its size)",
     )
     yield Guess("pose", columns, unit, layout, evidence)
+
+
+def three_rows(columns: tuple[int, ...], rows: Array) -> Iterator[Guess]:
+    """The first three rows of a 4x4 matrix, as KITTI writes poses."""
+    by_rows, by_columns = rows.reshape(-1, 3, 4), rows.reshape(-1, 4, 3).swapaxes(1, 2)
+    for layout, matrices in (("row_major", by_rows), ("column_major", by_columns)):
+        turns = matrices[:, :, :3]
+        if np.abs(turns @ turns.transpose(0, 2, 1) - np.eye(3)).max() < _UNIT_NORM:
+            reach = float(np.abs(matrices[:, :, 3]).max())
+            unit = "mm" if reach > 1000 else "m"
+            told = ("twelve numbers that are three rows of a 4x4 matrix", f"reaches {reach:.4g}")
+            yield Guess("pose", columns, unit, layout, told)
+            return
 
 
 def _nine(columns: tuple[int, ...], rows: Array) -> Iterator[Guess]:

@@ -98,13 +98,15 @@ def maybe_clock_lines(others: Sequence[str]) -> list[str]:
     return [f"# time = {asked}    # rises like a time, too: is it the clock of these?"]
 
 
-def without_time() -> list[str]:
-    """What is asked where no column rises like a time."""
-    return [
-        "",
-        "[time]",
-        "# rate_hz = 100    # no column rises like a time: how many rows a second?",
-    ]
+def without_time(stated_hz: float | None) -> list[str]:
+    """What is asked where no column rises like a time; `stated_hz` seems to be the rate."""
+    asked = "# rate_hz = 100    # no column rises like a time: how many rows a second?"
+    if stated_hz is not None:
+        asked = (
+            f"# rate_hz = {stated_hz:g}    # no column rises like a time; a line above the names "
+            "says this number: is it the rows a second?"
+        )
+    return ["", "[time]", asked]
 
 
 def unread_lines(unread: Sequence[str]) -> list[str]:

@@ -17,6 +17,7 @@ from keyphase.readers.orientation import (
     normalised,
     refuse_not_homogeneous,
     square_matrices,
+    with_last_row,
 )
 from keyphase.readers.recipes.beside import clock_beside
 from keyphase.readers.recipes.clocks import on_one_clock
@@ -79,6 +80,7 @@ def without_named(channels: Channels) -> tuple[Channels, Channels]:
 Noted = tuple[Channels, tuple[str, ...]]
 """Channels, and what was done to them that a person should know."""
 
+_THREE_ROWS = 12
 _NORM_TOLD = 1e-5
 """What rounding to six digits does to a norm is not worth a notice."""
 
@@ -235,6 +237,8 @@ def _scaled(table: Columned, form: Scaled) -> Array:
 
 def _pose(table: Columned, form: Pose) -> Channels:
     flat = table.numbers(form.columns.find(table))
+    if flat.shape[1] == _THREE_ROWS:
+        flat = with_last_row(flat, form.layout)
     matrices = square_matrices(flat, form.layout)
     row_name = where(table, form.columns)
     refuse_not_homogeneous(matrices, row_name)

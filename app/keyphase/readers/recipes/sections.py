@@ -169,10 +169,10 @@ def scaled_of(
 
 
 def pose_of(keys: Keys | None) -> Pose | None:
-    """A 4x4 matrix."""
+    """A 4x4 matrix, or its first three rows."""
     if keys is None:
         return None
-    pose = Pose(keys.columns((16,)), keys.unit("length"), keys.choice("layout", _LAYOUTS))
+    pose = Pose(keys.columns((12, 16)), keys.unit("length"), keys.choice("layout", _LAYOUTS))
     keys.finish()
     return pose
 
