@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from keyphase import Demonstration, Parameters, segment
+from keyphase.segmentation.end_condition import ConfigurationEnd, GripperEnd
 from keyphase.segmentation.gripper import GripperEvent, gripper_events, with_gripper
 from keyphase.segmentation.segmentation import Boundary
 from keyphase.simulation.making.simulated import make_simulated
@@ -82,6 +83,18 @@ def test_of_a_simulated_pick_and_place_grasp_and_release_are_found_named_and_kep
     ended = [one for one in segmentation.segments if one.label in ("Grasp", "Release")]
     assert len(ended) == 2
     assert not any(one.idle for one in ended)
+    ends = [one.end_condition for one in ended]
+    gripped = [end.gripper for end in ends if isinstance(end, ConfigurationEnd) and end.gripper]
+    assert {one.change for one in gripped} <= {"grasp", "release"}
+
+
+def test_a_segment_that_ends_as_the_gripper_acts_ends_with_what_it_did() -> None:
+    demonstration = with_opening(0.08 * np.repeat([1.0, 0.25, 1.0], [300, 400, 300]))
+    first, second, last = (one.end_condition for one in segment(demonstration).segments)
+    assert first == ConfigurationEnd(gripper=GripperEnd("grasp", 0.02, first.gripper.tolerance))
+    assert second.gripper == replace(first.gripper, change="release")
+    assert first.gripper.tolerance == pytest.approx(0.006, rel=0.01)
+    assert last == ConfigurationEnd()
 
 
 def test_the_paper_and_methods_of_ones_own_find_what_they_find() -> None:

@@ -5,7 +5,7 @@ import pytest
 from strokes import H, lowered, segment, turn
 
 from keyphase.rotations import quaternions
-from keyphase.segmentation.end_condition import ContactEnd
+from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, GripperEnd
 from keyphase.skills.end_monitor import start_monitor
 from keyphase.skills.library import skill_of
 from keyphase.skills.rollout import rollout
@@ -169,3 +169,41 @@ def test_a_monitor_is_a_value(until_contact):
     monitor.step(np.array([0.0, 0.0, 0.2]), UPRIGHT, np.array([0.0, 0.0, 9.0]), 0.1, H)
     assert monitor.time_s == 0.0
     assert not monitor.armed
+
+
+GRASP = GripperEnd("grasp", 0.02, 0.004)
+
+
+def at_the_goal(end, openings):
+    """How many samples of the gripper's opening it takes until a skill at its goal is over."""
+    skill = skill_of(lowered(), segment(0.0, 1.2, ConfigurationEnd(gripper=end)))
+    monitor = start_monitor(skill, NO_FORCE)
+    for count, opening in enumerate(openings, start=1):
+        monitor, outcome = monitor.step(skill.end_position_m, UPRIGHT, NO_FORCE, 0.05, H, opening)
+        if outcome:
+            return count, outcome
+    return None
+
+
+def test_at_a_grasp_it_is_over_where_the_gripper_is_as_far_closed_as_demonstrated():
+    assert at_the_goal(GRASP, np.linspace(0.0805, 0.0005, 81)) == (58, "reached")
+
+
+def test_a_grasp_of_something_wider_is_over_once_the_gripper_has_stalled():
+    closing = np.r_[np.linspace(0.08, 0.05, 31), np.full(200, 0.05)]
+    count, outcome = at_the_goal(GRASP, closing)
+    assert outcome == "reached"
+    assert (count - 31) * H == pytest.approx(GRASP.stalled_s, abs=0.05)
+
+
+def test_a_gripper_that_never_moved_has_not_grasped():
+    assert at_the_goal(GRASP, np.full(200, 0.08)) is None
+
+
+def test_a_release_has_begun_once_the_gripper_opens():
+    end = GripperEnd("release", 0.02, 0.004)
+    assert at_the_goal(end, np.linspace(0.02, 0.08, 61)) == (6, "reached")
+
+
+def test_of_whom_nobody_measures_no_gripper_is_asked():
+    assert at_the_goal(GRASP, [None]) == (1, "reached")

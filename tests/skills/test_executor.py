@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from strokes import lowered, segment
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import SkillError
-from keyphase.segmentation.end_condition import ContactEnd
+from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, GripperEnd
 from keyphase.skills import Executor
 from keyphase.skills.connecting import minimum_jerk
 from keyphase.skills.gains import gains_for
@@ -114,3 +115,16 @@ def test_a_harder_demonstration_gets_a_stiffer_impedance():
     assert harder.stiffness_N_m == pytest.approx(6000.0)
     assert gains_for(wiped(peak_N=400.0)).stiffness_N_m == 8000.0
     assert harder.damping_Ns_m == pytest.approx(180.0 * np.sqrt(3.0))
+
+
+@pytest.mark.parametrize(("closes", "outcomes"), [(True, ["reached"] * 2), (False, ["timeout"])])
+def test_a_plan_goes_on_from_a_grasp_once_the_gripper_has_closed(closes, outcomes):
+    grasp = ConfigurationEnd(gripper=GripperEnd("grasp", 0.02, 0.004))
+    skills = skills_of(lowered(step_N=0.0), [segment(0.0, 1.2, grasp), segment(1.2, 2.0)])
+    executor, robot = begun(-1.0, skills)
+    while not executor.over:
+        robot.follow(executor.reference)
+        closed = closes and executor.elapsed_s > 2.0
+        executor.step(replace(robot.sense(), gripper=0.02 if closed else 0.08))
+    assert [result.outcome for result in executor.results] == outcomes
+    assert executor.results[0].end_s > 2.0

@@ -12,7 +12,7 @@ from strokes import lowered, segment
 
 from keyphase.errors import SkillError
 from keyphase.rotations import quaternions
-from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
+from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, GripperEnd
 from keyphase.segmentation.end_condition.watch import Arming
 from keyphase.skills.exports.skill_file import (
     library_of_text,
@@ -36,7 +36,10 @@ vectors = st.tuples(finite, finite, finite)
 unit = st.tuples(*[st.floats(-1.0, 1.0)] * 4).filter(lambda q: np.linalg.norm(q) > 0.1)
 wxyz = unit.map(lambda q: quaternions.normalised(np.array(q)))
 directions = st.sampled_from([(0.0, 0.0, 1.0), (0.6, -0.8, 0.0), (-1.0, 0.0, 0.0)])
-ends = st.builds(ContactEnd, directions, positive) | st.builds(ConfigurationEnd, positive, positive)
+grips = st.builds(GripperEnd, st.sampled_from(("grasp", "release")), positive, positive)
+ends = st.builds(ContactEnd, directions, positive) | st.builds(
+    ConfigurationEnd, positive, positive, gripper=st.none() | grips
+)
 
 
 @st.composite

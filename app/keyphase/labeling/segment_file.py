@@ -18,7 +18,12 @@ from keyphase.labeling.edits import MAX_PLAN_LENGTH, check_label
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file_content import as_csv, as_json, segment_file_content
 from keyphase.readers import fingerprint
-from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
+from keyphase.segmentation.end_condition import (
+    ConfigurationEnd,
+    ContactEnd,
+    EndCondition,
+    GripperEnd,
+)
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import Origin
 
@@ -265,7 +270,8 @@ def _segment(item: Mapping[str, Any]) -> FiledSegment:
     if item["end_condition"]["kind"] == "contact":
         condition: EndCondition = ContactEnd(**{**values, "direction": tuple(values["direction"])})
     else:
-        condition = ConfigurationEnd(**values)
+        grip = values.pop("gripper", None)
+        condition = ConfigurationEnd(**values, gripper=GripperEnd(**grip) if grip else None)
     said = Assessment(**item.get("assessment", {}))
     return FiledSegment(**{**item, "end_condition": condition, "assessment": said})
 

@@ -151,6 +151,7 @@ def end_condition_content(end: EndCondition) -> dict[str, Any]:
             "position_tolerance_m": end.position_tolerance_m,
             "rotation_tolerance_rad": end.rotation_tolerance_rad,
         }
+        values |= {"gripper": asdict(end.gripper)} if end.gripper is not None else {}
     return values | ({"timeout_s": end.timeout_s} if end.timeout_s is not None else {})
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.segmentation.end_condition import GripperEnd
 from keyphase.segmentation.segmentation import Boundary, GripperChange, Reason
 
 MIN_SHARE = 0.1
@@ -68,6 +69,27 @@ def gripper_events(demonstration: Demonstration) -> tuple[GripperEvent, ...]:
         for stroke_s in _strokes(time, opening, max(_MOVING_SHARE * span, _NOISES * noise))
     )
     return tuple(one for one in found if one.share >= max(MIN_SHARE, _NOISES * noise / span))
+
+
+TOLERANCE_SHARE = 0.1
+"""An opening counts as the demonstrated one within this share of what the gripper moved."""
+
+
+def gripper_end(
+    demonstration: Demonstration, events: Sequence[GripperEvent], end_s: float
+) -> GripperEnd | None:
+    """What the gripper has done as a segment ends at `end_s`; None where it did nothing there."""
+    near = [one for one in events if abs(one.time_s - end_s) <= SAME_EVENT_S]
+    opening = demonstration.gripper
+    if not near or opening is None:
+        return None
+    event = min(near, key=lambda one: abs(one.time_s - end_s))
+    row = int(np.searchsorted(demonstration.time_s, event.time_s - 1e-9))
+    # A command opens from one sample to the next: what it opens from is the one before.
+    row -= event.change == "release"
+    held = float(opening[min(max(row, 0), len(opening) - 1)])
+    moved = event.share * float(np.ptp(opening))
+    return GripperEnd(event.change, held, TOLERANCE_SHARE * moved)
 
 
 def with_gripper(

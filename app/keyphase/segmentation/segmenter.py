@@ -5,11 +5,17 @@ from dataclasses import replace
 from functools import cached_property
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.segmentation.end_condition import end_condition_at, ends_in_contact
+from keyphase.segmentation.end_condition import ConfigurationEnd, end_condition_at, ends_in_contact
 from keyphase.segmentation.evidence.finding import EvidenceMethod
 from keyphase.segmentation.found import Found
 from keyphase.segmentation.free_force import free_force
-from keyphase.segmentation.gripper import SAME_EVENT_S, GripperEvent, gripper_events, with_gripper
+from keyphase.segmentation.gripper import (
+    SAME_EVENT_S,
+    GripperEvent,
+    gripper_end,
+    gripper_events,
+    with_gripper,
+)
 from keyphase.segmentation.labels import Evidence, proposed_label
 from keyphase.segmentation.motion import Motion, motion_of
 from keyphase.segmentation.own_finding import find_by_own_method
@@ -132,5 +138,8 @@ class _Segments(dict[tuple[float, float, bool], Segment]):
     def __missing__(self, span: tuple[float, float, bool]) -> Segment:
         label, measure, idle = proposed_label(self.evidence, *span, self.gripper)
         end = end_condition_at(self._demonstration, *span, self._free_force)
+        if isinstance(end, ConfigurationEnd):
+            done = gripper_end(self._demonstration, self.gripper, span[1])
+            end = end if done is None else replace(end, gripper=done)
         self[span] = Segment(span[0], span[1], label, idle, end, measure)
         return self[span]

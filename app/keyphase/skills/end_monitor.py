@@ -11,6 +11,7 @@ from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
 from keyphase.segmentation.end_condition.watch import Arming
 from keyphase.skills.changed import changed
+from keyphase.skills.execution.grip import Grip, gripped
 from keyphase.skills.primitive import progress
 from keyphase.skills.skill import Skill
 
@@ -36,6 +37,7 @@ class EndMonitor:
     stalled_s         since the skill last got on: its motion, or the tool towards its contact
     fraction, beyond_m  how far it had got by then
     over_s, beyond_s  how long the force has been over the threshold, and beyond the limit
+    grip              the gripper's opening since the start; None where nobody measures it
     """
 
     skill: Skill
@@ -49,13 +51,21 @@ class EndMonitor:
     beyond_m: float = -np.inf
     over_s: float = 0.0
     beyond_s: float = 0.0
+    grip: Grip | None = None
 
     def step(
-        self, position_m: Array, orientation_wxyz: Array, force_N: Array, phase: float, h: float
+        self,
+        position_m: Array,
+        orientation_wxyz: Array,
+        force_N: Array,
+        phase: float,
+        h: float,
+        gripper: float | None = None,
     ) -> tuple["EndMonitor", Outcome | None]:
         """Take in a sample, `h` seconds after the one before.
 
-        position_m, force_N (3,) and orientation_wxyz (4,) as measured, phase of the primitive.
+        position_m, force_N (3,) and orientation_wxyz (4,) as measured, phase of the primitive;
+        the gripper's opening, where it is measured.
         """
         at_m = position_m - self.shift_m
         beyond_m = _beyond_contact(self.skill, at_m)
@@ -68,6 +78,7 @@ class EndMonitor:
             beyond_s=self.beyond_s + h if beyond else 0.0,
             **self._got_on(beyond_m, min(done, 1.0), h),
             **self._taken_in(beyond_m, force_N, done, h),
+            **({} if gripper is None else {"grip": gripped(self.grip, gripper, h)}),
         )
         return following, following._outcome(at_m, beyond_m, orientation_wxyz, done)
 
@@ -99,7 +110,7 @@ class EndMonitor:
             return "unexpected contact"
         if beyond_m > self.skill.travel_limit_m:
             return "too far"
-        if _is_reached(self.skill, at_m, wxyz, done):
+        if _is_reached(self.skill, at_m, wxyz, done) and _has_gripped(self.skill, self.grip):
             return "reached"
         return "timeout" if self.stalled_s >= self.skill.timeout_s else None
 
@@ -139,6 +150,13 @@ def _is_near(skill: Skill, arming: Arming, beyond_m: float, done: float) -> bool
     if done * skill.primitive.duration_s < arming.after_s - 1e-6:
         return False
     return beyond_m >= -arming.within_m
+
+
+def _has_gripped(skill: Skill, grip: Grip | None) -> bool:
+    end = skill.end_condition
+    if grip is None or not isinstance(end, ConfigurationEnd) or end.gripper is None:
+        return True
+    return end.gripper.is_met(grip.opening, grip.begun_at, grip.still_s)
 
 
 def _is_reached(skill: Skill, at_m: Array, wxyz: Array, done: float) -> bool:

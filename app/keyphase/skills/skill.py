@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from keyphase.demonstration import Array
-from keyphase.segmentation.end_condition import ContactEnd, EndCondition
+from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
 from keyphase.segmentation.end_condition.watch import DEBOUNCE_S, Arming
 from keyphase.skills.precondition import Precondition
 from keyphase.skills.pressed import KeptForce, Press
@@ -100,7 +100,17 @@ def until(skill: Skill) -> str:
     return (
         f"until within {1e3 * end.position_tolerance_m:.3g} mm and "
         f"{np.degrees(end.rotation_tolerance_rad):.3g} deg of {_millimetres(skill.end_position_m)}"
+        f"{by_gripper(end)}"
     )
+
+
+def by_gripper(end: ConfigurationEnd) -> str:
+    """What the gripper has to have done, in words; "" where nothing."""
+    if end.gripper is None:
+        return ""
+    if end.gripper.change == "grasp":
+        return f" and the gripper has closed to {end.gripper.opening:.3g} or stalled"
+    return f" and the gripper has begun to open from {end.gripper.opening:.3g}"
 
 
 def _millimetres(position_m: Array) -> str:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from math import radians
+from typing import Literal
 
 import numpy as np
 
@@ -49,10 +50,47 @@ class ContactEnd:
 
 
 @dataclass(frozen=True)
+class GripperEnd:
+    """What the gripper has done by the end: closed on something, or begun to open.
+
+    opening    the demonstrated opening at that moment, in m or as the fraction that was recorded
+    tolerance  in the same unit, above zero: a grasp is over at `opening` + `tolerance` and below,
+               or where the gripper, once closed by that much, moves no more for `stalled_s`: what
+               it holds may be wider. A release has begun above `opening` + `tolerance`
+
+    Raises ParameterError if opening or tolerance are no numbers, or tolerance or stall not
+    positive.
+    """
+
+    change: Literal["grasp", "release"]
+    opening: float
+    tolerance: float
+    stalled_s: float = 0.3
+
+    def __post_init__(self) -> None:
+        if self.change not in ("grasp", "release") or not np.isfinite(self.opening):
+            raise ParameterError(
+                "A gripper's end condition must be a grasp or a release at an opening, but is "
+                f"{str(self.change)[:40]!r} at {self.opening}; give both."
+            )
+        _refuse_not_positive(self.tolerance, "tolerance")
+        _refuse_not_positive(self.stalled_s, "stalled_s")
+
+    def is_met(self, opening: float, begun_at: float, still_s: float) -> bool:
+        """Whether an opening that was `begun_at` and has not changed for `still_s` meets it."""
+        if self.change == "release":
+            return opening > self.opening + self.tolerance
+        stalled = still_s >= self.stalled_s and begun_at - opening >= self.tolerance
+        return opening <= self.opening + self.tolerance or stalled
+
+
+@dataclass(frozen=True)
 class ConfigurationEnd:
-    """Over when the pose is within both tolerances of the goal.
+    """Over when the pose is within both tolerances of the goal, and the gripper did its part.
 
     timeout_s  how long without progress until the skill has failed; None leaves it to the skill
+    gripper    what the gripper has to have done; None where it did nothing. It is asked of those
+               only who measure the opening
 
     Raises ParameterError if a tolerance or the timeout is not positive.
     """
@@ -60,6 +98,7 @@ class ConfigurationEnd:
     position_tolerance_m: float = 0.005
     rotation_tolerance_rad: float = radians(3.0)
     timeout_s: float | None = None
+    gripper: GripperEnd | None = None
 
     def __post_init__(self) -> None:
         _refuse_not_positive(self.position_tolerance_m, "position_tolerance_m")

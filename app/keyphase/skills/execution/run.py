@@ -127,7 +127,7 @@ class SkillRun:
         """
         stalled_s, phase = self._monitor.stalled_s, float(self._state.phase)
         self._monitor, outcome = self._monitor.step(
-            sensed.position_m, sensed.orientation_wxyz, sensed.force_N, phase, h
+            sensed.position_m, sensed.orientation_wxyz, sensed.force_N, phase, h, sensed.gripper
         )
         if waits:
             self._monitor = replace(self._monitor, stalled_s=stalled_s)

@@ -10,7 +10,9 @@ from keyphase.skills.coupling import Measured
 class Sensed(Measured):
     """Measured pose (3,), (4,) w x y z, velocity (6,) [m/s, rad/s] and force (3,) [N], base frame.
 
-    The force is what the environment exerts on the tool.
+    The force is what the environment exerts on the tool. `gripper` is its opening, in the unit it
+    was demonstrated in; None where nobody measures it.
     """
 
     force_N: Array
+    gripper: float | None = None

@@ -77,6 +77,10 @@ def _lines(move: RobotMove, number: int) -> list[str]:
         f"    MoveL s{number}_{row}, {speed}, {'fine' if row == count else 'z1'}, plan_tool;"
         for row in range(1, count + 1)
     ]
+    if move.gripper:
+        lines.append(
+            f"    ! Call your gripper here: it goes on{move.gripper.replace(' and', ' once', 1)}."
+        )
     return lines if move.contact is None else [*lines, _contact(move.contact, number)]
 
 

@@ -12,9 +12,9 @@ import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.rotations import quaternions
-from keyphase.segmentation.end_condition import ContactEnd
+from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
 from keyphase.skills.execution.guard import SPEED_M_S, guarded_speed
-from keyphase.skills.skill import Skill, drawn
+from keyphase.skills.skill import Skill, by_gripper, drawn
 
 CORNER_M, CORNER_RAD = 0.001, 0.02
 """Corners are kept so that straight lines between them stay so near to the path."""
@@ -51,7 +51,8 @@ class UntilContact:
 class RobotMove:
     """One skill: corners of its path, and the contact it goes on to, if it does.
 
-    position_m (N, 3), orientation_wxyz (N, 4); `contact` begins where the last corner is.
+    position_m (N, 3), orientation_wxyz (N, 4); `contact` begins where the last corner is, and
+    `gripper` says what it does there, for the person who writes the call of theirs.
     """
 
     label: str
@@ -59,6 +60,7 @@ class RobotMove:
     orientation_wxyz: Array
     speed_m_s: float
     contact: UntilContact | None
+    gripper: str = ""
 
 
 def robot_moves(skills: Sequence[Skill]) -> tuple[RobotMove, ...]:
@@ -80,7 +82,9 @@ def _move(skill: Skill) -> RobotMove:
     corners = _corners(position, wxyz)
     way = float(np.linalg.norm(np.diff(path.position_m, axis=0), axis=1).sum())
     speed = min(max(way / skill.primitive.duration_s, MIN_SPEED_M_S), MAX_SPEED_M_S)
-    return RobotMove(skill.label, position[corners], wxyz[corners], speed, contact)
+    end = skill.end_condition
+    grip = by_gripper(end) if isinstance(end, ConfigurationEnd) else ""
+    return RobotMove(skill.label, position[corners], wxyz[corners], speed, contact, grip)
 
 
 def _contact(skill: Skill) -> UntilContact | None:

@@ -7,7 +7,12 @@ import numpy as np
 
 from keyphase.demonstration import UNIT_TOLERANCE, Array
 from keyphase.errors import SkillError
-from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
+from keyphase.segmentation.end_condition import (
+    ConfigurationEnd,
+    ContactEnd,
+    EndCondition,
+    GripperEnd,
+)
 from keyphase.segmentation.end_condition.watch import Arming
 from keyphase.skills.exports.skill_library import SkillLibrary, SkillRobot
 from keyphase.skills.gains import SkillGains
@@ -116,7 +121,8 @@ def _end(values: Values) -> EndCondition:
     kept |= {key: float(kept[key]) for key in numbers if kept.get(key) is not None}
     if values["kind"] == "contact":
         return ContactEnd(**{**kept, "direction": _triple(kept["direction"])})
-    return ConfigurationEnd(**kept)
+    grip = kept.pop("gripper", None)
+    return ConfigurationEnd(**kept, gripper=GripperEnd(**grip) if grip else None)
 
 
 def _primitive(values: Values) -> Primitive:

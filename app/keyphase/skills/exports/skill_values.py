@@ -157,7 +157,8 @@ def _kept(force: KeptForce) -> dict[str, Any]:
 def _end(end: EndCondition) -> dict[str, Any]:
     if isinstance(end, ContactEnd):
         return {"kind": "contact", **asdict(end), "direction": [float(c) for c in end.direction]}
-    return {"kind": "configuration", **asdict(end)}
+    values = {"kind": "configuration", **asdict(end)}
+    return {key: value for key, value in values.items() if key != "gripper" or value is not None}
 
 
 def _primitive(primitive: Primitive) -> dict[str, Any]:

@@ -74,6 +74,10 @@ def _lines(move: RobotMove, number: int) -> list[str]:
         f"r={0.0 if row == last else BLEND_M})"
         for row, (at, wxyz) in enumerate(zip(move.position_m, move.orientation_wxyz, strict=True))
     ]
+    if move.gripper:
+        lines.append(
+            f"# Call your gripper here: it goes on{move.gripper.replace(' and', ' once', 1)}."
+        )
     return lines if move.contact is None else [*lines, _contact(move.contact, number)]
 
 

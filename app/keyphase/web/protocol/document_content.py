@@ -6,6 +6,7 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
+from msgspec import UNSET
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.labeling.edits.beside.camera_offset import camera_offsets
@@ -259,6 +260,7 @@ def _end_condition(condition: EndCondition) -> say.EndConditionMessage:
         position_tolerance_m=condition.position_tolerance_m,
         rotation_tolerance_rad=condition.rotation_tolerance_rad,
         timeout_s=condition.timeout_s,
+        gripper=UNSET if condition.gripper is None else asdict(condition.gripper),
     )
 
 

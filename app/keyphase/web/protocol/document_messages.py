@@ -83,6 +83,7 @@ class EndConditionMessage(Struct, frozen=True, omit_defaults=True):
     position_tolerance_m: float | UnsetType = UNSET
     rotation_tolerance_rad: float | UnsetType = UNSET
     timeout_s: float | UnsetType | None = UNSET
+    gripper: dict[str, Any] | UnsetType = UNSET
 
 
 class SegmentMessage(Struct, frozen=True):

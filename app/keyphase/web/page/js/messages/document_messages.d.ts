@@ -164,6 +164,7 @@ export interface EndConditionMessage {
   position_tolerance_m?: number;
   rotation_tolerance_rad?: number;
   timeout_s?: number | null;
+  gripper?: { [name: string]: any };
 }
 
 /** A peak of the error; `rejection` says why it is no boundary, nothing where it is. */

@@ -2,9 +2,13 @@
 
 export const DOUBT = "Its own demonstration does not end so.";
 
-/** @param {Object<string, *>} end */
+/** @type {Object<string, string>} */
+const GRIPPED = { grasp: ", once it has grasped", release: ", as it lets go" };
+
+/** @param {import("../messages/document_messages").EndConditionMessage} end */
 export function howItEnds(end) {
-  if (end.kind !== "contact") return "ends at the pose";
+  if (end.kind !== "contact" || end.threshold_N === undefined)
+    return `ends at the pose${GRIPPED[end.gripper?.change] ?? ""}`;
   return `ends at ${end.release ? "−" : ""}${end.threshold_N.toFixed(1)} N`;
 }
 
