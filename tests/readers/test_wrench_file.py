@@ -2,7 +2,10 @@
 
 from pathlib import Path
 
+import h5py
 import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
 import pytest
 
 from keyphase.errors import DemonstrationError, RecipeError, SegmentFileError
@@ -65,3 +68,42 @@ def test_a_file_that_is_not_there_is_told(recording: Path) -> None:
 def test_no_file_outside_the_folder_is_read(recording: Path, path: str) -> None:
     with pytest.raises(RecipeError, match="must lie in the recording's folder"):
         read(recording, parse_recipe(RECIPE % path, "r"))
+
+
+@pytest.mark.parametrize("ending", [".h5", ".npz", ".parquet"])
+def test_a_wrench_may_lie_in_a_binary_file(recording: Path, ending: str) -> None:
+    rows = np.loadtxt(recording.with_name("run_7_ft.txt"), skiprows=1)
+    path = recording.with_name(f"run_7_ft{ending}")
+    columns = dict(zip(("ms", "fx", "fy", "fz"), rows.T, strict=True))
+    if ending == ".h5":
+        with h5py.File(path, "w") as file:
+            file.update(columns)
+    elif ending == ".npz":
+        np.savez(path, **columns)
+    else:
+        pq.write_table(pa.table(columns), path)
+    recipe = RECIPE.replace(', separator = "whitespace"', "") % f"{{stem}}_ft{ending}"
+
+    found = read(recording, parse_recipe(recipe, "r"))
+
+    assert found.force_N is not None
+    np.testing.assert_allclose(found.force_N[:, 0], found.time_s, atol=1e-6)
+
+
+def test_the_wrench_of_one_of_many_is_that_of_the_same_name(recording: Path) -> None:
+    rows = np.loadtxt(recording.with_name("run_7_ft.txt"), skiprows=1)
+    place = np.loadtxt(recording, skiprows=1, delimiter=",")
+    with h5py.File(recording.with_name("all.h5"), "w") as file:
+        for number in range(2):
+            for at, name in enumerate("txyz"):
+                file[f"demo_{number}/{name}"] = place[:, at]
+    with h5py.File(recording.with_name("all_ft.h5"), "w") as file:
+        for number in range(2):
+            for at, name in enumerate(("ms", "fx", "fy", "fz")):
+                file[f"demo_{number}/{name}"] = rows[:, at] + (number if at == 2 else 0)
+    recipe = RECIPE.replace(', separator = "whitespace"', "") % "{stem}_ft.h5"
+
+    found = read(recording.with_name("all.h5#demo_1"), parse_recipe(recipe, "r"))
+
+    assert found.force_N is not None
+    np.testing.assert_allclose(found.force_N[:, 1], 1.0)

@@ -148,6 +148,8 @@ def _oddities(demonstration: "Demonstration") -> Iterator[str]:
 
 
 def _facts(demonstration: "Demonstration") -> dict[str, Any]:
+    from keyphase.clock_offset import clock_offset
+
     channels = {
         name: values.shape[1] if values.ndim > 1 else 1
         for name in (
@@ -166,6 +168,7 @@ def _facts(demonstration: "Demonstration") -> dict[str, Any]:
         "rate_hz": round(demonstration.rate_hz, 3),
         "channels": channels,
         "odd": list(_oddities(demonstration)),
+        "clock": offset.text if (offset := clock_offset(demonstration)) else "",
     }
 
 
@@ -220,6 +223,8 @@ def _lines(alike: list[dict[str, Any]]) -> Iterator[str]:
     yield f"  {facts['rows']} rows, {facts['duration_s']:g} s, {facts['rate_hz']:g} Hz: {channels}"
     yield from (f"  {notice}" for notice in result["notices"])
     yield from (f"  odd: {oddity}" for oddity in facts["odd"])
+    if facts["clock"]:
+        yield f"  clocks: {facts['clock']}"
     if facts["not_read"]:
         yield f"  not read: {_listed(facts['not_read'])}"
 

@@ -43,6 +43,11 @@ def _part(part: str) -> Callable[[Path], Demonstration]:
     return use
 
 
+def _beside(recording: str) -> Callable[[Path], Demonstration]:
+    """The recording that the file which is mutated lies beside."""
+    return lambda path: _read(path.with_name(recording))
+
+
 def _proposal(path: Path) -> str:
     from keyphase.readers.proposing.proposal import propose
 
@@ -156,6 +161,10 @@ KINDS = {
     "table of all sections": Kind(more_sound.sections, _part("second"), 2),
     "recipe of all sections": Kind(more_sound.sections, _part("second"), 2, "*.recipe.toml"),
     "unknown table": Kind(more_sound.unknown_table, _proposal, 2),
+    "wrench in a table": Kind(more_sound.wrench_table, _beside("run.csv"), 2, "run_ft.csv"),
+    "wrench in HDF5": Kind(more_sound.wrench_hdf5, _beside("run.csv"), 2, "run_ft.h5"),
+    "mat of cells": Kind(more_sound.cells_of_matlab, _part("demos_2"), 2),
+    "lists in cells": Kind(more_sound.list_cells, _read, 2),
     "segment file": Kind(sound.segment_file, _segment_file, 8),
     "journal": Kind(sound.journal, _journal, 8),
     "folder file": Kind(sound.folder_file, _folder, 6),

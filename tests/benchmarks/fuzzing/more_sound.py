@@ -7,6 +7,7 @@ import h5py
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
+import scipy.io
 from google.protobuf import descriptor_pb2, descriptor_pool, message_factory
 from mcap.writer import Writer
 
@@ -151,3 +152,52 @@ def unknown_table(folder: Path) -> Path:
     header = "t [ms];x [mm];y [mm];z [mm];qw;qx;qy;qz;Fx;Fy;Fz"
     np.savetxt(folder / "log.csv", columns, "%.6g", ";", header=header, comments="")
     return folder / "log.csv"
+
+
+BESIDE = """
+time = {column = "t", unit = "s"}
+position = {columns = ["x", "y", "z"], unit = "m"}
+force = {columns = "f*", unit = "N", clock_offset_s = -0.02}
+wrench = {frame = "base", sign = 1}
+wrench_file = {path = "{stem}_ft.%s", column = "t", unit = "s"}
+"""
+
+
+def _with_wrench(folder: Path, ending: str) -> Path:
+    (folder / "run.csv.recipe.toml").write_text(BESIDE % ending)
+    rows = [f"{t:.4f},{x:.5f},{y:.5f},{z:.5f}" for t, (x, y, z) in zip(T, PLACE, strict=True)]
+    (folder / "run.csv").write_text("\n".join(["t,x,y,z", *rows]) + "\n")
+    return folder / "run.csv"
+
+
+def wrench_table(folder: Path) -> Path:
+    """A wrench in a table of its own."""
+    rows = [f"{t:.4f},{x:.4f},{y:.4f},{z:.4f}" for t, (x, y, z) in zip(T, FORCE, strict=True)]
+    (folder / "run_ft.csv").write_text("\n".join(["t,fx,fy,fz", *rows]) + "\n")
+    return _with_wrench(folder, "csv")
+
+
+def wrench_hdf5(folder: Path) -> Path:
+    """A wrench in an HDF5 file of its own."""
+    with h5py.File(folder / "run_ft.h5", "w") as file:
+        file["t"], file["f"] = T, FORCE
+    return _with_wrench(folder, "h5")
+
+
+def cells_of_matlab(folder: Path) -> Path:
+    """Two recordings as the cells of one variable."""
+    (folder / "run.mat.recipe.toml").write_text(PLACED % ("t", "pos[*]", "f[*]", ""))
+    cells = np.empty((1, 2), dtype=object)
+    cells[0, 0] = cells[0, 1] = {"t": T, "pos": PLACE, "f": FORCE}
+    scipy.io.savemat(folder / "run.mat", {"demos": cells})
+    return folder / "run.mat"
+
+
+def list_cells(folder: Path) -> Path:
+    """A table whose cells hold lists."""
+    (folder / "run.csv.recipe.toml").write_text(PLACED % ("t", "pos[*]", "f[*]", ""))
+    rows = [
+        f'{t:.4f},"{p.tolist()}","{f.tolist()}"' for t, p, f in zip(T, PLACE, FORCE, strict=True)
+    ]
+    (folder / "run.csv").write_text("\n".join(["t,pos,f", *rows]) + "\n")
+    return folder / "run.csv"

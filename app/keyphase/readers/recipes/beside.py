@@ -10,8 +10,9 @@ from keyphase.demonstration import Array
 from keyphase.errors import RecipeError
 from keyphase.files.parts import split_part
 from keyphase.files.reading import read_whole
+from keyphase.readers.formats.known import format_of
 from keyphase.readers.recipes.recipe import NumberTime, Recipe, WrenchFile
-from keyphase.readers.table import Columned, Table, open_table
+from keyphase.readers.table import Columned, open_table
 from keyphase.readers.timing import refuse_not_increasing
 
 STEM = "{stem}"
@@ -20,9 +21,11 @@ STEM = "{stem}"
 
 @dataclass(frozen=True, eq=False)
 class Beside:
-    """The table of a wrench, and the SHA-256 (hex) of its file."""
+    """The table of a wrench, of text or of a binary format, and the SHA-256 (hex) by which it is
+    known: of its file, or of its numbers.
+    """
 
-    table: Table
+    table: Columned
     sha256: str
 
     def with_recipe(self, sha256: str) -> str:
@@ -34,18 +37,24 @@ def table_beside(recording: Path, recipe: Recipe, limit_bytes: int) -> Beside | 
     """The table of the wrench, where the recipe names one.
 
     Raises RecipeError for a path that leads out of the recording's folder, DemonstrationError for
-    a file that cannot be read.
+    a file that cannot be read. Of a binary file with many recordings it is the one called as the
+    recording itself.
     """
     form = recipe.wrench_file
     if form is None:
         return None
-    file = split_part(recording)[0]
+    file, part = split_part(recording)
     path = file.parent / form.path.replace(STEM, file.stem)
     if file.parent.resolve() not in path.resolve().parents:
         raise RecipeError(
             f"{recipe.name}: [wrench_file]: path must lie in the recording's folder, but is "
             f"{form.path[:80]!r}; copy the file there."
         )
+    binary = format_of(path)
+    if binary is not None:
+        inner = (part or "").partition("+")[0]
+        arrays = binary.table(path, inner if inner in binary.parts(path) else None, limit_bytes)
+        return Beside(arrays, arrays.fingerprint())
     whole = read_whole(path, limit_bytes)
     table = open_table(whole.name, whole.data, form.table, limit_bytes)
     return Beside(table, whole.source.sha256)
