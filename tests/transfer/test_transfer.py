@@ -141,6 +141,37 @@ def test_a_boundary_belongs_to_what_is_near_rather_than_to_what_is_likely() -> N
     assert Places((near, likely)).of(2.0) is None
 
 
+def test_of_evidence_that_is_not_near_a_boundary_belongs_to_the_likelier() -> None:
+    unlikely, likely = Place(1.2, "contact", 0.15), Place(1.3, "motion", 0.9)
+    assert Places((unlikely, likely)).of(1.0) == likely
+
+
+def test_of_three_one_that_was_marked_elsewhere_decides_nothing(
+    first: Taught, second: Demonstration
+) -> None:
+    own = segment(second)
+    late = tuple(
+        replace(phase, start_s=phase.start_s + 0.3 * (i > 0), end_s=phase.end_s + 0.3)
+        for i, phase in enumerate(first.phases)
+    )
+    other = replace(first, phases=late, found_s=())
+    found = propose([first, other, first], second, own)
+    alone = propose([first], second, own)
+    at = [b.time_s for b in found.boundaries]
+    np.testing.assert_allclose(at, [b.time_s for b in alone.boundaries], atol=0.02)
+
+
+def test_a_program_of_which_three_of_four_were_kept_is_not_believed_yet(
+    first: Taught, second: Demonstration
+) -> None:
+    own = segment(second)
+    proposed = propose([first], second).boundaries
+    ends = first.ends_s
+    three = replace(first, found_s=(*ends[:-1], ends[-1] + 0.3))
+    assert len(ends) == 4
+    assert not is_better([three], proposed, own)
+
+
 def test_the_program_is_believed_where_persons_left_its_boundaries_where_they_were(
     first: Taught, second: Demonstration
 ) -> None:

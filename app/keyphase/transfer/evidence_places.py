@@ -4,7 +4,6 @@ A boundary that a person puts a little before the tool really moves lies so in e
 the task: what is carried over is the evidence it belongs to, and how far from it the boundary lies.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -15,13 +14,13 @@ from keyphase.segmentation.segmentation import Segmentation
 
 PlaceKind = Literal["contact", "motion", "grasp", "release"]
 
-REACH_S = 0.4
+REACH_S = 0.7
 """How far from evidence a person's boundary may lie and still belong to it."""
 
 MIN_PROBABILITY = 0.1
 """Less likely evidence is none."""
 
-_NEAR_S = 0.1
+_NEAR_S = 0.03
 _GRIPPER_PROBABILITY = 0.98
 
 
@@ -67,11 +66,6 @@ def places_of(segmentation: Segmentation) -> Places:
     return Places(tuple(sorted(found, key=lambda place: place.time_s)))
 
 
-def usual_kind(places: Sequence[Place | None]) -> PlaceKind | None:
-    """The kind that most of the places of one boundary have, in several recordings."""
-    kinds: list[PlaceKind | None] = [None if place is None else place.kind for place in places]
-    return max(kinds, key=lambda kind: (kinds.count(kind), kind is not None))
-
-
 def _worth(place: Place, away_s: float) -> float:
-    return float(np.sqrt(place.probability) * np.exp(-away_s / _NEAR_S))
+    """What is very near is meant, however unlikely; of what is farther away the likelier."""
+    return float(np.sqrt(place.probability) / (1.0 + (away_s / _NEAR_S) ** 2))

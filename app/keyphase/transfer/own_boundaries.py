@@ -9,25 +9,22 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from keyphase.segmentation.segmentation import Boundary, Segmentation
-from keyphase.transfer.evidence_places import REACH_S
 from keyphase.transfer.placing import MIN_GAP_S, Teacher
 from keyphase.transfer.taught import Taught
 
-TRUSTED = 0.65
+TRUSTED = 0.6
 """From this probability on that a boundary of the program is right, and that it finds a right one,
-its own are taken. Of n boundaries with k right it is (k + 1) / (n + 2), after Laplace."""
+its own are taken. Of n boundaries with k right it is (k + 1) / (n + 3): one right of three is
+supposed before anything is known, so that three of four are not enough and four are."""
 
 CLOSE_S = 0.08
 """Persons whose boundaries typically lie farther than this from the program's mean other places."""
 
-APART_S = 0.4
-"""A proposed boundary this far from all of the program's is one more."""
-
 SAME_S = 0.2
 """A boundary of the program this near to the evidence of a proposed one is the same."""
 
-SURE_ENOUGH = 0.8
-"""A proposed boundary that the program passed over is taken from this confidence on."""
+REACH_S = 0.4
+"""Farther from the program's boundary a person's is another one, and not that one moved."""
 
 
 @dataclass(frozen=True)
@@ -65,30 +62,23 @@ def _trust(taught: Sequence[Taught]) -> float:
     kept, found = np.sum([one.agreement for one in taught], axis=0)
     all_found = sum(len(one.found_s) for one in taught)
     all_theirs = sum(len(one.ends_s) for one in taught)
-    return float(min((kept + 1) / (all_found + 2), (found + 1) / (all_theirs + 2)))
+    return float(min((kept + 1) / (all_found + 3), (found + 1) / (all_theirs + 3)))
 
 
 def with_own(
     teachers: Sequence[Teacher], proposed: Sequence[ProposedBoundary], segmentation: Segmentation
 ) -> tuple[ProposedBoundary, ...]:
-    """The program's own boundaries, and those proposed ones it passed over but has evidence for.
+    """The program's own boundaries, where the persons would have moved them to.
 
     One that the finished recordings have there, too, is at least as sure as they make it.
     """
     demonstration = segmentation.demonstration
-    own = [_confirmed(b, teachers, proposed) for b in segmentation.boundaries]
-    times = np.array([b.time_s for b in segmentation.boundaries] or [np.inf])
-    more = [
-        b
-        for b in proposed
-        if np.abs(times - b.time_s).min() > APART_S
-        and b.confidence >= SURE_ENOUGH
-        and b.evidence_s is not None
-    ]
+    own = tuple(_confirmed(b, teachers, proposed) for b in segmentation.boundaries)
+    times = [b.time_s for b in segmentation.boundaries]
     moved = [b.time_s for b in own]
     if bool((np.diff([demonstration.start_s, *moved, demonstration.end_s]) < MIN_GAP_S).any()):
-        own = [replace(b, time_s=time) for b, time in zip(own, times.tolist(), strict=True)]
-    return tuple(sorted([*own, *more], key=lambda boundary: boundary.time_s))
+        return tuple(replace(b, time_s=time) for b, time in zip(own, times, strict=True))
+    return own
 
 
 def _confirmed(
@@ -127,7 +117,7 @@ def _moved_by(own: Boundary, teachers: Sequence[Teacher]) -> float:
 
 def _offsets_s(taught: Taught) -> list[float | None]:
     """How far each taught boundary lies from the program's; None where it found none there."""
-    found = np.array(taught.found_s)
+    found = np.array(taught.found_s or [np.inf])
     nearest = [float(found[np.abs(found - end_s).argmin()]) for end_s in taught.ends_s]
     return [
         end_s - at if abs(end_s - at) <= REACH_S else None

@@ -6,13 +6,13 @@ ones, as if both took the same time. The cheapest choice of all is found by dyna
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.transfer.alignment import Alignment
-from keyphase.transfer.evidence_places import Place, PlaceKind, Places, usual_kind
+from keyphase.transfer.evidence_places import Place, PlaceKind, Places
 from keyphase.transfer.signals import Signals, in_common
 from keyphase.transfer.taught import Taught
 
@@ -40,14 +40,12 @@ class Teacher:
 class PlacedEnd:
     """Where a phase ends.
 
-    warped_s     where the alignment alone puts it
-    evidence_s   the evidence it belongs to; the same as warped_s without any
+    evidence_s   the evidence it belongs to; where the alignment alone puts it without any
     probability  of the evidence it belongs to; 0 without any
     spread_s     how far the teachers are apart about it
     """
 
     time_s: float
-    warped_s: float
     evidence_s: float
     probability: float
     spread_s: float
@@ -58,10 +56,9 @@ class _Wanted:
     """One boundary as it was taught: the evidence it belongs to, and how far from it it lies."""
 
     kind: PlaceKind | None
-    anchors_s: tuple[float, ...]
-    offsets_s: tuple[float, ...]
+    anchor_s: float
+    offset_s: float
     warped_s: float
-    spread_s: float
 
 
 @dataclass(frozen=True)
@@ -76,43 +73,49 @@ def placed_ends(
 ) -> tuple[PlacedEnd, ...] | None:
     """The ends of all phases but the last; None where they have no room in their order.
 
-    The teachers have the same phases.
+    The teachers have the same phases. Each places them by itself, and of each end the median is
+    taken: one that marked it at other evidence than the others, or where there was none, decides
+    nothing. Medians of ends that are in their order are so, too.
     """
-    count = len(teachers[0].taught.phases) - 1
-    wanted = [_wanted(teachers, number) for number in range(count)]
+    each = [_placed_by(teacher, signals, places) for teacher in teachers]
+    found = [ends for ends in each if ends is not None]
+    return tuple(_median(same) for same in zip(*found, strict=True)) if found else None
+
+
+def _median(ends: Sequence[PlacedEnd]) -> PlacedEnd:
+    times = np.array([end.time_s for end in ends])
+    time_s = float(np.median(times))
+    spread_s = float(np.ptp(times)) if len(ends) > 1 else _ALONE_S
+    nearest = ends[int(np.abs(times - time_s).argmin())]
+    return replace(nearest, time_s=time_s, spread_s=spread_s)
+
+
+def _placed_by(teacher: Teacher, signals: Signals, places: Places) -> tuple[PlacedEnd, ...] | None:
+    """Where the ends lie by one finished recording."""
+    wanted = [_wanted(teacher, number) for number in range(len(teacher.taught.phases) - 1)]
     options = [_options(one, places) for one in wanted]
-    chosen = _cheapest(teachers, wanted, options, signals)
+    chosen = _cheapest(teacher, wanted, options, signals)
     if chosen is None:
         return None
     start_s, end_s = float(signals.time_s[0]), float(signals.time_s[-1])
     edges = [start_s, *(option.time_s for option in chosen), end_s]
     times = [
-        option.time_s + _offset_s(teachers, wanted, number, edges)
+        option.time_s + _offset_s(teacher, wanted, number, edges)
         for number, option in enumerate(chosen)
     ]
     times = _in_order(times, [option.time_s for option in chosen], start_s, end_s)
     return tuple(
-        PlacedEnd(time, one.warped_s, option.time_s, option.probability, one.spread_s)
-        for time, one, option in zip(times, wanted, chosen, strict=True)
+        PlacedEnd(time, option.time_s, option.probability, 0.0)
+        for time, option in zip(times, chosen, strict=True)
     )
 
 
-def _wanted(teachers: Sequence[Teacher], number: int) -> _Wanted:
-    ends = [one.taught.phases[number].end_s for one in teachers]
-    found = [one.taught.anchors[number] for one in teachers]
-    kind = usual_kind(found)
-    anchors = [
-        end if place is None or place.kind != kind else place.time_s
-        for end, place in zip(ends, found, strict=True)
-    ]
-    warped = [one.alignment.at(time) for one, time in zip(teachers, anchors, strict=True)]
-    return _Wanted(
-        kind,
-        tuple(anchors),
-        tuple(end - anchor for end, anchor in zip(ends, anchors, strict=True)),
-        float(np.median(warped)),
-        float(np.ptp(warped)) if len(warped) > 1 else _ALONE_S,
-    )
+def _wanted(teacher: Teacher, number: int) -> _Wanted:
+    end_s = teacher.taught.phases[number].end_s
+    place = teacher.taught.anchors[number]
+    anchor_s = end_s if place is None else place.time_s
+    kind = None if place is None else place.kind
+    return _Wanted(kind, anchor_s, end_s - anchor_s, teacher.alignment.at(anchor_s))
 
 
 def _options(wanted: _Wanted, places: Places) -> list[_Option]:
@@ -133,7 +136,7 @@ def _cost(place: Place, away: float, kind: PlaceKind) -> float:
 
 
 def _cheapest(
-    teachers: Sequence[Teacher],
+    teacher: Teacher,
     wanted: Sequence[_Wanted],
     options: Sequence[Sequence[_Option]],
     signals: Signals,
@@ -145,7 +148,7 @@ def _cheapest(
     total = np.zeros(1)
     ways: list[np.ndarray] = []
     for number in range(len(layers) - 1):
-        step = _phase_costs(teachers, wanted, number, layers[number], layers[number + 1], signals)
+        step = _phase_costs(teacher, wanted, number, layers[number], layers[number + 1], signals)
         reached = total[:, None] + step
         ways.append(reached.argmin(axis=0))
         total = reached.min(axis=0) + np.array([option.cost for option in layers[number + 1]])
@@ -159,52 +162,44 @@ def _cheapest(
 
 
 def _phase_costs(
-    teachers: Sequence[Teacher],
+    teacher: Teacher,
     wanted: Sequence[_Wanted],
     number: int,
     before: Sequence[_Option],
     after: Sequence[_Option],
     signals: Signals,
 ) -> Array:
-    """(B, A): what a phase from one of B places to one of A costs, the mean of all teachers."""
+    """(B, A): what a phase from one of B places to one of A costs."""
     first = np.array([option.time_s for option in before])
     last = np.array([option.time_s for option in after])
     lasting = last[None] - first[:, None]
-    costs = np.zeros(lasting.shape)
-    for index, teacher in enumerate(teachers):
-        theirs, mine = in_common(teacher.taught.signals, signals, teacher.alignment.turned_rad)
-        begin, finish = _taught_edges(teacher, wanted, number, index)
-        shares = np.linspace(0.0, 1.0, _POINTS)
-        example = theirs.between(np.array(begin + shares * (finish - begin)))
-        found = mine.between(first[:, None, None] + shares * lasting[:, :, None])
-        difference = np.linalg.norm(found - example, axis=-1).mean(axis=-1)
-        tempo = teacher.alignment.tempo
-        ratio = np.maximum(lasting, MIN_GAP_S) / max((finish - begin) * tempo, MIN_GAP_S)
-        costs += _DIFFERENCE * difference + _DURATION * np.abs(np.log(ratio))
-    return np.where(lasting >= MIN_GAP_S, costs / len(teachers), np.inf)
+    theirs, mine = in_common(teacher.taught.signals, signals, teacher.alignment.turned_rad)
+    begin, finish = _taught_edges(teacher, wanted, number)
+    shares = np.linspace(0.0, 1.0, _POINTS)
+    example = theirs.between(np.array(begin + shares * (finish - begin)))
+    found = mine.between(first[:, None, None] + shares * lasting[:, :, None])
+    difference = np.linalg.norm(found - example, axis=-1).mean(axis=-1)
+    usual = max((finish - begin) * teacher.alignment.tempo, MIN_GAP_S)
+    ratio = np.maximum(lasting, MIN_GAP_S) / usual
+    costs = _DIFFERENCE * difference + _DURATION * np.abs(np.log(ratio))
+    return np.where(lasting >= MIN_GAP_S, costs, np.inf)
 
 
-def _taught_edges(
-    teacher: Teacher, wanted: Sequence[_Wanted], number: int, index: int
-) -> tuple[float, float]:
+def _taught_edges(teacher: Teacher, wanted: Sequence[_Wanted], number: int) -> tuple[float, float]:
     phases = teacher.taught.phases
-    anchors = [one.anchors_s[index] for one in wanted]
-    edges = [phases[0].start_s, *anchors, phases[-1].end_s]
+    edges = [phases[0].start_s, *(one.anchor_s for one in wanted), phases[-1].end_s]
     return edges[number], edges[number + 1]
 
 
 def _offset_s(
-    teachers: Sequence[Teacher], wanted: Sequence[_Wanted], number: int, edges: Sequence[float]
+    teacher: Teacher, wanted: Sequence[_Wanted], number: int, edges: Sequence[float]
 ) -> float:
     """How far from its evidence the boundary lies: as taught, slower where phases are slower."""
-    offsets = []
+    before, _ = _taught_edges(teacher, wanted, number)
+    _, after = _taught_edges(teacher, wanted, number + 1)
     around = edges[number + 2] - edges[number]
-    for index, teacher in enumerate(teachers):
-        before, _ = _taught_edges(teacher, wanted, number, index)
-        _, after = _taught_edges(teacher, wanted, number + 1, index)
-        tempo = np.clip(around / max(after - before, MIN_GAP_S), *_TEMPO_RANGE)
-        offsets.append(wanted[number].offsets_s[index] * tempo)
-    return float(np.median(offsets))
+    tempo = np.clip(around / max(after - before, MIN_GAP_S), *_TEMPO_RANGE)
+    return float(wanted[number].offset_s * tempo)
 
 
 def _in_order(
