@@ -1,5 +1,6 @@
 """MATLAB files (`.mat`, up to version 7.2) and single NumPy arrays (`.npy`), never unpickled."""
 
+import io
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.damage import damage_told
 from keyphase.readers.formats.numeric import is_signal, refuse_too_large, unknown_part
 from keyphase.readers.formats.upright import upright
+from keyphase.readers.mat_elements import plain_variables
 
 NPY_MAGIC = b"\x93NUMPY"
 MAT_MAGIC = b"MATLAB 5.0 MAT-file"
@@ -59,12 +61,6 @@ def parts_of_mat(path: Path) -> tuple[str, ...]:
 
     Raises DemonstrationError for what cannot be read.
     """
-    from scipy.io import whosmat
-
-    with damage_told(path, "MATLAB file", _AGAIN):
-        listed = whosmat(path)
-        if not any(kind in ("cell", "struct") and max(shape) > 1 for _, shape, kind in listed):
-            return ()
     return tuple(_recordings(_content(path, DEFAULT_LIMIT_BYTES)))
 
 
@@ -99,7 +95,11 @@ def _content(path: Path, limit_bytes: int) -> dict[str, Any]:
             "the limit."
         )
     with damage_told(path, "MATLAB file", _AGAIN):
-        content = loadmat(path, struct_as_record=True, squeeze_me=False)
+        data = path.read_bytes()
+        names = plain_variables(data, limit_bytes)
+        content = loadmat(
+            io.BytesIO(data), struct_as_record=True, squeeze_me=False, variable_names=names
+        )
     return {name: value for name, value in content.items() if not name.startswith("__")}
 
 
