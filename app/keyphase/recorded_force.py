@@ -20,6 +20,7 @@ _CALM_S = 0.25
 _SMALL_N = 1.0
 _REST_M = 0.004
 _ALIKE = 0.25
+_CARRIED_ALIKE, _CARRIED_ALIKE_N = 0.1, 0.3
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,12 +77,44 @@ def running_mean(values: Array, window_s: float) -> Array:
 def offset_while_moving(even: Even) -> Array:
     """Force (3,) that is read where nothing is touched; zero where that cannot be told [N].
 
-    The median over the calmest of the moments in which the tool moves. It is taken for an offset
-    if it is small, or if the tool rests under the same force at its start. The segmentation's
+    The force under which the tool rests at its start, if it is read in two fast motions, too, that
+    go elsewhere: a tool that was not tared is weighed in free space, and less in contact. Else the
+    median over the calmest of the moments in which the tool moves; it is taken for an offset if it
+    is small, or if the tool rests under the same force at its start. The segmentation's
     `free_force` asks less: whether there ever is next to no force, and else what it begins with.
     """
-    force, speed = even.force_N, np.linalg.norm(even.velocity(0.1), axis=1)
-    mean = running_mean(force, _CALM_S)
+    velocity = even.velocity(0.1)
+    speed = np.linalg.norm(velocity, axis=1)
+    start = even.time_s < even.time_s[0] + _CALM_S
+    resting = float(np.linalg.norm(np.ptp(even.position_m[start], axis=0))) < _REST_M
+    first = np.median(even.force_N[start], axis=0)
+    if resting and _is_carried(even, first, velocity):
+        return first
+    free = _calmest(even, speed)
+    length, away = float(np.linalg.norm(free)), float(np.linalg.norm(first - free))
+    is_offset = length < _SMALL_N or (resting and away < _ALIKE * length)
+    return free if is_offset else np.zeros(3)
+
+
+def _is_carried(even: Even, first_N: Array, velocity: Array) -> bool:
+    """Whether a force (3,) is read in fast motions to both sides of some direction, too.
+
+    A contact that is slid on resists either of them in another way.
+    """
+    size, speed = float(np.linalg.norm(first_N)), np.linalg.norm(velocity, axis=1)
+    off = np.linalg.norm(running_mean(even.force_N, 0.05) - first_N, axis=1)
+    alike = (speed > _FREE_M_S) & (off < max(_CARRIED_ALIKE * size, _CARRIED_ALIKE_N))
+    if size < _SMALL_N or alike.sum() < 2 * _MIN_FREE:
+        return False
+    way = velocity[alike] / speed[alike][:, None]
+    main = np.linalg.svd(way, full_matrices=False)[2][0]
+    along = way @ main
+    return min((along > 0.5).sum(), (along < -0.5).sum()) >= _MIN_FREE
+
+
+def _calmest(even: Even, speed: Array) -> Array:
+    """Median force (3,) over the calmest of the moments in which the tool moves; zero if few."""
+    force, mean = even.force_N, running_mean(even.force_N, _CALM_S)
     spread = np.sqrt(
         np.maximum(running_mean((force**2).sum(axis=1), _CALM_S) - (mean**2).sum(axis=1), 0.0)
     )
@@ -90,13 +123,7 @@ def offset_while_moving(even: Even) -> Array:
         return np.zeros(3)
     calm = moving & (spread <= np.percentile(spread[moving], 40))
     least = calm & (size <= np.percentile(size[calm], 50))
-    free = np.median(force[least], axis=0)
-    length = float(np.linalg.norm(free))
-    start = even.time_s < even.time_s[0] + _CALM_S
-    resting = float(np.linalg.norm(np.ptp(even.position_m[start], axis=0))) < _REST_M
-    away = float(np.linalg.norm(np.median(force[start], axis=0) - free))
-    is_offset = length < _SMALL_N or (resting and away < _ALIKE * length)
-    return free if is_offset else np.zeros(3)
+    return np.median(force[least], axis=0)
 
 
 def in_contact(force_N: Array, velocity_m_s: Array) -> np.ndarray:

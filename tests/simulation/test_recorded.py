@@ -7,6 +7,7 @@ import pytest
 from drawn_contact import DOWN_S, PRESSED_N, its_plan, pressed_slide, reversed_force
 from replaying import bundled
 
+from keyphase.demonstration import Demonstration
 from keyphase.doubtful_force import doubtful_force, power_share
 from keyphase.errors import SimulationError
 from keyphase.recorded_force import evenly, offset_while_moving
@@ -75,6 +76,30 @@ def test_a_constant_offset_of_the_sensor_is_no_contact() -> None:
     )
     assert offset_while_moving(evenly(still)) == pytest.approx([0.0, 3.0, 14.0], abs=0.1)
     assert len(RecordedCell(still).surfaces) == 1
+
+
+def test_a_tool_that_was_not_tared_is_weighed_in_free_space_and_less_in_contact() -> None:
+    """It rests under its weight, comes down, is carried by a table that it wipes, and goes up."""
+    time = np.arange(2000) / 250
+    up = np.interp(time, [0, 0.5, 1.5, 6, 7, 8], [0.1, 0.1, 0.0, 0.0, 0.1, 0.1])
+    aside = 0.05 * np.sin(3.0 * (time - 1.5)) * ((time > 1.5) & (time < 6.0))
+    carried = np.where(up > 0.0, 0.0, 8.0)
+    force = np.c_[-0.1 * carried, 0 * time, carried - 9.0]
+    wiped = Demonstration("wiped", time, np.c_[aside, 0 * time, up], None, force)
+    assert offset_while_moving(evenly(wiped)) == pytest.approx([0.0, 0.0, -9.0], abs=0.1)
+
+
+def test_a_surface_that_gave_way_gives_way_to_a_replay() -> None:
+    """A body that was pushed along: a fast push is not damped as if it stood."""
+    time = np.arange(1000) / 250
+    place = np.interp(time, [0, 0.5, 2.5, 4.0], [0.0, 0.0, 0.4, 0.4])
+    touches = (place > 0.1) & (place < 0.4)
+    force = np.c_[-3.0 * touches, 0 * time, 0 * time]
+    wxyz = np.tile([1.0, 0.0, 0.0, 0.0], (1000, 1))
+    pushed = Demonstration("pushed", time, np.c_[place, 0 * time, 0 * time], wxyz, force)
+    (surface,) = RecordedCell(pushed).surfaces
+    *_, closing = surface.plane(np.array([0.3, 0.0, 0.0]), 2.0)
+    assert closing == pytest.approx(-0.2, abs=0.01)
 
 
 def test_the_surroundings_take_energy_and_a_force_that_gives_is_doubted() -> None:

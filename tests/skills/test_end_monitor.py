@@ -97,6 +97,15 @@ def test_forces_across_the_direction_are_no_contact(until_contact):
     assert outcome == "timeout"
 
 
+def test_a_large_force_that_falls_away_is_none(until_configuration):
+    """As after a contact that was pressed hard and is lost; what turns round is another contact."""
+    pressed = 1.5 * until_configuration.force_limit_N
+    fallen = outcome_of(until_configuration, lambda t, _: (0.0, 0.0, pressed if t < 0.1 else 1.0))
+    assert fallen[0] == "reached"
+    turned = outcome_of(until_configuration, lambda t, _: (0.0, 0.0, pressed * (1 - 2 * (t > 0.1))))
+    assert turned[0] == "unexpected contact"
+
+
 def test_a_large_force_from_anywhere_is_unexpected(until_contact, until_configuration):
     def bump(time, height):
         return (20.0 * (time > 0.4), 0.0, 0.0)

@@ -7,21 +7,21 @@ from keyphase.files.shipped import shipped
 from keyphase.readers import read
 from keyphase.segmentation import segment
 from keyphase.skills.library import skills_of
-from keyphase.skills.squaring import Squaring, tool_axes
+from keyphase.skills.squaring import Squaring, squaring_at
 
-DOWN, UPRIGHT = np.array([0.0, 0.0, -1.0]), np.array([0.0, 1.0, 0.0, 0.0])
-SQUARING = Squaring((0.0, 0.0, -1.0))
+DOWN = np.array([0.0, 0.0, -1.0])
+SQUARING = Squaring((0.0, 0.0, -1.0), (1.0, 0.0, 0.0))
 
 
-def way(wxyz=UPRIGHT) -> np.ndarray:
+def way() -> np.ndarray:
     """All of it, at 250 Hz."""
     times = np.arange(0.0, SQUARING.strokes_s, 0.004)
-    return np.array([SQUARING.away(wxyz, time) for time in times])
+    return np.array([SQUARING.away(time) for time in times])
 
 
 def test_it_begins_and_ends_where_it_was_put_down() -> None:
     assert np.linalg.norm(way()[0]) == 0.0
-    assert np.linalg.norm(SQUARING.away(UPRIGHT, SQUARING.strokes_s)) < 1e-12
+    assert np.linalg.norm(SQUARING.away(SQUARING.strokes_s)) < 1e-12
 
 
 def test_it_is_lifted_before_it_moves_aside_and_until_it_is_back() -> None:
@@ -42,14 +42,14 @@ def test_nothing_jumps() -> None:
     assert np.abs(np.diff(speed)).max() < 0.02
 
 
-def test_the_sides_are_those_of_the_tool() -> None:
+def test_the_sides_are_those_of_the_tool_first_across_the_way_it_is_carried() -> None:
     turn = np.radians(30.0)
     wxyz = np.array([0.0, np.cos(turn / 2), np.sin(turn / 2), 0.0])
-    first, second = tool_axes(DOWN, wxyz)
-    beside = min(abs(first @ axis) for axis in np.eye(3)[:2])
-    assert beside == pytest.approx(0.5)
+    first = np.array(squaring_at(DOWN, wxyz, np.array([0.0, 0.1, 0.0])).along)
+    other = np.array(squaring_at(DOWN, wxyz, np.array([0.1, 0.0, 0.0])).along)
+    assert np.abs(first[:2]) == pytest.approx([np.cos(turn), np.sin(turn)])
+    assert abs(first @ other) < 1e-12
     assert abs(first @ DOWN) < 1e-12
-    assert abs(first @ second) < 1e-12
 
 
 def test_of_the_bundled_recordings_only_what_carries_is_squared() -> None:

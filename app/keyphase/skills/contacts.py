@@ -20,7 +20,7 @@ from keyphase.skills.precondition import precondition_of
 from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.search import Search, search_for
 from keyphase.skills.skill import Skill
-from keyphase.skills.squaring import Squaring
+from keyphase.skills.squaring import squaring_at
 
 MIN_FORCE_N = 0.5
 """A demonstration that presses less than this keeps no contact."""
@@ -102,8 +102,9 @@ def _squared(skill: Skill, following: Sequence[Skill]) -> Skill:
         alike = [k for k in later.kept if k.direction[0] @ skill.press.direction > _ALIKE]
         carrying = [kept.direction[0] for kept in alike if kept.carries is not None]
         if carrying:
-            x, y, z = carrying[0].tolist()
-            return replace(skill, squaring=Squaring((x, y, z)))
+            way = later.end_position_m - later.primitive.start_position_m
+            at = squaring_at(carrying[0], skill.end_orientation_wxyz, way)
+            return replace(skill, squaring=at)
         if not alike:
             break
     return skill

@@ -20,6 +20,9 @@ Outcome = Literal["reached", "contact", "timeout", "too far", "unexpected contac
 REACHED_AFTER = 0.8
 """A configuration counts from this fraction of the motion on; a closed path starts at its goal."""
 
+FELL_AWAY = 0.5
+"""A change of force counts as a contact if the force is above this part of it, and not gone."""
+
 PROGRESS_FRACTION, PROGRESS_M = 0.01, 0.001
 """A skill gets on while its motion, or the tool towards the contact, gains this much."""
 
@@ -70,7 +73,10 @@ class EndMonitor:
         at_m = position_m - self.shift_m
         beyond_m = _beyond_contact(self.skill, at_m)
         change = force_N - self.start_force_N
-        beyond = float(change.dot(change)) > self.skill.force_limit_N**2
+        changed_by = float(change.dot(change))
+        # What fell away is no contact that was not expected, however hard it was pressed before.
+        is_there = float(force_N.dot(force_N)) > FELL_AWAY**2 * changed_by
+        beyond = is_there and changed_by > self.skill.force_limit_N**2
         done = progress(self.skill.primitive, phase)
         following = changed(
             self,

@@ -23,6 +23,7 @@ class Squaring:
     """How a part is squared.
 
     normal    (3,) unit vector into the place, as the way that was slid on it tells
+    along     (3,) unit vector across it, in which the first strokes go
     press_N   what it is pressed with, at the least, before and after
     lift_m    how far it is lifted meanwhile
     reach_m   how far it is moved to either side, along both axes of the tool across the press
@@ -33,6 +34,7 @@ class Squaring:
     """
 
     normal: tuple[float, float, float]
+    along: tuple[float, float, float]
     press_N: float = 6.0
     lift_m: float = 0.003
     reach_m: float = 0.010
@@ -51,14 +53,14 @@ class Squaring:
         """After which it is given up."""
         return self.strokes_s + self.stroke_s
 
-    def away(self, wxyz: Array, time_s: float) -> Array:
-        """How far (3,) the part is to be moved by now [m]; `wxyz` (4,) is the tool at it."""
-        direction = np.array(self.normal)
+    def away(self, time_s: float) -> Array:
+        """How far (3,) the part is to be moved by now [m]."""
+        normal, along = np.array(self.normal), np.array(self.along)
         stroke = time_s / self.stroke_s - 1.0
-        lifted = -self.lift_m * self.lifted(time_s) * direction
+        lifted = -self.lift_m * self.lifted(time_s) * normal
         if not 0.0 < stroke < _STROKES:
             return lifted
-        along, beside = tool_axes(direction, wxyz)
+        beside = np.asarray(np.cross(normal, along), dtype=np.float64)
         if stroke >= _STROKES / 2:
             along, beside, stroke = beside, along, stroke - _STROKES / 2
         fade = _eased(min(2.0 * stroke, 2.0 * (_STROKES / 2 - stroke), 1.0))
@@ -70,6 +72,10 @@ class Squaring:
         strokes = time_s / self.stroke_s
         return _eased(max(min(strokes, _STROKES + 2.0 - strokes, 1.0), 0.0))
 
+    def approached(self, time_s: float) -> float:
+        """How much of the way to where the strokes go around is done by now, 0 to 1."""
+        return self.lifted(min(time_s, self.stroke_s))
+
     def _place(self, stroke: float) -> float:
         """How far along its axis the part is by a number of strokes, 0 to 4 [m]."""
         places = 0.0, self.reach_m, -self.reach_m, self.last_m, 0.0
@@ -77,17 +83,24 @@ class Squaring:
         return places[at] + _eased(stroke - at) * (places[at + 1] - places[at])
 
 
-def tool_axes(direction: Array, wxyz: Array) -> tuple[Array, Array]:
-    """Two unit vectors (3,) across a direction (3,): parts are gripped square to the tool.
+def squaring_at(normal: Array, wxyz: Array, carried: Array) -> Squaring:
+    """How a part is squared that the tool holds in an orientation (4,), as it is gripped square.
 
-    The first is of the tool's x and y axes, in the orientation `wxyz` (4,), the one that lies less
-    along the direction.
+    The first strokes go across the way (3,) that it is `carried` afterwards: along the tool's x or
+    y axis, made square to the normal (3,).
     """
     axes = (_turned(wxyz, axis) for axis in np.eye(3)[:2])
-    beside = min(axes, key=lambda axis: abs(float(axis.dot(direction))))
-    first = beside - float(beside.dot(direction)) * direction
+    beside = min(axes, key=lambda axis: abs(float(axis.dot(normal))))
+    first = beside - float(beside.dot(normal)) * normal
     first = first / np.linalg.norm(first)
-    return first, np.asarray(np.cross(direction, first), dtype=np.float64)
+    second = np.asarray(np.cross(normal, first), dtype=np.float64)
+    along = min((first, second), key=lambda axis: abs(float(axis.dot(carried))))
+    return Squaring(_triple(normal), _triple(along))
+
+
+def _triple(vector: Array) -> tuple[float, float, float]:
+    x, y, z = vector.tolist()
+    return x, y, z
 
 
 def _turned(wxyz: Array, vector: Array) -> Array:

@@ -45,7 +45,7 @@ class Surface:
     made_s, lost_s  when it was made and lost; infinite where the recording breaks off in it
     alive_s         from when on the surface stands in the way
     time_s (N,), position_m (N, 3) of the tool, point_m (N, 3) of the unloaded surface,
-    normal (N, 3), force_N (N,), friction (N,)
+    normal (N, 3), closing_m_s (N,) of the tool along it, force_N (N,), friction (N,)
     stops           where a slide on it ended
     """
 
@@ -56,6 +56,7 @@ class Surface:
     position_m: Array
     point_m: Array
     normal: Array
+    closing_m_s: Array
     force_N: Array
     friction: Array
     stops: tuple[Stop, ...] = ()
@@ -64,8 +65,10 @@ class Surface:
         """Whether it is there at a moment of the demonstration."""
         return self.alive_s <= moment_s <= self.lost_s + 1e-6
 
-    def plane(self, position_m: Array, moment_s: float) -> tuple[Array, Array, float]:
+    def plane(self, position_m: Array, moment_s: float) -> tuple[Array, Array, float, float]:
         """Point and normal (3,) of the tangent plane near a place and a moment, and its friction.
+
+        The last is how fast the recorded tool moved along the normal there [m/s].
 
         Nearest in space alone is ill-posed where the force changes without motion, the moment
         alone would be a mere playback which a surface that lies higher cannot meet early.
@@ -79,7 +82,13 @@ class Surface:
         weight /= weight.sum()
         normal = weight.dot(self.normal[rows])
         normal /= np.sqrt(normal.dot(normal))
-        return weight.dot(self.point_m[rows]), normal, float(weight.dot(self.friction[rows]))
+        friction, closing = self.friction[rows], self.closing_m_s[rows]
+        return (
+            weight.dot(self.point_m[rows]),
+            normal,
+            float(weight.dot(friction)),
+            float(weight.dot(closing)),
+        )
 
 
 def surfaces_of(even: Even) -> tuple[Surface, ...]:
@@ -118,7 +127,8 @@ def _surface(even: Even, rows: slice, before: int) -> Surface:
     time, position = even.time_s[rows], even.position_m[rows]
     force = running_mean(even.force_N[rows], 0.04)
     size = np.linalg.norm(force, axis=1)
-    speed = np.linalg.norm(even.velocity(0.1)[rows], axis=1)
+    velocity = even.velocity(0.1)[rows]
+    speed = np.linalg.norm(velocity, axis=1)
     normal = running_mean(force, 0.06)
     normal = normal / (np.linalg.norm(normal, axis=1)[:, None] + 1e-12)
     first = normal[: max(2, min(10, len(normal)))].mean(axis=0)
@@ -135,6 +145,7 @@ def _surface(even: Even, rows: slice, before: int) -> Surface:
         position_m=position,
         point_m=position + normal * (size / STIFFNESS_N_M)[:, None],
         normal=normal,
+        closing_m_s=(velocity * normal).sum(axis=1),
         force_N=size,
         friction=np.where(speed < STANDS_M_S, STICKS, SLIPS),
         stops=stops_of(even, rows.start, rows.stop),

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from keyphase.simulation.recorded.cell import RecordedCell
 
 DAMPING_NS_M = 40.0
+"""Against a surface that gives way as it did under the recorded tool."""
+
 ASIDE_M, BEHIND_M = 0.04, 0.02
 """A surface ends this far aside of where it was touched, and this far behind itself."""
 
@@ -71,6 +73,7 @@ class RecordedWorld:
         self.furthest_m = 0.0
         self._ticks, self._pushed = 0, (np.zeros(3), np.zeros(3))
         self._moment: float | None = float(start)
+        self._pace = 0.0
         self._on_path = True
         self._planes = self._standing()
         self._force = self._contact()[0]
@@ -87,6 +90,8 @@ class RecordedWorld:
         if span_s != self._span_s:
             self._span_s = span_s
             self._late_s.clear()
+        pace = 0.0 if None in (moment_s, self._moment) else moment_s - self._moment
+        self._pace = min(max(pace * RATE_HZ, 0.0), 1.0)
         self._moment, self._on_path = moment_s, span_s is not None
         if moment_s is None or span_s is None:
             return
@@ -138,7 +143,7 @@ class RecordedWorld:
     def part_poses(self) -> Mapping[str, tuple[Array, Array]]:
         """The tool, and the surfaces where they are met."""
         poses = {"held": self.tool_pose()}
-        standing = {index: (point, normal) for index, point, normal, _ in reversed(self._planes)}
+        standing = {index: (point, normal) for index, point, normal, *_ in reversed(self._planes)}
         for index, name in enumerate(self.workcell.parts[1:]):
             surface = self.workcell.surfaces[index]
             at = standing.get(index, self._moved(surface.point_m[0], surface.normal[0]))
@@ -154,29 +159,31 @@ class RecordedWorld:
         """The tool's point as a ball-like cylinder, each surface as a disc."""
         return tuple(_disc(name, name != "held") for name in self.workcell.parts)
 
-    def _standing(self) -> list[tuple[int, Array, Array, float]]:
-        """Index, point, normal and friction of the surfaces that the tool could meet now."""
+    def _standing(self) -> list[tuple[int, Array, Array, float, float]]:
+        """Index, point, normal, friction and closing speed of what the tool could meet now."""
         if self._moment is None:
             return []
         found = []
         for index, surface in enumerate(self.workcell.surfaces):
             if surface.stands(self._moment):
-                point, normal, friction = self._plane(index)
+                point, normal, friction, closing = self._plane(index)
                 away = self.body.position_m - point
                 depth = -float(away.dot(normal))
                 aside = away + depth * normal
                 if depth < BEHIND_M and aside.dot(aside) < ASIDE_M**2:
-                    found.append((index, point, normal, friction))
+                    found.append((index, point, normal, friction, closing))
                     found += self._stops_of(index, self._moment)
         return found
 
-    def _stops_of(self, index: int, moment_s: float) -> list[tuple[int, Array, Array, float]]:
+    def _stops_of(
+        self, index: int, moment_s: float
+    ) -> list[tuple[int, Array, Array, float, float]]:
         """What ends a slide on a surface now, as further planes of it."""
         stops = self.workcell.surfaces[index].stops
         now = (stop for stop in stops if stop.from_s <= moment_s <= stop.to_s)
-        return [(index, *self._moved(stop.point_m, stop.normal), SLIPS) for stop in now]
+        return [(index, *self._moved(stop.point_m, stop.normal), SLIPS, 0.0) for stop in now]
 
-    def _plane(self, index: int) -> tuple[Array, Array, float]:
+    def _plane(self, index: int) -> tuple[Array, Array, float, float]:
         assert self._moment is not None
         surface, moment = self.workcell.surfaces[index], self._moment - self._late_s.get(index, 0.0)
         if index not in self.touched and self._is_made_now(index):
@@ -184,8 +191,8 @@ class RecordedWorld:
             moment = min(moment, surface.made_s)
         shift, turn = self._place
         here = turn.T @ (self.body.position_m - shift)
-        point, normal, friction = surface.plane(here, moment)
-        return *self._moved(point, normal), friction + self._rougher
+        point, normal, friction, closing = surface.plane(here, moment)
+        return *self._moved(point, normal), friction + self._rougher, self._pace * closing
 
     def _is_made_now(self, index: int) -> bool:
         """Whether the contact was made within the stretch that is repeated, not before it."""
@@ -200,12 +207,13 @@ class RecordedWorld:
         """Force (3,) of all surfaces on the tool, and of each along its normal."""
         total, each = np.zeros(3), {}
         velocity = self.body.velocity_m_s
-        for index, point, normal, friction in self._planes:
+        for index, point, normal, friction, gives in self._planes:
             depth = float((point - self.body.position_m).dot(normal))
             if depth <= 0.0:
                 continue
             closing = float(velocity.dot(normal))
-            pressed = max(STIFFNESS_N_M * depth - DAMPING_NS_M * closing, 0.0)
+            damped = DAMPING_NS_M * (closing - gives)
+            pressed = max(STIFFNESS_N_M * depth - damped, 0.0)
             slip = velocity - closing * normal
             speed = max(float(np.sqrt(slip.dot(slip))), _CREEP_M_S)
             total += pressed * (normal - (friction / speed) * slip)

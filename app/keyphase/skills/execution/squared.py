@@ -45,11 +45,9 @@ class Squared:
     def moving(self, reference: Reference, _sensed: Sensed, time_s: float) -> Reference:
         """The reference on its strokes, `time_s` after they began."""
         self._done_s = time_s
-        away = self._away(reference.orientation_wxyz, time_s)
-        then = self._away(reference.orientation_wxyz, time_s + self._step_s)
+        away, then = self._away(time_s), self._away(time_s + self._step_s)
         velocity = np.concatenate([(then - away) / self._step_s, np.zeros(3)])
         return changed(reference, position_m=self._from_m + away, velocity=velocity)
 
-    def _away(self, wxyz: Array, time_s: float) -> Array:
-        moved = self.search.lifted(min(time_s, self.search.stroke_s))
-        return moved * self._aside_m + self.search.away(wxyz, time_s)
+    def _away(self, time_s: float) -> Array:
+        return self.search.approached(time_s) * self._aside_m + self.search.away(time_s)

@@ -75,8 +75,9 @@ def _spread(values: Values | None) -> Spread | None:
 
 
 def _squaring(values: Values) -> Squaring:
-    numbers = _floats({key: value for key, value in values.items() if key != "normal"})
-    return Squaring(_triple(values["normal"]), **numbers)
+    directions = ("normal", "along")
+    numbers = _floats({key: value for key, value in values.items() if key not in directions})
+    return Squaring(_triple(values["normal"]), _triple(values["along"]), **numbers)
 
 
 def _press(values: Values) -> Press:
