@@ -10,13 +10,29 @@ import json
 
 import numpy as np
 
+REST = np.zeros(6)
+
+
+class Values(dict):
+    """An object of the file: its values by name, lists of numbers as arrays."""
+
+    __getattr__ = dict.__getitem__
+
+
+def values(pairs):
+    def is_numbers(v):
+        return isinstance(v, list) and not any(isinstance(each, dict) for each in v)
+
+    return Values((k, np.array(v) if is_numbers(v) else v) for k, v in pairs)
+
 
 def times(a, b):
     w, v, x, u = a[0], a[1:], b[0], b[1:]
     return np.array([w * x - v @ u, *(w * u + x * v + np.cross(v, u))])
 
 
-def turn(to, origin, shortest=False):
+def turn(to, origin, shortest=True):
+    """Rotation vector from one orientation to another."""
     q = times(to, origin * [1, -1, -1, -1])
     q = -q if shortest and q[0] < 0 else q
     sine = np.linalg.norm(q[1:])
@@ -34,392 +50,314 @@ def within(v, reach):
     return (v * reach / np.linalg.norm(v) if far else v), far
 
 
-def eased(share):
-    return 0.5 - 0.5 * np.cos(np.pi * share)
-
-
-def stroke_of(squaring, aside, q, time):
-    """How far a part that is squared is lifted and moved from side to side by now."""
-    stroke, d = time / squaring["stroke_s"] - 1, np.array(squaring["normal"])
-    lift = -squaring["lift_m"] * eased(max(min(stroke + 1, 9 - stroke, 1), 0)) * d
-    lift = lift + eased(max(min(stroke + 1, 1), 0)) * aside
-    if not 0 < stroke < 8:
-        return lift
-    axes = [times(times(q, np.r_[0, e]), q * [1, -1, -1, -1])[1:] for e in np.eye(3)[:2]]
-    along = min(axes, key=lambda axis: abs(axis @ d))
-    along = along - along @ d * d
-    along = along / np.linalg.norm(along)
-    beside = np.cross(d, along)
-    if stroke >= 4:
-        along, beside, stroke = beside, along, stroke - 4
-    fade = eased(min(2 * stroke, 2 * (4 - stroke), 1))
-    shake = fade * squaring["shake_m"] * np.sin(2 * np.pi * squaring["shake_hz"] * time)
-    places = 0, squaring["reach_m"], -squaring["reach_m"], squaring["last_m"], 0
-    i = int(stroke)
-    place = places[i] + eased(stroke - i) * (places[i + 1] - places[i])
-    return lift + place * along + shake * beside
-
-
-def kept_at(skill, fraction, touching=True, felt=None, firmer=1.0, below=1.0):
-    """Directions and forces to press with at a fraction of the demonstrated time."""
-    for kept in skill["kept"]:
-        place = min(max(fraction, 0.0), 1.0) * (len(kept["force_N"]) - 1)
-        if (kept["met"] or touching) and kept["force_N"][int(place + 0.5)] > 0:
-            force = np.interp(place, np.arange(len(kept["force_N"])), kept["force_N"])
-            d = np.array(kept["direction"][int(place + 0.5)])
-            if felt is not None and kept["carries"]:
-                drags = np.linalg.norm(felt - felt @ d * d)
-                left = np.sqrt(max((below * skill["force_limit_N"]) ** 2 - drags**2, 0))
-                force = max(force, min(drags / kept["carries"], firmer * force, left))
-            yield d, force
-
-
-def pushed_at(skill, fraction):
-    """What is exerted besides, at a fraction of the demonstrated time."""
-    pushed = np.zeros(3)
-    for kept in skill["kept"]:
-        if rows := kept.get("pushed_N"):
-            place = min(max(fraction, 0.0), 1.0) * (len(rows) - 1)
-            before, after = (
-                np.array(rows[int(place)]),
-                np.array(rows[min(int(place) + 1, len(rows) - 1)]),
-            )
-            pushed = pushed + before + (place - int(place)) * (after - before)
-    return pushed
+def at_share(rows, share):
+    """One of the rows that are spread over a skill, linear in between."""
+    place = min(max(share, 0.0), 1.0) * (len(rows) - 1)
+    before, after = rows[int(place)], rows[min(int(place) + 1, len(rows) - 1)]
+    return before + place % 1 * (after - before)
 
 
 class Plan:
     def __init__(self, file, sensed):
         with open(file, encoding="utf-8") as text:
-            self.file = json.load(text)
-        self.e, self.skills = self.file["execution"], self.file["skills"]
-        self.h, self.shift, self.outcomes, self.sensed = self.e["step_s"], np.zeros(3), [], sensed
-        self.reference, self.rotated = (*sensed[:2], np.zeros(6)), np.array([1.0, 0, 0, 0])
-        self.begin(np.zeros(6))
+            self.file = json.load(text, object_pairs_hook=values)
+        self.n, self.h, self.k = self.file.execution, self.file.execution.step_s, self.file.gains
+        self.at, self.q, self.v, self.force = sensed
+        self.shift, self.outcomes, self.rotated = np.zeros(3), [], np.array([1.0, 0, 0, 0])
+        self.reference = self.at, self.q, REST
+        self.begin(REST)
         self.reference = self.follow()
 
     def step(self, sensed):
-        self.sensed, self.in_stage = sensed, self.in_stage + self.h
-        time, e = self.in_stage + 1e-9, self.e
+        """Take in what was sensed at the end of a tick: the next stage, where this one is over."""
+        self.at, self.q, self.v, self.force = sensed
+        self.time += self.h
+        time, n, s = self.time + 1e-9, self.n, self.s
         self.touch()
         if self.stage == "moving":
-            outcome = self.outcome(self.skill)
-            if outcome == "contact" and self.skill["press"]:
-                press = self.skill["press"]
-                firmly = max(press["force_N"], self.seat["press_N"] if self.seat else 0.0)
-                self.pressed = [*self.kept(1.0), (np.array(press["direction"]), firmly)]
+            outcome = self.outcome()
+            if outcome == "contact" and s.press:
+                firmly = max(s.press.force_N, self.seat.press_N if self.seat else 0.0)
+                self.pressed = [*self.kept(1.0, self.force), (s.press.direction, firmly)]
                 self.enter("pressing")
             elif outcome:
                 self.end(outcome, self.velocity)
         elif self.stage == "pressing":
-            still = np.linalg.norm(sensed[2][:3]) < e["still_m_s"]
-            pressed = time >= e["pressed_most_s"] or (time >= e["pressed_least_s"] and still)
-            if time >= e["seating_s"] if self.seat else pressed:
-                if self.is_in():
-                    self.end("contact", np.zeros(6))
-                else:
-                    self.yielded, self.strokes_from = np.zeros(3), sensed[0]
-                    if self.skill["squaring"]:
-                        off = self.skill["end_position_m"] + self.shift - sensed[0]
-                        self.aside = off - off @ (n := np.array(self.seat["normal"])) * n
-                    self.enter("searching")
-        elif self.stage == "searching" and self.is_in():
-            self.reference, self.searched = (*self.sensed[:2], np.zeros(6)), True
-            self.enter("pressing")
-        elif self.stage == "searching" and self.skill["search"] and time >= self.seat["duration_s"]:
-            self.end("timeout", np.zeros(6))
-        elif self.stage == "loading" and (time >= e["pressed_most_s"] or self.loaded()):
-            self.move(np.zeros(6))
-        elif self.stage == "resting" and time >= e["rest_s"]:
+            still = np.linalg.norm(self.v[:3]) < n.still_m_s
+            pressed = time >= n.pressed_most_s or (time >= n.pressed_least_s and still)
+            if (time >= n.seating_s if self.seat else pressed) and self.is_in():
+                self.end("contact")
+            elif self.seat and time >= n.seating_s:
+                off, self.yielded, self.moves_from = self.goes_to - self.at, np.zeros(3), self.at
+                self.aside = off - off @ self.seat.normal * self.seat.normal if s.squaring else 0
+                self.enter("searching")
+        elif self.stage == "searching":
+            if self.is_in():
+                self.reference, self.searched = (self.at, self.q, REST), True
+                self.enter("pressing")
+            elif s.search and time >= s.search.duration_s:
+                self.end("timeout")
+        elif self.stage == "loading" and (time >= n.pressed_most_s or self.is_loaded()):
+            self.move(REST)
+        elif self.stage == "resting" and time >= n.rest_s:
             self.stage = "over"
         self.reference = self.follow()
 
-    def kept(self, fraction, dragged=None):
-        felt, e = self.sensed[3] if dragged is None else dragged, self.e
-        firmer, below = e["gripped_firmer"], e["gripped_below"]
-        return list(kept_at(self.skill, fraction, self.touching(), felt, firmer, below))
-
-    def touching(self):
-        return np.linalg.norm(self.sensed[3]) > self.e["touching_N"]
-
     def enter(self, stage):
-        self.stage, self.in_stage, self.still = stage, 0.0, (*self.reference[:2], np.zeros(6))
-
-    def touch(self):
-        """Where the tool first touched what it is to go into, and whether it fell into it."""
-        if search := self.skill["search"]:
-            d, (at, _, _, force), e = (
-                np.array(self.skill["press"]["direction"]),
-                self.sensed,
-                self.e,
-            )
-            self.felt += e["touch_smoothed"] * (-force @ d - self.felt)
-            lasts = self.stage != "moving" and self.places
-            if self.felt - self.free < e["touch_N"] and not lasts:
-                self.places, self.fell = [], False
-                return
-            self.places.append(at @ d)
-            recent = self.places[-max(1, round(e["seat_fall_s"] / self.h)) :]
-            self.fell |= at @ d - min(recent) >= e["seat_fall"] * search["depth_m"]
-
-    def is_in(self):
-        if not self.seat:
-            return True
-        if self.skill["squaring"]:
-            return self.squared >= 10 * self.seat["stroke_s"]
-        place = self.sensed[0] @ np.array(self.skill["press"]["direction"])
-        deep = place - min(self.places, default=place)
-        least = 1.0 if self.fell else self.e["seat_crept"]
-        return deep >= least * self.skill["search"]["depth_m"]
-
-    def seek(self, position, orientation, velocity):
-        """A reference that the seat can turn, and that circles outwards during a search."""
-        q, search, h = self.sensed[1], self.skill["search"], self.h
-        d = np.array(self.skill["press"]["direction"])
-        if self.stage == "searching" and not search:
-            self.squared = self.in_stage
-            away = stroke_of(self.seat, self.aside, orientation, self.squared)
-            then = stroke_of(self.seat, self.aside, orientation, self.squared + h)
-            return self.strokes_from + away, orientation, np.r_[(then - away) / h, 0, 0, 0]
-        tips = search and not (self.stage == "pressing" and self.fell)
-        easily = self.e["seat_turning" if tips else "squared_turning"]
-        orientation = turned(q, easily * turn(orientation, q, True))
-        first = np.cross(d, np.eye(3)[np.abs(d).argmin()])
-        first = first / np.linalg.norm(first)
-        if self.stage == "pressing":
-            t, e = self.in_stage, self.e
-            left = max(0.0, e["seating_s"] - e["rocking_calm_s"] - t)
-            share = min(1.0, t / e["rocking_faded_s"], left / e["rocking_faded_s"])
-            a = 2 * np.pi * e["rocking_hz"] * t
-            axis = np.cos(a) * first + np.sin(a) * np.cross(d, first)
-            orientation = turned(orientation, share * e["rocking_rad"] * axis)
-            off = position - self.sensed[0]
-            along = off @ d * d
-            position = self.sensed[0] + along + self.e["seat_giving"] * (off - along)
-        else:
-            done = min(2 * self.in_stage / search["duration_s"], 2.0)
-            share = (1 - abs(1 - done)) ** 0.5
-            angle = 2 * np.pi * search["turns"] * (share if done < 1 else 2 - share)
-            aside = np.cos(angle) * first + np.sin(angle) * np.cross(d, first)
-            position = position + search["radius_m"] * share * aside - self.yielded
-            off, felt = (v - v @ d * d for v in (position - self.sensed[0], self.sensed[3]))
-            size, most = np.linalg.norm(felt), self.e["seat_yields"] * search["press_N"]
-            if size > most:
-                beyond = (1 - most / size) * off
-                position, self.yielded = position - beyond, self.yielded + beyond
-        return position, orientation, velocity
+        self.stage, self.time, self.still = stage, 0.0, (*self.reference[:2], REST)
 
     def begin(self, velocity):
-        self.skill, self.searched = self.skills[len(self.outcomes)], False
-        if self.skill["connecting"]:
-            self.shift, self.rotated = 0 * self.shift, np.array([1.0, 0, 0, 0])
-        self.seat, self.squared = self.skill["search"] or self.skill["squaring"], 0.0
-        if self.skill["search"]:
-            self.places, self.fell = [], False
-            self.felt = self.free = -self.sensed[3] @ np.array(self.skill["press"]["direction"])
-        self.pressed = list(kept_at(self.skill, 0.0))
-        self.enter("loading") if not self.loaded() else self.move(velocity)
+        self.s = s = self.file.skills[len(self.outcomes)]
+        if s.connecting:
+            self.shift, self.rotated = np.zeros(3), np.array([1.0, 0, 0, 0])
+        self.goes_to, self.seat = s.end_position_m + self.shift, s.search or s.squaring
+        self.searched, self.squared, self.places, self.fell = False, 0.0, [], False
+        self.felt = self.free = -self.force @ s.press.direction if s.search else 0.0
+        self.pressed = self.kept(0.0)
+        self.move(velocity) if self.is_loaded() else self.enter("loading")
 
-    def loaded(self):
-        e, force = self.e, self.sensed[3]
-        least = [max(e["loaded_within"] * f, e["loaded_within_N"]) for _, f in self.pressed]
-        return all(abs(f + force @ d) <= w for (d, f), w in zip(self.pressed, least, strict=True))
+    def is_loaded(self):
+        n = self.n
+        least = [max(n.loaded_within * f, n.loaded_within_N) for _, f in self.pressed]
+        missing = [abs(f + self.force @ d) for d, f in self.pressed]
+        return all(m <= most for m, most in zip(missing, least, strict=True))
 
-    def move(self, velocity):
-        skill, (y, q, _, force) = self.skill, self.sensed
-        p, c, needs = skill["primitive"], skill["primitive"]["constants"], skill["precondition"]
-        start_q, self.tau0 = np.array(p["start_orientation_wxyz"]), p["duration_s"] / 3
-        q = q if q @ start_q >= 0 else -q
-        self.goal = np.array(p["goal_position_m"]) + self.shift
-        self.goal_q = q
-        if p["oriented"]:
-            near = np.array(p["goal_orientation_wxyz"])
-            self.goal_q = times(self.rotated, near)
-            self.goal_q = self.goal_q if self.goal_q @ near >= 0 else -self.goal_q
-        left = np.r_[self.goal - y, turn(self.goal_q, q)]
-        shown = np.subtract(p["goal_position_m"], p["start_position_m"])
-        shown = np.r_[shown, turn(np.array(p["goal_orientation_wxyz"]), start_q)]
-        scaled, self.W = np.array(p["scaled"]), np.array(p["weights"])
-        self.scale = np.where(scaled, left, 1.0)
-        self.hold = np.where(scaled, 0.0, c["alpha_z"] * c["beta_z"] * (left - shown))
-        self.C, self.D = np.array(p["centres"]), np.array(p["widths"])
-        self.x, self.tau, self.y, self.q, self.z = 1.0, self.tau0, y, q, velocity * self.tau0
-        self.error, self.yr, self.qr, self.vr = np.zeros(6), *self.reference[:2], velocity
-        self.level, self.start_force, self.armed = None, force, False
-        self.over = self.beyond = self.stalled = self.best = self.done = 0.0
-        self.furthest, self.pressed, self.dragged = -np.inf, self.kept(0.0), force
-        self.pushed = self.touching() * pushed_at(skill, 0.0)
-        self.enter("moving")
-        away = np.linalg.norm(y - self.shift - needs["position_m"]) if needs else 0.0
-        if needs and (
-            away > needs["position_tolerance_m"]
-            or (
-                needs["orientation_wxyz"]
-                and np.linalg.norm(turn(np.array(needs["orientation_wxyz"]), q, True))
-                > needs["rotation_tolerance_rad"]
-            )
-            or any(-force @ np.array(k["direction"]) < k["least_N"] for k in needs["contacts"])
-        ):
-            self.end("not ready", np.zeros(6))
-
-    def end(self, outcome, velocity):
-        skill, ended = self.skill, self.sensed[0]
-        if outcome == "contact" and skill["shift_beyond_m"] is not None:
-            press = skill["press"] or {
-                "direction": skill["travel_direction"],
-                "position_m": skill["end_position_m"],
-            }
-            d = np.array(press["direction"])
-            missing = (ended - self.shift - press["position_m"]) @ d
-            self.shift = self.shift + d * missing * (abs(missing) > skill["shift_beyond_m"])
+    def end(self, outcome, velocity=REST):
+        s = self.s
+        if outcome == "contact" and s.shift_beyond_m is not None:
+            d, there = s.travel_direction, s.end_position_m
+            d, there = (s.press.direction, s.press.position_m) if s.press else (d, there)
+            missing = (self.at - self.shift - there) @ d
+            self.shift = self.shift + d * missing * (abs(missing) > s.shift_beyond_m)
         if outcome == "contact" and self.seat:
-            self.rotated = times(
-                self.sensed[1], np.array(skill["end_orientation_wxyz"]) * [1, -1, -1, -1]
-            )
-            if self.searched:
-                self.shift = ended - skill["press"]["position_m"]
+            self.rotated = times(self.q, s.end_orientation_wxyz * [1, -1, -1, -1])
+            self.shift = self.at - s.press.position_m if self.searched else self.shift
         self.outcomes.append(outcome)
         if outcome not in ("reached", "contact"):
-            self.reference, self.pressed = (*self.sensed[:2], np.zeros(6)), []
+            self.reference, self.pressed = (self.at, self.q, REST), []
             self.enter("resting")
-        elif len(self.outcomes) == len(self.skills):
-            self.pressed = (self.stage == "pressing" and self.pressed) or self.kept(1.0)
+        elif len(self.outcomes) == len(self.file.skills):
+            here = self.pressed if self.stage == "pressing" else []
+            self.pressed = here or self.kept(1.0, self.force)
             self.enter("resting")
         else:
             self.begin(velocity)
 
+    # What is pressed
+
+    def kept(self, share, dragged=None):
+        """Directions and forces to press with at a share of the demonstrated time."""
+        pressed, n = [], self.n
+        for kept in self.s.kept:
+            near = int(min(max(share, 0.0), 1.0) * (len(kept.force_N) - 1) + 0.5)
+            if kept.force_N[near] > 0 and (kept.met or dragged is None or self.touches()):
+                d, force = kept.direction[near], at_share(kept.force_N, share)
+                if kept.carries and dragged is not None:
+                    drags = np.linalg.norm(dragged - dragged @ d * d)
+                    most = (n.gripped_below * self.s.force_limit_N) ** 2 - drags**2
+                    grip = drags / kept.carries, n.gripped_firmer * force, max(most, 0) ** 0.5
+                    force = max(force, min(grip))
+                pressed.append((d, force))
+        return pressed
+
+    def pushed_at(self, share):
+        rows = [at_share(kept.pushed_N, share) for kept in self.s.kept if kept.pushed_N is not None]
+        return np.sum([np.zeros(3), *rows], axis=0) * self.touches()
+
+    def touches(self):
+        return np.linalg.norm(self.force) > self.n.touching_N
+
+    def press(self, at, q, v):
+        wanted = at
+        for d, force in self.pressed:
+            here = self.at @ d + force / self.k.stiffness_N_m
+            wanted = wanted + (min(here, at @ d + self.n.followed_beyond_m) - wanted @ d) * d
+        return wanted, q, v
+
+    # Where a part goes in
+
+    def touch(self):
+        """Where the tool first touched what it is to go into, and whether it fell into it."""
+        if not self.s.search:
+            return
+        d, n = self.s.press.direction, self.n
+        self.felt += n.touch_smoothed * (-self.force @ d - self.felt)
+        if self.felt - self.free < n.touch_N and not (self.stage != "moving" and self.places):
+            self.places, self.fell = [], False
+            return
+        self.places.append(self.at @ d)
+        recent = self.places[-max(1, round(n.seat_fall_s / self.h)) :]
+        self.fell |= self.at @ d - min(recent) >= n.seat_fall * self.s.search.depth_m
+
+    def is_in(self):
+        if self.s.search:
+            place = self.at @ self.s.press.direction
+            least = self.s.search.depth_m * (1.0 if self.fell else self.n.seat_crept)
+            return place - min(self.places, default=place) >= least
+        return not self.seat or self.squared >= 10 * self.seat.stroke_s
+
+    def seek(self, at, q, v):
+        """A reference that the seat can move and turn; a search goes along the file's moves."""
+        moves, tick, d, n = self.s.moves, round(self.time / self.h), self.s.press.direction, self.n
+        if self.stage == "searching" and self.s.squaring:
+            self.squared = self.time
+            now, then = (moves.aside_m[min(tick + i, len(moves.aside_m) - 1)] for i in (0, 1))
+            now, then = (row[:3] + row[3] * self.aside for row in (now, then))
+            return self.moves_from + now, q, np.r_[(then - now) / self.h, 0, 0, 0]
+        tips = self.s.search and not (self.stage == "pressing" and self.fell)
+        left = n.seat_turning if tips else n.squared_turning
+        q = turned(self.q, left * turn(q, self.q))
+        if self.stage == "pressing":
+            off = at - self.at
+            at = at - (1 - n.seat_giving) * (off - off @ d * d)
+            return at, turned(q, moves.rocked_rad[min(tick, len(moves.rocked_rad) - 1)]), v
+        at = at + moves.aside_m[min(tick, len(moves.aside_m) - 1)][:3] - self.yielded
+        off, felt = (u - u @ d * d for u in (at - self.at, self.force))
+        size, most = np.linalg.norm(felt), n.seat_yields * self.seat.press_N
+        beyond = (1 - most / size) * off if size > most else 0 * off
+        self.yielded = self.yielded + beyond
+        return at - beyond, q, v
+
+    # How it moves: a dynamical movement primitive with temporal coupling
+
+    def move(self, velocity):
+        s, p, c, (y, q) = self.s, self.s.primitive, self.s.primitive.constants, (self.at, self.q)
+        q = q if q @ p.start_orientation_wxyz >= 0 else -q
+        self.goal, self.goal_q = p.goal_position_m + self.shift, q
+        if p.oriented:
+            self.goal_q = times(self.rotated, p.goal_orientation_wxyz)
+            self.goal_q = self.goal_q * (1 if self.goal_q @ p.goal_orientation_wxyz >= 0 else -1)
+        left = np.r_[self.goal - y, turn(self.goal_q, q, False)]
+        shown = turn(p.goal_orientation_wxyz, p.start_orientation_wxyz, False)
+        shown = np.r_[p.goal_position_m - p.start_position_m, shown]
+        self.scale = np.where(p.scaled, left, 1.0)
+        self.hold = np.where(p.scaled, 0.0, c.alpha_z * c.beta_z * (left - shown))
+        self.tau0 = self.tau = p.duration_s / 3
+        self.x, self.y, self.yq, self.z, self.error = 1.0, y, q, velocity * self.tau, REST
+        (self.yr, self.qr, _), self.vr = self.reference, velocity
+        self.level, self.first_force, self.armed, self.furthest = None, self.force, False, -np.inf
+        self.over = self.beyond = self.stalled = self.best = self.done = 0.0
+        self.pressed, self.dragged = self.kept(0.0, self.force), self.force
+        self.pushed = self.pushed_at(0.0)
+        self.enter("moving")
+        if not self.is_ready(s.precondition):
+            self.end("not ready")
+
+    def is_ready(self, needs):
+        if not needs:
+            return True
+        away, q = self.at - self.shift - needs.position_m, needs.orientation_wxyz
+        turns = 0.0 if q is None else np.linalg.norm(turn(q, self.q))
+        return (
+            np.linalg.norm(away) <= needs.position_tolerance_m
+            and turns <= needs.rotation_tolerance_rad
+            and all(-self.force @ held.direction >= held.least_N for held in needs.contacts)
+        )
+
     def follow(self):
         """The reference for the next tick."""
+        s, h, n, at, v = self.s, self.h, self.n, self.at, self.v
         if self.stage != "moving":
-            at = self.press(*self.still)
             seeks = self.seat and self.stage in ("pressing", "searching")
-            return self.seek(*at) if seeks else at
-        c, h, (at, wxyz, speed, _) = self.skill["primitive"]["constants"], self.h, self.sensed
-        self.slow(self.skill["guard"], c)
+            return self.seek(*self.press(*self.still)) if seeks else self.press(*self.still)
+        c, self.tau = s.primitive.constants, self.slowed(s.guard, s.primitive.constants)
         for d, _ in self.pressed:
             at = at + (self.y - at) @ d * d
-            speed = speed + np.r_[(self.vr[:3] - speed[:3]) @ d * d, 0, 0, 0]
-        first = None
-        for _ in range(
-            parts := max(
-                1, int(np.ceil(c["alpha_z"] * h / self.tau / self.e["largest_step"] - 1e-9))
-            )
-        ):
-            acceleration = self.advance(c, h / parts, at, wxyz, speed)
-            first = acceleration if first is None else first
-        self.vr = self.vr + h * first
-        away, far = within(self.yr + h * self.vr[:3] - at, self.e["reach_m"])
-        rotation = turn(turned(self.qr, h * self.vr[3:]), wxyz, True)
-        rotation, wide = within(rotation, self.e["reach_rad"])
-        self.vr = np.where([far] * 3 + [wide] * 3, speed, self.vr)
-        self.yr, self.qr = at + away, turned(wxyz, rotation)
-        self.done = -np.log(self.x) / (3 * c["alpha_x"])
-        self.pressed, span = [], self.skill["demonstrated_s"]
-        if span and self.skill["kept"]:
-            shown = self.done * self.skill["primitive"]["duration_s"] / (span[1] - span[0])
-            share = min(h / self.e["dragged_s"], 1.0)
-            self.dragged = self.dragged + share * (self.sensed[3] - self.dragged)
-            self.pressed = self.kept(min(shown, 1.0), self.dragged)
-            pushed = self.touching() * pushed_at(self.skill, min(shown, 1.0))
-            self.pushed = self.pushed + min(h / self.e.get("pushed_s", h), 1.0) * (
-                pushed - self.pushed
-            )
-        at, wxyz, self.velocity = self.press(self.yr, self.qr, self.vr)
-        at = at + self.pushed / self.file["gains"]["stiffness_N_m"]
-        return self.softly(at, wxyz, self.velocity)
+            v = v + np.r_[(self.vr[:3] - v[:3]) @ d * d, 0, 0, 0]
+        parts = max(1, int(np.ceil(c.alpha_z * h / self.tau / n.largest_step - 1e-9)))
+        accelerations = [self.advance(c, h / parts, at, v) for _ in range(parts)]
+        self.vr = self.vr + h * accelerations[0]
+        away, far = within(self.yr + h * self.vr[:3] - at, n.reach_m)
+        rotation, wide = within(turn(turned(self.qr, h * self.vr[3:]), self.q), n.reach_rad)
+        self.vr = np.where([far] * 3 + [wide] * 3, v, self.vr)
+        self.yr, self.qr = at + away, turned(self.q, rotation)
+        self.done, self.pressed = -np.log(self.x) / (3 * c.alpha_x), []
+        span = s.demonstrated_s
+        share = span is not None and min(self.done * s.primitive.duration_s / np.ptp(span), 1.0)
+        if len(s.kept) and span is not None:
+            self.dragged = self.dragged + min(h / n.dragged_s, 1) * (self.force - self.dragged)
+            self.pressed = self.kept(share, self.dragged)
+            pushed = self.pushed_at(share) - self.pushed
+            self.pushed = self.pushed + min(h / n.pushed_s, 1) * pushed
+        at, q, self.velocity = self.press(self.yr, self.qr, self.vr)
+        return self.softly(at + self.pushed / self.k.stiffness_N_m, q, self.velocity, share)
 
-    def softly(self, position, orientation, velocity):
-        """A reference so near to the tool that a part of the stiffness is left, and its damping."""
-        spread, (at, _, speed, _) = self.skill.get("spread"), self.sensed
-        if not spread or "stiffness" not in spread:
-            return position, orientation, velocity
-        span = self.skill["demonstrated_s"]
-        share = min(self.done * self.skill["primitive"]["duration_s"] / (span[1] - span[0]), 1.0)
-        parts = spread["stiffness"]
-        left = np.interp(share, np.linspace(0, 1, len(parts)), parts)
-        firm = [d for d, _ in self.pressed]
-        firm += [np.array(self.skill["travel_direction"])] if self.skill["travel_direction"] else []
-        across = np.eye(3)
-        if firm:
-            _, size, spanned = np.linalg.svd(firm)
-            across -= (kept := spanned[: len(size)][size > 0.01]).T @ kept
-        position = position - (1 - left) * across @ (position - at)
-        slower = (1 - np.sqrt(left)) * across @ (velocity - speed)[:3]
-        return position, orientation, velocity - np.r_[slower, 0, 0, 0]
+    def slowed(self, guard, c):
+        """The time constant, stretched to the speed that is allowed before the contact."""
+        if not guard:
+            return self.tau
+        ahead = (self.goes_to - self.y) @ self.s.travel_direction - guard.stretch_m
+        allowed = np.sqrt(guard.speed_m_s**2 + 2 * self.n.brake_m_s2 * max(ahead, 0.0))
+        tau = self.tau0 * max(1.0, np.linalg.norm(self.z[:3]) / self.tau0 / allowed)
+        change = self.z * (1 / tau - 1 / self.tau) / (1 + c.k_c * self.error @ self.error)
+        self.vr = self.vr + change
+        return tau
 
-    def advance(self, c, h, at, wxyz, speed):
-        """One step of the primitive with temporal coupling; the reference acceleration."""
-        left = np.r_[self.goal - self.y, turn(self.goal_q, self.q)]
-        psi = np.exp(-0.5 * self.D * (self.x - self.C) ** 2)
-        force = self.x * (psi @ self.W / (psi.sum() + 1e-10) * self.scale - self.hold)
-        away = np.r_[at - self.y, turn(wxyz, self.q, True)]
-        rate = c["alpha_e"] * (
-            np.r_[1, 1, 1, np.full(3, c["rotation_weight_m"])] * away - self.error
-        )
-        tau_rate = 2 * c["k_c"] * self.tau * (self.error @ rate)
-        tau = self.tau * (1 + c["k_c"] * self.error @ self.error)
-        z_rate = (c["alpha_z"] * (c["beta_z"] * left - self.z) + force) / tau
+    def advance(self, c, h, at, v):
+        """One step of the primitive; the reference acceleration."""
+        p, left = self.s.primitive, np.r_[self.goal - self.y, turn(self.goal_q, self.yq, False)]
+        psi = np.exp(-0.5 * p.widths * (self.x - p.centres) ** 2)
+        force = self.x * (psi @ p.weights / (psi.sum() + 1e-10) * self.scale - self.hold)
+        away = np.r_[at - self.y, turn(self.q, self.yq)]
+        rate = c.alpha_e * (np.r_[np.ones(3), np.full(3, c.rotation_weight_m)] * away - self.error)
+        tau = self.tau * (1 + c.k_c * self.error @ self.error)
+        tau_rate = 2 * c.k_c * self.tau * (self.error @ rate)
+        z_rate = (c.alpha_z * (c.beta_z * left - self.z) + force) / tau
         acceleration = (z_rate - tau_rate / tau * self.z) / tau
-        acceleration = acceleration + c["k_v"] * (self.z / tau - speed) - c["k_p"] * away
-        self.z, self.x = self.z + h * z_rate, self.x * np.exp(-c["alpha_x"] * h / tau)
-        self.y, self.q = self.y + h * self.z[:3] / tau, turned(self.q, h * self.z[3:] / tau)
+        acceleration = acceleration + c.k_v * (self.z / tau - v) - c.k_p * away
+        self.z, self.x = self.z + h * z_rate, self.x * np.exp(-c.alpha_x * h / tau)
+        self.y, self.yq = self.y + h * self.z[:3] / tau, turned(self.yq, h * self.z[3:] / tau)
         self.error = self.error + h * rate
         return acceleration
 
-    def slow(self, guard, c):
-        """Time stretched to the speed that is allowed before the contact."""
-        if guard:
-            ahead = (self.skill["end_position_m"] + self.shift - self.y) @ self.skill[
-                "travel_direction"
-            ]
-            brake = 2 * self.e["brake_m_s2"] * max(ahead - guard["stretch_m"], 0.0)
-            allowed = np.sqrt(guard["speed_m_s"] ** 2 + brake)
-            tau = self.tau0 * max(1.0, np.linalg.norm(self.z[:3]) / self.tau0 / allowed)
-            change = self.z * (1 / tau - 1 / self.tau) / (1 + c["k_c"] * self.error @ self.error)
-            self.vr, self.tau = self.vr + change, tau
+    def softly(self, at, q, v, share):
+        """Nearer to the tool, where demonstrations lay apart: less stiff, as well damped."""
+        spread, s = self.s.get("spread"), self.s
+        if not spread:
+            return at, q, v
+        left, across = at_share(spread.stiffness, share), np.eye(3)
+        firm = [d for d, _ in self.pressed]
+        firm += [] if s.travel_direction is None else [s.travel_direction]
+        if firm:
+            _, size, spanned = np.linalg.svd(firm)
+            across -= (kept := spanned[: len(size)][size > 0.01]).T @ kept
+        slower = (1 - np.sqrt(left)) * across @ (v - self.v)[:3]
+        return at - (1 - left) * across @ (at - self.at), q, v - np.r_[slower, 0, 0, 0]
 
-    def press(self, position, orientation, velocity):
-        at = position
-        for d, force in self.pressed:
-            here = self.sensed[0] @ d + force / self.file["gains"]["stiffness_N_m"]
-            at = at + (min(here, position @ d + self.e["followed_beyond_m"]) - at @ d) * d
-        return at, orientation, velocity
+    # When it is over
 
-    def outcome(self, skill):
+    def outcome(self):
         """How the skill has ended, if it has."""
-        (at, wxyz, _, force), e, end, h = self.sensed, self.e, skill["end_condition"], self.h
-        at, arming, travel = at - self.shift, skill["arming"], skill["travel_direction"]
-        beyond = (at - skill["end_position_m"]) @ travel if travel else 0.0
-        unexpected = np.linalg.norm(force - self.start_force) > skill["force_limit_N"]
+        s, n, end, h, travel = self.s, self.n, self.s.end_condition, self.h, self.s.travel_direction
+        off = self.at - self.goes_to
+        beyond, done = (0.0 if travel is None else off @ travel), min(self.done, 1.0)
+        change, felt = (np.linalg.norm(f) for f in (self.force - self.first_force, self.force))
+        unexpected = change > s.force_limit_N and felt > n.fell_away * change
         self.beyond = self.beyond + h if unexpected else 0.0
-        done = min(self.done, 1.0)
         self.stalled += h
-        if beyond >= self.furthest + e["progress_m"] or done >= self.best + e["progress_fraction"]:
+        if beyond >= self.furthest + n.progress_m or done >= self.best + n.progress_fraction:
             self.stalled, self.best, self.furthest = 0.0, done, max(beyond, self.furthest)
-        if end["kind"] == "contact":
-            along = force @ np.array(end["direction"])
-            if self.level is None:
-                self.level = self.start_force @ np.array(end["direction"])
-            motion_s = self.done * skill["primitive"]["duration_s"]
-            near = beyond >= -arming["within_m"] and motion_s >= arming["after_s"] - 1e-6
-            self.armed = self.armed or near
-            if not self.armed:
-                self.level += min(h / arming["level_s"], 1.0) * (along - self.level)
-            self.over = (
-                self.over + h if self.armed and along - self.level > end["threshold_N"] else 0.0
-            )
-            if self.over >= arming["debounce_s"] - 1e-9:
-                return "contact"
-        if self.beyond >= skill["debounce_s"] - 1e-9:
+        if end.kind == "contact" and self.is_met(end, beyond):
+            return "contact"
+        if self.beyond >= s.debounce_s - 1e-9:
             return "unexpected contact"
-        if beyond > skill["travel_limit_m"]:
+        if beyond > s.travel_limit_m:
             return "too far"
-        if end["kind"] == "configuration" and self.done >= 1.0:
-            q = np.array(skill["end_orientation_wxyz"])
-            near = np.linalg.norm(at - skill["end_position_m"]) <= end["position_tolerance_m"]
-            if near and (
-                not skill["primitive"]["oriented"]
-                or np.linalg.norm(turn(q, wxyz, True)) <= end["rotation_tolerance_rad"]
-            ):
+        if end.kind == "configuration" and self.done >= 1.0:
+            wide = np.linalg.norm(turn(s.end_orientation_wxyz, self.q)) * s.primitive.oriented
+            near = np.linalg.norm(off) <= end.position_tolerance_m
+            if near and wide <= end.rotation_tolerance_rad:
                 return "reached"
-        return "timeout" if self.stalled >= skill["timeout_s"] else ""
+        return "timeout" if self.stalled >= s.timeout_s else ""
+
+    def is_met(self, end, beyond):
+        """Whether the force has risen by the threshold for long enough, near the contact."""
+        arming, along = self.s.arming, self.force @ end.direction
+        self.level = self.first_force @ end.direction if self.level is None else self.level
+        late = self.done * self.s.primitive.duration_s >= arming.after_s - 1e-6
+        self.armed = self.armed or (late and beyond >= -arming.within_m)
+        if not self.armed:
+            self.level += min(self.h / arming.level_s, 1.0) * (along - self.level)
+        rises = self.armed and along - self.level > end.threshold_N
+        self.over = self.over + self.h if rises else 0.0
+        return self.over >= arming.debounce_s - 1e-9

@@ -108,17 +108,17 @@ def giving(
     along = float(off.dot(direction)) * direction
     position = sensed.position_m + along + GIVING * (off - along)
     turned = turned_easily(reference, sensed, seeking.turning)
-    wxyz = quaternions.product(_rocked(direction, time_s), turned.orientation_wxyz)
+    rock = quaternions.from_rotation_vector(rocked(direction, time_s))
+    wxyz = quaternions.product(rock, turned.orientation_wxyz)
     return changed(turned, position_m=position, orientation_wxyz=wxyz)
 
 
-def _rocked(direction: Array, time_s: float) -> Array:
-    """By which rotation (4,) the tool is tilted, about an axis that goes around the press."""
+def rocked(direction: Array, time_s: float) -> Array:
+    """Rotation vector (3,) by which the tool is tilted: its axis goes around the press."""
     share = min(1.0, time_s / FADED_S, max(0.0, SEATING_S - CALM_S - time_s) / FADED_S)
     first, second = across(direction)
     angle = 2.0 * np.pi * ROCKING_HZ * time_s
-    axis = np.cos(angle) * first + np.sin(angle) * second
-    return quaternions.from_rotation_vector(share * ROCKING_RAD * axis)
+    return share * ROCKING_RAD * (np.cos(angle) * first + np.sin(angle) * second)
 
 
 def turned_easily(reference: Reference, sensed: Sensed, left: float) -> Reference:

@@ -7,8 +7,9 @@ from keyphase.demonstration import Array
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.skills import search
 from keyphase.skills.coupling import MAX_STEP, REFERENCE_REACH
-from keyphase.skills.end_monitor import PROGRESS_FRACTION, PROGRESS_M, REACHED_AFTER
+from keyphase.skills.end_monitor import FELL_AWAY, PROGRESS_FRACTION, PROGRESS_M, REACHED_AFTER
 from keyphase.skills.execution import executor, guard, pressing, seeking, squared
+from keyphase.skills.exports.moves import moves_of
 from keyphase.skills.exports.skill_library import SkillLibrary
 from keyphase.skills.precondition import Precondition
 from keyphase.skills.pressed import KeptForce
@@ -39,6 +40,7 @@ def execution_values() -> dict[str, float]:
         "reached_after": REACHED_AFTER,
         "progress_fraction": PROGRESS_FRACTION,
         "progress_m": PROGRESS_M,
+        "fell_away": FELL_AWAY,
         "pressed_least_s": executor.PRESSED_S[0],
         "pressed_most_s": executor.PRESSED_S[1],
         "still_m_s": executor.STILL_M_S,
@@ -57,10 +59,6 @@ def execution_values() -> dict[str, float]:
         "seat_turning": seeking.TURNING,
         "squared_turning": squared.FLATTENING,
         "seating_s": seeking.SEATING_S,
-        "rocking_rad": seeking.ROCKING_RAD,
-        "rocking_hz": seeking.ROCKING_HZ,
-        "rocking_faded_s": seeking.FADED_S,
-        "rocking_calm_s": seeking.CALM_S,
         "seat_fall_s": search.FALL_S,
         "seat_fall": search.FALL_SHARE,
         "seat_crept": search.CREPT_SHARE,
@@ -99,6 +97,7 @@ def _skill(skill: Skill) -> dict[str, Any]:
         "shift_beyond_m": skill.shift_beyond_m,
         "search": None if skill.search is None else asdict(skill.search),
         "squaring": _squaring(skill.squaring),
+        "moves": moves_of(skill),
         "primitive": _primitive(skill.primitive),
         **_spread(skill.spread),
     }
@@ -119,7 +118,8 @@ def _spread(spread: Spread | None) -> dict[str, Any]:
 def _squaring(squaring: Squaring | None) -> dict[str, Any] | None:
     if squaring is None:
         return None
-    return {**asdict(squaring), "normal": list(squaring.normal)}
+    directions = {"normal": list(squaring.normal), "along": list(squaring.along)}
+    return {**asdict(squaring), **directions}
 
 
 def _guard(skill: Skill) -> dict[str, float] | None:

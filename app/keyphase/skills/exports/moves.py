@@ -1,0 +1,48 @@
+"""How a tool moves while it presses and seeks, tick by tick, for whoever executes a skill file.
+
+What an executor computes of a seat's search, of the strokes of a squaring and of the rocking of
+both is the same in every run: the file states it, so that nobody has to compute it again.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from keyphase.demonstration import Array
+from keyphase.skills.execution.executor import STEP_S
+from keyphase.skills.execution.seeking import SEATING_S, rocked
+from keyphase.skills.skill import Skill
+
+_DECIMALS = 9
+
+
+def moves_of(skill: Skill) -> dict[str, Any] | None:
+    """For each tick of a stage; None for a skill that neither seeks nor squares.
+
+    rocked_rad  (N, 3) rotation vector by which the tool is tilted while it presses
+    aside_m     (M, 4) how far it is moved while it seeks or squares, and how much of the way is
+                done to where the strokes go around: 0 to 1
+    """
+    if skill.press is None or (skill.search is None and skill.squaring is None):
+        return None
+    direction = skill.press.direction
+    rocking = [rocked(direction, time) for time in _ticks(SEATING_S)]
+    return {"rocked_rad": _rounded(rocking), "aside_m": _rounded(_aside(skill, direction))}
+
+
+def _aside(skill: Skill, direction: Array) -> list[Array]:
+    if skill.squaring is not None:
+        squaring = skill.squaring
+        times = _ticks(squaring.strokes_s)
+        return [np.append(squaring.away(t), squaring.approached(t)) for t in times]
+    assert skill.search is not None
+    search = skill.search
+    return [np.append(search.aside(direction, t), 0.0) for t in _ticks(search.duration_s)]
+
+
+def _ticks(duration_s: float) -> Array:
+    return STEP_S * np.arange(round(duration_s / STEP_S) + 2)
+
+
+def _rounded(rows: list[Array]) -> list[list[float]]:
+    return np.round(np.array(rows), _DECIMALS).tolist()
