@@ -42,11 +42,11 @@ def test_nothing_jumps() -> None:
     assert np.abs(np.diff(speed)).max() < 0.02
 
 
-def test_the_sides_are_those_of_the_tool_first_across_the_way_it_is_carried() -> None:
+def test_the_sides_are_those_of_the_tool_first_along_the_way_it_is_carried() -> None:
     turn = np.radians(30.0)
     wxyz = np.array([0.0, np.cos(turn / 2), np.sin(turn / 2), 0.0])
-    first = np.array(squaring_at(DOWN, wxyz, np.array([0.0, 0.1, 0.0])).along)
-    other = np.array(squaring_at(DOWN, wxyz, np.array([0.1, 0.0, 0.0])).along)
+    first = np.array(squaring_at(DOWN, wxyz, np.array([0.1, 0.0, 0.0])).along)
+    other = np.array(squaring_at(DOWN, wxyz, np.array([0.0, 0.1, 0.0])).along)
     assert np.abs(first[:2]) == pytest.approx([np.cos(turn), np.sin(turn)])
     assert abs(first @ other) < 1e-12
     assert abs(first @ DOWN) < 1e-12

@@ -86,15 +86,15 @@ class Squaring:
 def squaring_at(normal: Array, wxyz: Array, carried: Array) -> Squaring:
     """How a part is squared that the tool holds in an orientation (4,), as it is gripped square.
 
-    The first strokes go across the way (3,) that it is `carried` afterwards: along the tool's x or
-    y axis, made square to the normal (3,).
+    The first strokes go along the way (3,) that it is `carried` afterwards: the tool's x or y axis,
+    made square to the normal (3,).
     """
     axes = (_turned(wxyz, axis) for axis in np.eye(3)[:2])
     beside = min(axes, key=lambda axis: abs(float(axis.dot(normal))))
     first = beside - float(beside.dot(normal)) * normal
     first = first / np.linalg.norm(first)
     second = np.asarray(np.cross(normal, first), dtype=np.float64)
-    along = min((first, second), key=lambda axis: abs(float(axis.dot(carried))))
+    along = max((first, second), key=lambda axis: abs(float(axis.dot(carried))))
     return Squaring(_triple(normal), _triple(along))
 
 
