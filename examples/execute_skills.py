@@ -286,9 +286,8 @@ class Plan:
         """The time constant, stretched to the speed that is allowed before the contact."""
         if not guard:
             return self.tau
-        ahead = (guard.contact_m + self.shift - self.y) @ guard.direction
-        away = (-ahead if guard.departs else ahead) - guard.stretch_m
-        allowed = np.sqrt(guard.speed_m_s**2 + 2 * self.n.brake_m_s2 * max(away, 0.0))
+        ahead = (self.goes_to - self.y) @ self.s.travel_direction - guard.stretch_m
+        allowed = np.sqrt(guard.speed_m_s**2 + 2 * self.n.brake_m_s2 * max(ahead, 0.0))
         tau = self.tau0 * max(1.0, np.linalg.norm(self.z[:3]) / self.tau0 / allowed)
         change = self.z * (1 / tau - 1 / self.tau) / (1 + c.k_c * self.error @ self.error)
         self.vr = self.vr + change

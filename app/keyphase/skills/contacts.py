@@ -86,24 +86,9 @@ def with_contacts(demonstration: Demonstration, skills: Sequence[Skill]) -> tupl
                 shift_beyond_m=beyond,
                 precondition=precondition_of(skill.primitive, keeps),
                 search=_search(demonstration, skill, press),
-                sets_off=_sets_off(done[-1] if done else None, keeps),
             )
         )
     return tuple(_squared(skill, done[place + 1 :]) for place, skill in enumerate(done))
-
-
-def _sets_off(
-    before: Skill | None, keeps: Sequence[KeptForce]
-) -> tuple[float, float, float] | None:
-    """The way of a contact that a carried part is moved on against; None where there is none."""
-    if (
-        before is None
-        or before.press is not None
-        or not isinstance(before.end_condition, ContactEnd)
-    ):
-        return None
-    carries = any(kept.carries is not None for kept in keeps)
-    return before.travel_direction if carries and not before.end_condition.release else None
 
 
 def _squared(skill: Skill, following: Sequence[Skill]) -> Skill:

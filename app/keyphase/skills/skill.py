@@ -42,7 +42,6 @@ class Skill:
     precondition          what must hold before it runs
     search                how a contact that gave way is told from a rim, and sought, if at all
     squaring              how a part put on what it then carries along is squared there, if at all
-    sets_off              unit vector of the contact that it carries a part against, if it does
     agrees                whether its own demonstration ends it as planned, within 0.25 s of where
                           it did; None where there was nothing to ask
     spread                how far several demonstrations of it lie apart; None where it is of one
@@ -67,7 +66,6 @@ class Skill:
     precondition: Precondition | None = None
     search: Search | None = None
     squaring: Squaring | None = None
-    sets_off: tuple[float, float, float] | None = None
     agrees: bool | None = None
     spread: Spread | None = None
 

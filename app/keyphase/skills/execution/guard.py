@@ -2,9 +2,6 @@
 
 A part that lies higher is met earlier in the stroke, where the demonstrated hand was still fast.
 Time is stretched there, so that the path stays what it is.
-
-What a part is carried against is set in motion gently, too: a spring that is wound up while
-everything still stands adds its damping to the blow.
 """
 
 from dataclasses import dataclass
@@ -21,24 +18,19 @@ from keyphase.skills.skill import Skill
 SPEED_M_S = (0.02, 0.04)
 """A contact is approached at least and at most this fast; the impedance is soft enough for that."""
 
-SET_OFF_M, SET_OFF_M_S = 0.006, 0.015
-"""So far, and so fast, something is pushed that is to be set in motion: the spring is wound up by
-as much until 12 N are reached."""
-
 BRAKE_M_S2 = 0.5
 """How hard the guard brakes before the guarded stretch."""
 
 
 @dataclass(frozen=True, eq=False)
 class Guard:
-    """Where a contact may be met, and how fast it may be approached, or left with what it set off.
+    """Where a contact may be met, and how fast it may be approached.
 
     contact_m    (3,) where it was demonstrated, shifted with the skill
     direction    (3,) in which the tool travels there
-    stretch_m    how far before it a contact may be met, or after it everything moves
+    stretch_m    how far before it a contact may be met
     speed_m_s    the fastest approach within that stretch
     tau          time constant of the primitive without guard [s]
-    departs      whether the stretch lies beyond the contact
     """
 
     contact_m: Array
@@ -46,7 +38,6 @@ class Guard:
     stretch_m: float
     speed_m_s: float
     tau: float
-    departs: bool = False
 
     def slowed(self, state: State, k_c: float) -> State:
         """The state with its time stretched to the speed that is allowed where it is.
@@ -67,22 +58,22 @@ class Guard:
         )
 
     def _allowed(self, position_m: Array) -> float:
-        ahead = float((self.contact_m - position_m).dot(self.direction))
-        away = (-ahead if self.departs else ahead) - self.stretch_m
-        return sqrt(self.speed_m_s**2 + 2.0 * BRAKE_M_S2 * max(away, 0.0))
+        ahead = float((self.contact_m - position_m).dot(self.direction)) - self.stretch_m
+        return sqrt(self.speed_m_s**2 + 2.0 * BRAKE_M_S2 * max(ahead, 0.0))
 
 
 def guard_of(skill: Skill, shift_m: Array) -> Guard | None:
-    """The guard of a skill that ends in a contact or sets something in motion; None for others."""
-    tau = float(tau_of(skill.primitive.duration_s))
-    if skill.sets_off is not None:
-        begun, way = skill.primitive.start_position_m + shift_m, np.asarray(skill.sets_off)
-        return Guard(begun, way, SET_OFF_M, SET_OFF_M_S, tau, departs=True)
+    """The guard of a contact-terminated skill; None for others."""
     speed = guarded_speed(skill)
     if skill.travel_direction is None or speed is None:
         return None
-    way = np.asarray(skill.travel_direction)
-    return Guard(skill.end_position_m + shift_m, way, skill.offset_m, speed, tau)
+    return Guard(
+        contact_m=skill.end_position_m + shift_m,
+        direction=np.asarray(skill.travel_direction),
+        stretch_m=skill.offset_m,
+        speed_m_s=speed,
+        tau=float(tau_of(skill.primitive.duration_s)),
+    )
 
 
 def guarded_speed(skill: Skill) -> float | None:

@@ -63,7 +63,6 @@ def _skill(values: Values) -> Skill:
         precondition=_precondition(values["precondition"]),
         search=None if seek is None else Search(**_floats(seek)),
         squaring=None if squaring is None else _squaring(squaring),
-        sets_off=None if (way := values["sets_off"]) is None else _triple(way),
         agrees=values["agrees"],
         spread=_spread(values.get("spread")),
     )

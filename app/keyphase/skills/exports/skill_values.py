@@ -3,8 +3,6 @@
 from dataclasses import asdict
 from typing import Any
 
-import numpy as np
-
 from keyphase.demonstration import Array
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.skills import search
@@ -100,7 +98,6 @@ def _skill(skill: Skill) -> dict[str, Any]:
         "search": None if skill.search is None else asdict(skill.search),
         "squaring": _squaring(skill.squaring),
         "moves": moves_of(skill),
-        "sets_off": skill.sets_off,
         "primitive": _primitive(skill.primitive),
         **_spread(skill.spread),
     }
@@ -125,17 +122,9 @@ def _squaring(squaring: Squaring | None) -> dict[str, Any] | None:
     return {**asdict(squaring), **directions}
 
 
-def _guard(skill: Skill) -> dict[str, Any] | None:
-    at = guard.guard_of(skill, np.zeros(3))
-    if at is None:
-        return None
-    return {
-        "contact_m": at.contact_m.tolist(),
-        "direction": at.direction.tolist(),
-        "stretch_m": at.stretch_m,
-        "speed_m_s": at.speed_m_s,
-        "departs": at.departs,
-    }
+def _guard(skill: Skill) -> dict[str, float] | None:
+    speed = guard.guarded_speed(skill)
+    return None if speed is None else {"stretch_m": skill.offset_m, "speed_m_s": speed}
 
 
 def _precondition(needs: Precondition | None) -> dict[str, Any] | None:
