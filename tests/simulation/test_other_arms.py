@@ -47,6 +47,33 @@ def test_a_frame_that_cannot_be_the_tool_is_refused(
         cell_for(pressed_slide(), robot=(six_axis_urdf(tmp_path), tool_frame))
 
 
+LOOKS = '<visual><geometry><mesh filename="package://arm/a.dae"/></geometry></visual>'
+LIMIT = 'lower="-3" upper="3"'
+ODD = {
+    "limits the wrong way round": (LIMIT, 'lower="3" upper="-3"', "the limits of joint 'axis_1'"),
+    "limits next to each other": (LIMIT, 'lower="0.1" upper="0.2"', "must reach all of the"),
+    "millimetres": ("0 0 0.", "0 0 ", "lengths are in metres"),
+    "no number": ("0 0 0.35", "0 0 nan", "reaches nan m"),
+    "xacro": ('effort="50"', 'effort="${effort}"', "expanded by xacro"),
+}
+
+
+@pytest.mark.parametrize("what", ODD)
+def test_an_odd_urdf_is_refused_with_what_is_odd(what: str, tmp_path: Path) -> None:
+    path = six_axis_urdf(tmp_path)
+    there, odd, said = ODD[what]
+    path.write_text(path.read_text().replace(there, odd))
+    with pytest.raises(SimulationError, match=said):
+        cell_for(pressed_slide(), robot=(path, "tool0"))
+
+
+def test_meshes_of_a_package_that_is_not_there_are_left_out(tmp_path: Path) -> None:
+    path = six_axis_urdf(tmp_path)
+    link = '<link name="link_2"/>'
+    path.write_text(path.read_text().replace(link, f"{link[:-2]}>{LOOKS}</link>"))
+    assert cell_for(pressed_slide(), robot=(path, "tool0")).arm is not None
+
+
 def test_a_workcell_has_an_arm_of_its_own(tmp_path: Path) -> None:
     with pytest.raises(SimulationError, match="has an arm of its own"):
         cell_for(pressed_slide(), "setup1", (six_axis_urdf(tmp_path), "tool0"))

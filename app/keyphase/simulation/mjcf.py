@@ -45,12 +45,13 @@ def spec_from(path: Path) -> mujoco.MjSpec:
     Raises SimulationError for a file that cannot be read, is none, or names what it may not.
     """
     root = _parsed(path)
+    if root.tag == "robot":
+        _leave_out_looks(root)
+        _refuse_unfinished(path, root)
     _refuse_dangerous(path, root)
     for size in root.findall("size"):
         # What MuJoCo is to set aside for it is for MuJoCo to say.
         root.remove(size)
-    if root.tag == "robot":
-        _leave_out_looks(root)
     try:
         text = ElementTree.tostring(root, encoding="unicode")
         return mujoco.MjSpec.from_string(text, assets=_assets(path, root))
@@ -103,6 +104,27 @@ def _refuse_dangerous(path: Path, root: ElementTree.Element) -> None:
         for name in filter(None, named):
             if Path(name).is_absolute() or ".." in Path(name).parts or ":" in name:
                 raise _refused(path, f"it names the file '{name}', which does not lie beside it")
+
+
+def _refuse_unfinished(path: Path, root: ElementTree.Element) -> None:
+    """Refuse a URDF that is still to be expanded, or whose joints have no way to go."""
+    for element in root.iter():
+        if "xacro" in element.tag or any("${" in value for value in element.attrib.values()):
+            raise _refused(path, "it is still to be expanded by xacro")
+    for joint in root.iter("joint"):
+        limit = joint.find("limit")
+        ends = [] if limit is None else [limit.get("lower", "0"), limit.get("upper", "0")]
+        if ends and not _in_order(*ends):
+            raise _refused(
+                path, f"the limits of joint '{joint.get('name')}' are {ends[0]} and {ends[1]}"
+            )
+
+
+def _in_order(lower: str, upper: str) -> bool:
+    try:
+        return float(lower) <= float(upper)
+    except ValueError:
+        return False
 
 
 def _is_count(text: str) -> bool:

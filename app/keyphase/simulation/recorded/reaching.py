@@ -28,10 +28,10 @@ def reached_from(model: mujoco.MjModel, site: int, poses: Sequence[Pose]) -> tup
     The best of several postures at the first one, seeded: an arm has several, and not all of them
     lead on.
     """
-    low, high = (model.jnt_range + np.array([MARGIN_RAD, -MARGIN_RAD])).T
-    draws = np.random.default_rng(0).uniform(
-        np.maximum(low, -np.pi), np.minimum(high, np.pi), (STARTS, model.nq)
-    )
+    ends = np.clip(model.jnt_range, -2.0 * np.pi, 2.0 * np.pi)
+    margin = np.minimum(MARGIN_RAD, 0.25 * np.ptp(ends, axis=1))
+    low, high = ends[:, 0] + margin, ends[:, 1] - margin
+    draws = np.random.default_rng(0).uniform(*_nearest_turn(low, high), (STARTS, model.nq))
     best, start = 0, 0.5 * (low + high)
     for first in (np.clip(np.zeros(model.nq), low, high), 0.5 * (low + high), *draws):
         posture, reached, begun = first, 0, first
@@ -46,6 +46,13 @@ def reached_from(model: mujoco.MjModel, site: int, poses: Sequence[Pose]) -> tup
         if best == len(poses):
             break
     return best, start
+
+
+def _nearest_turn(low: Array, high: Array) -> tuple[Array, Array]:
+    """Of each range the part within half a turn either way; all of it, where none is."""
+    near_low, near_high = np.maximum(low, -np.pi), np.minimum(high, np.pi)
+    outside = near_low > near_high
+    return np.where(outside, low, near_low), np.where(outside, high, near_high)
 
 
 def _towards(

@@ -16,6 +16,9 @@ from keyphase.simulation.recorded.reaching import Pose, reached_from
 from keyphase.simulation.robot_scene import set_physics
 
 TOOL_SITE = "keyphase_tool"
+MAX_REACH_M = 20.0
+"""An arm that reaches further was written in other units."""
+
 LEAST_JOINTS = 6
 """An arm with fewer axes cannot hold a tool in every orientation."""
 
@@ -54,6 +57,11 @@ def robot_arm(path: Path, tool_frame: str, poses: Sequence[Pose]) -> RobotArm:
     spec = _prepared(path, tool_frame)
     joints = tuple(joint.name for joint in spec.joints)
     reach = _reach(compiled(path, spec.copy()))
+    if not 0.0 < reach < MAX_REACH_M:
+        raise SimulationError(
+            f"{path.name} must be an arm that reaches less than {MAX_REACH_M:g} m, but reaches "
+            f"{reach:.3g} m with its frame '{tool_frame}'; its lengths are in metres."
+        )
     furthest = 0
     for place, turn in _places(poses, reach):
         model = compiled(path, _moved(spec, place, turn))
