@@ -94,7 +94,7 @@ skills = st.builds(
     shift_beyond_m=st.none() | st.floats(0.0, 1.0),
     precondition=st.none()
     | st.builds(Precondition, arrays3, st.none() | wxyz, positive, positive, held),
-    squaring=st.none() | st.builds(Squaring, directions, positive),
+    squaring=st.none() | st.builds(Squaring, directions, directions, positive),
     agrees=st.none() | st.booleans(),
 )
 
