@@ -20,7 +20,7 @@ Outcome = Literal["reached", "contact", "timeout", "too far", "unexpected contac
 REACHED_AFTER = 0.8
 """A configuration counts from this fraction of the motion on; a closed path starts at its goal."""
 
-FELL_AWAY = 0.5
+FELL_AWAY = 0.4
 """A change of force counts as a contact if the force is above this part of it, and not gone."""
 
 PROGRESS_FRACTION, PROGRESS_M = 0.01, 0.001
