@@ -2,6 +2,10 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
+from keyphase.demonstration import Array
 from keyphase.segmentation.segmentation import (
     Boundary,
     Candidate,
@@ -16,7 +20,11 @@ from keyphase.segmentation.segmentation import (
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Boundaries in time order and the evidence they rest on; see `Segmentation`."""
+    """Boundaries in time order and the evidence they rest on; see `Segmentation`.
+
+    `times_s` (B,) and `contact_change` (B,) are those of the boundaries, where the method has them
+    in arrays: asking thousands of boundaries one by one takes longer than all else.
+    """
 
     boundaries: tuple[Boundary, ...]
     gaussians: tuple[Gaussian, ...]
@@ -30,3 +38,5 @@ class Found:
     automatic_least_step_N: float | None = None
     line_counts: tuple[LineCounts, ...] = ()
     held_back: tuple[HeldBack, ...] = ()
+    times_s: Array | None = None
+    contact_change: NDArray[np.bool_] | None = None

@@ -4,6 +4,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import cached_property
 
+import numpy as np
+
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.end_condition import ConfigurationEnd, end_condition_at, ends_in_contact
 from keyphase.segmentation.evidence.finding import EvidenceMethod
@@ -16,12 +18,13 @@ from keyphase.segmentation.gripper import (
     gripper_events,
     with_gripper,
 )
+from keyphase.segmentation.kept import places_before
 from keyphase.segmentation.labels import Evidence, proposed_label
 from keyphase.segmentation.motion import Motion, motion_of
 from keyphase.segmentation.own_finding import find_by_own_method
 from keyphase.segmentation.paper.finding import PaperMethod
 from keyphase.segmentation.parameters import Parameters
-from keyphase.segmentation.segmentation import Boundary, Change, Segment, Segmentation
+from keyphase.segmentation.segmentation import Change, Segment, Segmentation
 
 _SPANS_KEPT = 200_000
 
@@ -50,7 +53,7 @@ class Segmenter:
             demonstration=self.demonstration,
             parameters=parameters,
             boundaries=found.boundaries,
-            segments=self._segments_between(found.boundaries),
+            segments=self._segments_between(found),
             gaussians=found.gaussians,
             curve=found.curve,
             peaks=found.peaks,
@@ -78,7 +81,13 @@ class Segmenter:
         if not events:
             return found
         # Which boundaries give way depends on both lines, so that numbers over one would be wrong.
-        return replace(found, boundaries=with_gripper(found.boundaries, events), line_counts=())
+        return replace(
+            found,
+            boundaries=with_gripper(found.boundaries, events),
+            line_counts=(),
+            times_s=None,
+            contact_change=None,
+        )
 
     def segment_between(self, start_s: float, end_s: float, contact_change: bool) -> Segment:
         """The segment as the program proposes it for any span, its label and end condition."""
@@ -100,14 +109,17 @@ class Segmenter:
     def _motion(self) -> Motion:
         return motion_of(self.demonstration)
 
-    def _segments_between(self, boundaries: tuple[Boundary, ...]) -> tuple[Segment, ...]:
-        if len(self._segments) > _SPANS_KEPT:
-            self._segments.clear()
-        starts = [self.demonstration.start_s, *[boundary.time_s for boundary in boundaries]]
-        ends = [*starts[1:], self.demonstration.end_s]
-        last = ends_in_contact(self.demonstration, starts[-1])
-        changes = [*[boundary.contact_change for boundary in boundaries], last]
-        return tuple(map(self._segments.__getitem__, zip(starts, ends, changes, strict=True)))
+    def _segments_between(self, found: Found) -> tuple[Segment, ...]:
+        times, changes = found.times_s, found.contact_change
+        if times is None or changes is None:
+            times = np.array([boundary.time_s for boundary in found.boundaries])
+            changes = np.array([boundary.contact_change for boundary in found.boundaries], bool)
+        spans = np.empty((3, len(times) + 1))
+        spans[0, 0], spans[0, 1:] = self.demonstration.start_s, times
+        spans[1, :-1], spans[1, -1] = times, self.demonstration.end_s
+        last = ends_in_contact(self.demonstration, float(spans[0, -1]))
+        spans[2, :-1], spans[2, -1] = changes, last
+        return self._segments.over(spans)
 
 
 class _Segments(dict[tuple[float, float, bool], Segment]):
@@ -117,6 +129,24 @@ class _Segments(dict[tuple[float, float, bool], Segment]):
         super().__init__()
         self._demonstration = demonstration
         self._motion = motion
+        self._last = np.zeros((3, 0)), np.empty(0, dtype=object)
+
+    def over(self, spans: Array) -> tuple[Segment, ...]:
+        """The segments over spans (3, S) in time order: start, end, contact change.
+
+        Those that were there the last time are not looked up one by one.
+        """
+        if len(self) > _SPANS_KEPT:
+            self.clear()
+        before, known = self._last
+        place = places_before(before, spans)
+        found = np.empty(len(place), dtype=object)
+        found[place >= 0] = known[place[place >= 0]]
+        for new in np.flatnonzero(place < 0).tolist():
+            start, end, change = spans[:, new].tolist()
+            found[new] = self[start, end, bool(change)]
+        self._last = spans, found
+        return tuple(found.tolist())
 
     @cached_property
     def evidence(self) -> Evidence:

@@ -1,6 +1,7 @@
 """Which candidates the lines let in."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,19 +36,23 @@ class Scores:
 
 @dataclass(frozen=True, eq=False)
 class Selection:
-    """What becomes of each candidate: codes (C,) and (M,), and the lines in force."""
+    """What becomes of each candidate: codes (C,) and (M,), and the lines in force.
+
+    `turns_apart` is how many turns that do not count would be boundaries if they did.
+    """
 
     contact: Reasons
     motion: Reasons
     contact_line: float
     motion_line: float
+    turns_apart: int = 0
 
-    @property
+    @cached_property
     def contacts(self) -> Indices:
         """Contact candidates that are given."""
         return np.flatnonzero(self.contact == GIVEN)
 
-    @property
+    @cached_property
     def motions(self) -> Indices:
         """Motion candidates that are given as boundaries of their own."""
         return np.flatnonzero(self.motion == GIVEN)
@@ -92,9 +97,10 @@ def select(
     motion[np.isneginf(scores.motion)] = CLOSE
     motion[(motion == GIVEN) & uncounted_turns(evidence, parameters)] = TURN
     touching = evidence.contact_s[contact == GIVEN]
-    near = distance_to(evidence.motion_s, touching)
-    motion[(motion == GIVEN) & (near < contact_reach_s(parameters))] = CONTACT
-    return Selection(contact, motion, contact_line, motion_line)
+    apart = distance_to(evidence.motion_s, touching) >= contact_reach_s(parameters)
+    motion[(motion == GIVEN) & ~apart] = CONTACT
+    turns = int(np.count_nonzero((motion == TURN) & apart))
+    return Selection(contact, motion, contact_line, motion_line, turns)
 
 
 def uncounted_turns(evidence: Evidence, parameters: Parameters) -> NDArray[np.bool_]:

@@ -19,6 +19,7 @@ from keyphase.segmentation.evidence.selection import (
 from keyphase.segmentation.evidence.stage import Evidence
 from keyphase.segmentation.evidence.weights import Weights
 from keyphase.segmentation.parameters import Parameters
+from keyphase.segmentation.recent import Recent
 from keyphase.segmentation.segmentation import HeldBack, LineCounts
 
 LOWEST, HIGHEST = 0.0003, 0.9997
@@ -28,30 +29,40 @@ Candidates that no line reaches are not told."""
 MAX_STEPS = 400
 """With more steps than this only some of them are told, so that a long recording costs little."""
 
-_FREE: dict[Literal["least_step_N", "turns"], float | str] = {"least_step_N": 0.0, "turns": "all"}
-"""Parameters that hold candidates back whatever the lines, and where they hold back none."""
 
-
-def line_counts(
-    evidence: Evidence, scores: Scores, selection: Selection, parameters: Parameters
-) -> tuple[LineCounts, ...]:
-    """The number of boundaries over each line, while the other stays where it is.
+class Counts:
+    """Numbers of boundaries over both lines, of one recording's candidates and scores.
 
     A candidate of motion is no boundary of its own where a contact change is taken beside it: it
     comes as the force line rises above the likeliest of those.
     """
-    inside = _inside(evidence, evidence.contact_s)
-    contact_s, contact = evidence.contact_s[inside], scores.contact[inside]
-    counted = _inside(evidence, evidence.motion_s) & ~uncounted_turns(evidence, parameters)
-    motion_s, motion = evidence.motion_s[counted], scores.motion[counted]
-    beside = _likeliest_beside(motion_s, contact_s, contact, contact_reach_s(parameters))
-    above = beside[motion >= log_odds(selection.motion_line)]
-    free = motion[beside < log_odds(selection.contact_line)]
-    counts = [_counts("motion_threshold", int((selection.contact[inside] == GIVEN).sum()), free)]
-    if len(contact):
+
+    def __init__(self, evidence: Evidence, scores: Scores, parameters: Parameters) -> None:
+        self._inside = _inside(evidence, evidence.contact_s)
+        counted = _inside(evidence, evidence.motion_s) & ~uncounted_turns(evidence, parameters)
+        self._contact, motion = scores.contact[self._inside], scores.motion[counted]
+        contact_s, motion_s = evidence.contact_s[self._inside], evidence.motion_s[counted]
+        reach = contact_reach_s(parameters)
+        beside = _likeliest_beside(motion_s, contact_s, self._contact, reach)
+        order = np.argsort(motion, kind="stable")
+        self._motion, self._beside = motion[order], beside[order]
+        self._of_force: Recent[tuple[LineCounts, ...]] = Recent(2)
+
+    def over_lines(self, selection: Selection) -> tuple[LineCounts, ...]:
+        """The number of boundaries over each line, while the other stays where it is."""
+        free = self._motion[self._beside < log_odds(selection.contact_line)]
+        given = int(np.count_nonzero(selection.contact[self._inside] == GIVEN))
+        line = selection.motion_line
+        force = self._of_force.get(line, lambda: self._over_force_line(line))
+        return (*force, _counts("motion_threshold", given, free))
+
+    def _over_force_line(self, motion_line: float) -> tuple[LineCounts, ...]:
+        if not len(self._contact):
+            return ()
+        above = self._beside[self._motion >= log_odds(motion_line)]
         alone = int(np.isneginf(above).sum())
-        counts.insert(0, _counts("force_threshold", alone, contact, above[np.isfinite(above)]))
-    return tuple(counts)
+        coming = above[np.isfinite(above)]
+        return (_counts("force_threshold", alone, self._contact, coming),)
 
 
 def held_back(
@@ -66,18 +77,16 @@ def held_back(
 
     `scored` gives scores under another least step.
     """
-    now = len(selection.contacts) + len(selection.motions)
     found = []
-    for name, value in _FREE.items():
-        by_step = name == "least_step_N"
-        if getattr(parameters, name) == value or (by_step and not scores.small.any()):
-            continue
-        freed = replace(parameters, **{name: value})
-        more = select(evidence, scored(freed) if by_step else scores, weights, freed)
+    if parameters.least_step_N != 0.0 and scores.small.any():
+        freed = replace(parameters, least_step_N=0.0)
+        more = select(evidence, scored(freed), weights, freed)
+        now = len(selection.contacts) + len(selection.motions)
         count = len(more.contacts) + len(more.motions) - now
-        if count > 0:
-            found.append(HeldBack(name, count, value))
-    return tuple(found)
+        found.append(HeldBack("least_step_N", count, 0.0))
+    if parameters.turns != "all":
+        found.append(HeldBack("turns", selection.turns_apart, "all"))
+    return tuple(each for each in found if each.count > 0)
 
 
 def _inside(evidence: Evidence, time_s: Array) -> np.ndarray:

@@ -1,6 +1,7 @@
 """The paper's normalized error, drawn beside the evidence, and the candidates on its peaks."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -9,6 +10,7 @@ from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.probability import log_odds, sigmoid
 from keyphase.segmentation.evidence.selection import BELOW, CLOSE, GIVEN, SMALL, Scores, Selection
 from keyphase.segmentation.evidence.stage import Evidence
+from keyphase.segmentation.kept import Kept
 from keyphase.segmentation.paper.force import error_curve
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import ErrorCurve, Peak, Rejection
@@ -32,7 +34,6 @@ class DrawnCurve:
     curve: ErrorCurve
     evidence: Evidence
     bin: Indices
-    _peaks: dict[tuple[int, int, float], Peak] = field(default_factory=dict)
 
     @classmethod
     def of(
@@ -44,21 +45,21 @@ class DrawnCurve:
             return None
         return cls(curve, evidence, _highest(curve, evidence.contact_s))
 
+    @cached_property
+    def _peaks(self) -> Kept[Peak]:
+        return Kept(len(self.bin), 2, self._peak)
+
     def peaks(self, scores: Scores, selection: Selection) -> tuple[Peak, ...]:
         """The given and the likelier other candidates, in time order."""
         drawn = (selection.contact == GIVEN) | (scores.contact >= log_odds(MIN_DRAWN))
-        codes = selection.contact[drawn].tolist()
-        chances = sigmoid(scores.contact[drawn]).tolist()
-        keys = zip(np.flatnonzero(drawn).tolist(), codes, chances, strict=True)
-        known = self._peaks
-        return tuple([known.get(key) or self._peak(*key) for key in keys])
+        on = np.column_stack([selection.contact[drawn], sigmoid(scores.contact[drawn])])
+        return tuple(self._peaks.of(np.flatnonzero(drawn), on).tolist())
 
-    def _peak(self, index: int, code: int, probability: float) -> Peak:
-        place = self.bin[index]
+    def _peak(self, index: int, on: list[float]) -> Peak:
+        place, (code, probability) = self.bin[index], on
         height = float(self.curve.error[place])
         x, y, z = self.evidence.force_step_N[index].tolist()
-        key = index, code, probability
-        self._peaks[key] = Peak(
+        return Peak(
             time_s=float(self.evidence.contact_s[index]),
             bin_time_s=float(self.curve.time_s[place]),
             height=height,
@@ -66,10 +67,9 @@ class DrawnCurve:
             force_step_N=(x, y, z),
             torque_step_Nm=None,
             persistence=0.0,
-            rejection=_REJECTIONS[code],
+            rejection=_REJECTIONS[int(code)],
             probability=probability,
         )
-        return self._peaks[key]
 
 
 def _highest(curve: ErrorCurve, at: Array) -> Indices:

@@ -1,14 +1,13 @@
 """Candidates told as values: boundaries with their reasons, and what would let the others in."""
 
-import threading
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
+from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.contact_terms import CONTACT_TERMS
 from keyphase.segmentation.evidence.motion_terms import MOTION_TERMS
 from keyphase.segmentation.evidence.probability import (
@@ -30,6 +29,7 @@ from keyphase.segmentation.evidence.selection import (
 from keyphase.segmentation.evidence.stage import Evidence
 from keyphase.segmentation.evidence.telling.counts import LOWEST
 from keyphase.segmentation.evidence.weights import Line, Weights
+from keyphase.segmentation.kept import Kept, Values
 from keyphase.segmentation.segmentation import Boundary, Candidate, CandidateKind, Change, Reason
 
 MAX_TOLD = 2000
@@ -53,54 +53,48 @@ class Told:
         self._scores = scores
         self._weights = weights
         self._change_at = change_at
-        self._boundaries: dict[tuple[int, float | None], Boundary] = {}
-        self._motions = np.empty(len(evidence.motion_s), dtype=object)
-        self._motion_intervals_s = np.full((len(evidence.motion_s), 2), np.nan)
-        self._lock = threading.Lock()
         self._reasons: dict[tuple[CandidateKind, int], tuple[Reason, ...]] = {}
-        self._known: dict[tuple[CandidateKind, int, int], Candidate] = {}
-        self._told: list[tuple[float, CandidateKind, int]] = self._worth_telling()
+        self._contacts = Kept(len(evidence.contact_s), 1, self._contact)
+        self._motions = Kept(len(evidence.motion_s), 2, self._motion)
+        self._told: list[tuple[CandidateKind, int]] = self._worth_telling()
+        self._of_contact = np.array([kind == "contact" for kind, _ in self._told], dtype=bool)
+        self._index = np.array([index for _, index in self._told], dtype=np.intp)
+        self._candidates = Kept(len(self._told), 1, self._candidate)
+        self._known: dict[tuple[int, int], Candidate] = {}
 
-    def contact(self, candidate: int, moved_s: float | None) -> Boundary:
-        """The boundary at a contact candidate; `moved_s` where motion alone would put it."""
-        key = candidate, moved_s
-        if key not in self._boundaries:
-            grid, at = self._evidence.grid, self._evidence.contact
-            first, last = grid.time_s[at.interval[candidate]].tolist()
-            time = float(self._evidence.contact_s[candidate])
-            self._boundaries[key] = Boundary(
-                time_s=time,
-                origin="force" if moved_s is None else "both",
-                interval_s=(first, last),
-                confidence=float(sigmoid(self._scores.contact[candidate])),
-                contact_change=True,
-                position_s=moved_s,
-                reasons=self.reasons("contact", candidate),
-                change=self._change_at(time),
-            )
-        return self._boundaries[key]
+    def contacts(self, candidates: Indices, moved_s: Array) -> Values:
+        """The boundaries at contact candidates (B,); `moved_s` (B,) is where motion alone would put
+        each, infinite where the motion does not change."""
+        return self._contacts.of(candidates, moved_s[:, None])
 
-    def motions(self, candidates: NDArray[np.intp], intervals_s: Array) -> list[Boundary]:
-        """The boundaries at candidates of motion (B,), in the intervals (B, 2) of their Gaussians.
+    def motions(self, candidates: Indices, intervals_s: Array) -> Values:
+        """The boundaries at candidates of motion (B,), in the intervals (B, 2) of their
+        Gaussians."""
+        return self._motions.of(candidates, intervals_s)
 
-        While a line is dragged nearly all of them stay, and are told as they were.
-        """
-        with self._lock:
-            other = (self._motion_intervals_s[candidates] != intervals_s).any(axis=1)
-            for candidate, (low, high) in zip(
-                candidates[other].tolist(), intervals_s[other].tolist(), strict=True
-            ):
-                self._motions[candidate] = self._motion(candidate, (low, high))
-            self._motion_intervals_s[candidates[other]] = intervals_s[other]
-            return self._motions[candidates].tolist()
+    def _contact(self, candidate: int, moved: list[float]) -> Boundary:
+        grid, at = self._evidence.grid, self._evidence.contact
+        first, last = grid.time_s[at.interval[candidate]].tolist()
+        time, moved_s = float(self._evidence.contact_s[candidate]), moved[0]
+        alone = moved_s == np.inf
+        return Boundary(
+            time_s=time,
+            origin="force" if alone else "both",
+            interval_s=(first, last),
+            confidence=self._probabilities["contact"][candidate],
+            contact_change=True,
+            position_s=None if alone else moved_s,
+            reasons=self.reasons("contact", candidate),
+            change=self._change_at(time),
+        )
 
-    def _motion(self, candidate: int, interval_s: tuple[float, float]) -> Boundary:
-        time = float(self._evidence.motion_s[candidate])
+    def _motion(self, candidate: int, interval_s: list[float]) -> Boundary:
+        time, (low, high) = float(self._evidence.motion_s[candidate]), interval_s
         return Boundary(
             time_s=time,
             origin="position",
-            interval_s=interval_s,
-            confidence=float(sigmoid(self._scores.motion[candidate])),
+            interval_s=(low, high),
+            confidence=self._probabilities["motion"][candidate],
             contact_change=False,
             position_s=time,
             reasons=self.reasons("motion", candidate),
@@ -108,15 +102,11 @@ class Told:
 
     def candidates(self, selection: Selection) -> tuple[Candidate, ...]:
         """The likeliest candidates of both kinds in time order, given or not."""
-        codes: dict[CandidateKind, list[int]] = {
-            "contact": selection.contact.tolist(),
-            "motion": selection.motion.tolist(),
-        }
-        keys: list[tuple[CandidateKind, int, int]] = [
-            (kind, index, codes[kind][index]) for _, kind, index in self._told
-        ]
-        known = self._known
-        return tuple([known.get(key) or self._candidate(*key) for key in keys])
+        codes = np.empty(len(self._told))
+        codes[self._of_contact] = selection.contact[self._index[self._of_contact]]
+        codes[~self._of_contact] = selection.motion[self._index[~self._of_contact]]
+        every = np.arange(len(codes))
+        return tuple(self._candidates.of(every, codes[:, None]).tolist())
 
     def reasons(self, kind: CandidateKind, index: int) -> tuple[Reason, ...]:
         """The terms of a candidate's probability, the strongest first; of the likelier line."""
@@ -125,26 +115,34 @@ class Told:
             self._reasons[key] = self._summed_up(kind, index)
         return self._reasons[key]
 
-    def _candidate(self, kind: CandidateKind, index: int, code: int) -> Candidate:
-        given = code in (GIVEN, CONTACT)
-        key = kind, index, code
+    def _candidate(self, place: int, codes: list[float]) -> Candidate:
+        key = place, int(codes[0])
         if key not in self._known:
-            probability = self._probability(kind, index)
-            why = "" if given else _why_not(code, probability)
-            step = tuple(self._evidence.force_step_N[index].tolist()) if kind == "contact" else None
-            reasons = self.reasons(kind, index)
-            times = self._evidence.contact_s if kind == "contact" else self._evidence.motion_s
-            self._known[key] = Candidate(
-                float(times[index]), kind, probability, given, why, reasons, step
-            )
+            self._known[key] = self._told_as(*key)
         return self._known[key]
 
-    def _probability(self, kind: CandidateKind, index: int) -> float:
-        contact = kind == "contact"
-        score = (self._scores.contact if contact else self._scores.motion)[index]
-        if np.isneginf(score):
-            score = self._alone(kind, index)
-        return float(sigmoid(score))
+    def _told_as(self, place: int, code: int) -> Candidate:
+        kind, index = self._told[place]
+        given = code in (GIVEN, CONTACT)
+        probability = self._probabilities[kind][index]
+        why = "" if given else _why_not(code, probability)
+        step = tuple(self._evidence.force_step_N[index].tolist()) if kind == "contact" else None
+        reasons = self.reasons(kind, index)
+        times = self._evidence.contact_s if kind == "contact" else self._evidence.motion_s
+        return Candidate(float(times[index]), kind, probability, given, why, reasons, step)
+
+    @cached_property
+    def _probabilities(self) -> dict[CandidateKind, list[float]]:
+        """Of all candidates; of those too close to likelier ones as if nothing were beside them."""
+        scores = self._scores
+        sides: tuple[tuple[CandidateKind, Array, Array], ...] = (
+            ("contact", scores.contact, self._contact_alone),
+            ("motion", scores.motion, self._motion_alone),
+        )
+        return {
+            kind: sigmoid(np.where(np.isneginf(own), alone, own)).tolist()
+            for kind, own, alone in sides
+        }
 
     def _alone(self, kind: CandidateKind, index: int) -> float:
         """Calibrated log-odds of a candidate as if nothing were beside it."""
@@ -158,7 +156,8 @@ class Told:
     def _motion_alone(self) -> Array:
         return self._weights.motion_calibration.log_odds(self._evidence.motion_odds)
 
-    def _worth_telling(self) -> list[tuple[float, CandidateKind, int]]:
+    def _worth_telling(self) -> list[tuple[CandidateKind, int]]:
+        """Kind and index of what is told, in time order."""
         scores = self._scores
         sides: tuple[tuple[CandidateKind, Array, Array], ...] = (
             ("contact", scores.contact, self._evidence.contact_s),
@@ -171,7 +170,8 @@ class Told:
             if score >= log_odds(LOWEST)
         ]
         worth.sort(key=lambda each: (-each[0], each[1]))
-        return sorted((time, kind, index) for _, time, kind, index in worth[:MAX_TOLD])
+        told = sorted((time, kind, index) for _, time, kind, index in worth[:MAX_TOLD])
+        return [(kind, index) for _, kind, index in told]
 
     def _summed_up(self, kind: CandidateKind, index: int) -> tuple[Reason, ...]:
         evidence = self._evidence
