@@ -9,7 +9,7 @@ import pytest
 from framing import Frame, frame
 from talking import CAMERA, Message, PageClient, StartServer, wait_until
 
-from keyphase.web.scene.palette import SEGMENT_RGB, painted
+from keyphase.web.scene.palette import DARK, LIGHT, SEGMENT_RGB, painted
 from keyphase.web.scene.recording.path import FAINT
 
 
@@ -235,6 +235,16 @@ def test_only_what_is_in_view_is_drawn(page: PageClient, framed: Frame) -> None:
 
     assert 0 < part < whole
     assert len(framed.node("/path/pieces").batched_positions) == whole
+
+
+def test_the_ground_of_what_stands_in_place_of_a_recording_has_the_theme(framed: Frame) -> None:
+    """A replay, or a workcell that is led by hand."""
+    stage = framed.scene.stage
+    stage.cover(np.array([0.4, 0.0, 0.1]), 0.5, "workcell")
+    light = framed.node("/grid/lines").cell_color
+    stage.show_theme(dark=True)
+
+    assert (light, framed.node("/grid/lines").cell_color) == (LIGHT.cell, DARK.cell)
 
 
 def test_nothing_of_a_recording_is_left_when_another_is_on_its_way(

@@ -73,6 +73,7 @@ class Stage:
         self._playhead = Playhead()
         self._in_view: tuple[str, float, float] | None = None
         self._covered: Viewpoint | None = None
+        self._covered_floor: tuple[Array, float] | None = None
         self._dressing.dress(LIGHT)
 
     def show_document(self, shown: DeskState) -> None:
@@ -143,7 +144,8 @@ class Stage:
         """Hide the recording: something else is to be seen there, before a robot at the origin."""
         self._covered = viewpoint_with_robot(middle_m, size_m, Placement())
         self._place_parts()
-        self._floor.draw(self._theme, middle_m * [1.0, 1.0, 0.0], size_m, Placement())
+        self._covered_floor = middle_m * [1.0, 1.0, 0.0], size_m
+        self._draw_covered_floor()
         self._camera.look(self._covered, of)
 
     def uncover(self) -> None:
@@ -167,6 +169,7 @@ class Stage:
             return
         self._theme = theme
         self._dressing.dress(theme)
+        self._draw_covered_floor()
         if self._standing is not None:
             self._standing.tail.paint(theme)
             self._draw_floor(self._standing)
@@ -217,6 +220,11 @@ class Stage:
     def _draw_floor(self, standing: _Standing) -> None:
         if self._covered is None:
             self._floor.draw_below(self._theme, standing.path, standing.base)
+
+    def _draw_covered_floor(self) -> None:
+        if self._covered is not None and self._covered_floor is not None:
+            middle_m, size_m = self._covered_floor
+            self._floor.draw(self._theme, middle_m, size_m, Placement())
 
     def _draw_forces(self, standing: _Standing) -> None:
         labeling = standing.shown.labeling

@@ -8,6 +8,8 @@ import { glyph } from "../timeline/glyphs.js";
 import { textWidth } from "../lib/text_width.js";
 import { outcomeText } from "./schedule.js";
 
+/** What the running skill has before it; its words stand on that in both themes. */
+const AHEAD_OPACITY = 0.62;
 const WAITING_OPACITY = 0.35;
 
 /** @param {import("./schedule.js").Slot} slot */
@@ -139,7 +141,11 @@ function drawSkill(slot, place, scale, now) {
   const fill = connecting ? "url(#replay-hatch)" : segmentFill(slot.skill);
   if (slot.progress === "running" && !connecting) {
     const done = Math.min(width, scale.x(now) - left);
-    group.append(rect(width, fill, 0.38), rect(done, fill), rect(done, "url(#running-stripes)"));
+    group.append(
+      rect(width, fill, AHEAD_OPACITY),
+      rect(done, fill),
+      rect(done, "url(#running-stripes)"),
+    );
   } else group.append(rect(width, fill, slot.progress === "waiting" ? WAITING_OPACITY : 1));
   group.append(...(connecting ? connectingText(slot, place) : skillText(slot, place, now)));
   return group;

@@ -38,6 +38,7 @@ export function createReplayPlan(store) {
       }),
     );
     drawVerdict(verdict, replay);
+    showRunning(chips);
     tell(state);
   });
   store.on(["samples"], tell);
@@ -49,6 +50,15 @@ export function createReplayPlan(store) {
     if (slot)
       running.textContent = `● ${state.replay.phase} · ${duration(Math.max(0, nowOf(state) - slot.start))}`;
   }
+}
+
+/** What runs, where the strip has more than fit. @param {HTMLElement} chips */
+function showRunning(chips) {
+  const on = /** @type {HTMLElement|null} */ (chips.querySelector(".chip.on"));
+  if (!on) return;
+  const left = on.offsetLeft - chips.offsetLeft;
+  if (left < chips.scrollLeft || left + on.offsetWidth > chips.scrollLeft + chips.clientWidth)
+    chips.scrollLeft = left - (chips.clientWidth - on.offsetWidth) / 2;
 }
 
 /** @param {import("./schedule.js").Slot} slot */
@@ -103,6 +113,8 @@ function drawVerdict(node, { phase, succeeded, outcome, goal }) {
   node.classList.toggle("good", phase === "over" && succeeded === true);
   node.classList.toggle("bad", phase === "over" && succeeded !== true);
   const text = phase === "over" ? (outcome ?? "stopped before it moved") : goal;
+  node.classList.toggle("goal", phase !== "over");
+  node.title = text;
   node.replaceChildren(
     ...(phase === "over" ? [icon(succeeded ? "check" : "close")] : []),
     el("span", { text: text.charAt(0).toUpperCase() + text.slice(1) }),

@@ -11,7 +11,7 @@ const HEAD = [
 
 /** Every track of a replay: what it shows, and its heights. */
 export const REPLAY_TRACKS = [
-  { key: "force", title: "Force", unit: "N", large: 146, small: 104 },
+  { key: "force", title: "Force", unit: "N", large: 146, small: 124 },
   { key: "position", title: "Position", unit: "mm", large: 92, small: 62 },
   { key: "off", title: "Off the path", unit: "mm", large: 76, small: 44 },
   { key: "torque", title: "Torque", unit: "N m", large: 86, small: 56 },

@@ -12,6 +12,8 @@ import { attachReplayView, shownOf } from "./view.js";
 
 const MARGIN_PX = { large: 42, small: 40 };
 const GUTTER_PX = { large: 172, small: 132 };
+/** In a lower row the pens are not explained, so that every value has its place. */
+const SHORT_PX = 110;
 
 /** @param {import("../lib/store.js").Store} store */
 export function createReplayTimeline(store) {
@@ -41,7 +43,7 @@ export function createReplayTimeline(store) {
     for (const [key, gutter] of gutters) gutter.place(layout.rows.get(key));
     for (const [key, { row, gutter }] of tracks) {
       const { y, height, folded } = layout.rows.get(key);
-      row.classList.toggle("short", height < 90);
+      row.classList.toggle("short", height < SHORT_PX);
       row.style.setProperty("top", `${y - layout.headHeight}px`);
       row.style.setProperty("height", `${height}px`);
       gutter.place({ key, y: 0, height, folded });
