@@ -36,21 +36,23 @@ export function createScene(store, page) {
   frame.src = `/viser/${page}/`;
 
   const hud = byId("hud");
-  store.later(["clock", "document"], ({ clock, document: doc }) => {
-    hud.replaceChildren(
-      ...(doc
-        ? [
-            "At ",
-            el("b", { text: moment(clock) }),
-            doc.channels.includes("orientation") ? " · tool frame" : "",
-          ]
-        : []),
-    );
-  });
-  store.later(["document"], ({ document: doc }) =>
-    byId("legend").replaceChildren(...(doc ? legend(doc) : [])),
+  store.later(["clock", "document", "record"], (state) => hud.replaceChildren(...seen(state)));
+  store.later(["document", "record"], ({ document: doc, record }) =>
+    byId("legend").replaceChildren(...(doc && !record?.workcell ? legend(doc) : [])),
   );
   return frame;
+}
+
+/**
+ * What is looked at: a workcell that is led by hand stands in the place of the recording.
+ * @param {import("../lib/store.js").State} state
+ * @returns {(string|Node)[]}
+ */
+function seen({ clock, document: doc, record }) {
+  if (record?.workcell) return ["Workcell ", el("b", { text: record.workcell })];
+  if (!doc) return [];
+  const hasFrame = doc.channels.includes("orientation");
+  return ["At ", el("b", { text: moment(clock) }), hasFrame ? " · tool frame" : ""];
 }
 
 /** @param {HTMLIFrameElement} frame */
