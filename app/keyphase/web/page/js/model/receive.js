@@ -66,7 +66,7 @@ export function createReceiver(
         readOnly: state.lookingOnly || Boolean(message.locked),
         labels: message.labels,
         ...(message.selected === state.selected ? {} : { selectedTo: null }),
-        ...(other ? fresh(message) : followed(state, message)),
+        ...(other ? { ...fresh(message), ...withoutResults(state) } : followed(state, message)),
       });
       own.arrived(message, message.cause?.client === client ? message.cause.event : null);
       if (other) signals.refresh();
@@ -177,6 +177,12 @@ function fresh(doc) {
     cameras: null,
   };
 }
+
+/** What came of trials ends with its recording; what is on its way goes on. */
+const withoutResults = ({ trials, margin }) => ({
+  trials: trials?.over ? null : trials,
+  margin: margin?.over ? null : margin,
+});
 
 /**
  * Why something was not done; where that is not seen on the page, also with what recording.

@@ -12,6 +12,7 @@ export function createRecordTab(store, actions) {
   const isOpen = () => Boolean(store.state.record?.workcell);
   const workcell = choice("Workcell", "The workcell that is recorded in.", (name) => {
     chosen = name;
+    about.show(store.state.record, chosen);
     if (isOpen()) actions.record("open", name);
   });
   const record = button("Record", {
@@ -29,28 +30,31 @@ export function createRecordTab(store, actions) {
   const undo = button("Undo last take", { run: () => actions.record("undo_take") });
   const redo = button("Bring back take", { run: () => actions.record("redo_take") });
   const readings = createReadings();
+  const about = createTitle();
 
-  store.on(["record"], ({ record: now }) => {
+  store.on(["record", "lookingOnly"], ({ record: now, lookingOnly }) => {
     if (!now) return;
     chosen = now.workcell ?? (chosen || now.choices[0].name);
     workcell.show(
       now.choices.map(({ name }) => ({ value: name, text: name })),
       chosen,
     );
-    workcell.disable(now.recording);
+    about.show(now, chosen);
+    workcell.disable(now.recording || lookingOnly);
     record.lastElementChild.textContent = now.recording ? "Stop" : "Record";
     record.classList.toggle("on", now.recording);
     open.lastElementChild.textContent = now.workcell === null ? "Open workcell" : "Close workcell";
-    open.disabled = now.recording;
-    reset.disabled = now.recording || now.workcell === null;
-    undo.disabled = now.recording || !now.can_undo;
-    redo.disabled = now.recording || !now.can_redo;
+    record.disabled = lookingOnly;
+    open.disabled = now.recording || lookingOnly;
+    reset.disabled = open.disabled || now.workcell === null;
+    undo.disabled = open.disabled || !now.can_undo;
+    redo.disabled = open.disabled || !now.can_redo;
     readings.show(now);
   });
   return el(
     "div",
     { class: "panel-body" },
-    el("div", { class: "group plain" }, workcell.node, title(store), row(record, open), row(reset)),
+    el("div", { class: "group plain" }, workcell.node, about.node, row(record, open), row(reset)),
     readings.node,
     el("div", { class: "group plain" }, row(undo, redo)),
     el("p", {
@@ -62,19 +66,16 @@ export function createRecordTab(store, actions) {
   );
 }
 
-/**
- * What the chosen workcell is.
- * @param {import("../../lib/store.js").Store} store
- */
-function title(store) {
+/** What the chosen workcell is. */
+function createTitle() {
   const node = el("p", { class: "hint" });
-  store.later(["record"], ({ record }) => {
-    const shown = record?.choices.find(
-      ({ name }) => name === (record.workcell ?? record.choices[0].name),
-    );
-    node.textContent = shown?.title ?? "";
-  });
-  return node;
+  return {
+    node,
+    /** @param {import("../../messages/control_messages").RecordMessage|null} record @param {string} chosen */
+    show(record, chosen) {
+      node.textContent = record?.choices.find(({ name }) => name === chosen)?.title ?? "";
+    },
+  };
 }
 
 /** How long the take is, and the force that is felt. */
