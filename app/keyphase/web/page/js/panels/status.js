@@ -45,7 +45,8 @@ export function createStatus(store) {
   store.later(["pointer", "clock", "whole", "fine", "document"], (state) => {
     const { document: doc, pointer, clock } = state;
     const shown = Boolean(doc);
-    for (const node of [where, at, errorGroup]) node.hidden = !shown;
+    const groups = Object.values(vectors).map(({ node }) => node);
+    for (const node of [where, at, errorGroup, ...groups]) node.hidden = !shown;
     if (!shown) return;
     const time = pointer ?? clock;
     where.textContent = pointer === null ? "Playhead" : "Pointer";

@@ -260,7 +260,7 @@ function createZoom(store, actions) {
   store.later(["view", "document"], (state) => {
     if (!state.document || !state.view) return;
     const share = Math.min(100, (100 * Math.log(closeness(state))) / Math.log(CLOSEST));
-    if (document.activeElement !== input) input.value = String(share);
+    if (!input.matches(":active")) input.value = String(share);
     input.style.setProperty("--share", `${share}%`);
   });
   return { node };
