@@ -60,6 +60,8 @@ import { createTake } from "./panels/take.js";
 import { createTransport } from "./panels/transport.js";
 import { createUpload } from "./actions/upload.js";
 
+/** In a narrower window the panel slides over the scene, as narrow.css has it. */
+const DRAWERS_BELOW_PX = 1100;
 const isSmall = () => innerWidth <= SMALL_BELOW_PX;
 
 /** Kept in memory only: a tab that is duplicated is another page. */
@@ -155,8 +157,9 @@ store.on(["view", "plotWidth"], () => signals.follow());
 /** Escape gives up one thing at a time, the innermost first. */
 function escape() {
   if (pointer.cancel() || menu.close()) return true;
-  const { explained, current, selected } = store.state;
+  const { explained, current, selected, drawer } = store.state;
   if (explained !== null || current !== null) store.set({ explained: null, current: null });
+  else if (drawer && innerWidth < DRAWERS_BELOW_PX) store.set({ drawer: null });
   else if (selected !== null) actions.select(null);
   else return upload.cancel();
   return true;

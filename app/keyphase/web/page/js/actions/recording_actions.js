@@ -28,12 +28,13 @@ export function createRecordingActions(store, send, actions) {
     describe: (recording) => !state.readOnly && send({ type: "describe", recording }),
     toggleDone: () => own.setDone(doc().state !== "done"),
     doneAndOn() {
+      if (state.readOnly) return;
       const undecided = unsureBoundaries(doc()).length;
       const next = nextUndone(state);
       own.setDone(true);
       store.set({ notice: { level: "info", text: farewell(undecided, next), of: next?.id } });
       if (next) actions.open(next.id);
-      else store.set({ tab: "export" });
+      else own.showTab("export");
     },
     /** "look" what these parameters would change in the other recordings, "apply" it, or "leave" it. */
     spread: (step, includeDone = false) =>
@@ -100,7 +101,9 @@ export function createRecordingActions(store, send, actions) {
       if (send({ type: "open_demonstration" })) store.set({ firstSteps: true });
     },
     /** To where a first one can be recorded. */
-    recordFirst: () => store.set({ tab: "record" }),
+    recordFirst: () => own.showTab("record"),
+    /** Opens a tab of the panel, which is a drawer in a narrow window. @param {string} tab */
+    showTab: (tab) => store.set({ tab, drawer: "panel" }),
 
     nextRecording(direction) {
       const next = recordingBeside(state, direction);

@@ -49,7 +49,7 @@ export function createReceiver(
         notices.show({
           level: "info",
           text: message.outcome,
-          act: { text: "Show", run: () => store.set({ tab: "replay" }) },
+          act: { text: "Show", run: () => store.set({ tab: "replay", drawer: "panel" }) },
         });
     },
     margin_run(message) {
