@@ -103,10 +103,8 @@ def _explained(server: PageServer, page: KeyphasePage, take: Take, theme: str) -
 def _pressing(server: PageServer, page: KeyphasePage, take: Take) -> None:
     """The robot where the parts meet."""
     contact = next(b for b in page.document["boundaries"] if b["contact_change"])
-    # What viser's client is told while it puts a scene up for the first time may be lost.
-    _with_parts(server, page)
     page.page.evaluate("time => keyphase.actions.seek(time)", contact["time_s"])
-    _at_rest(server, page)
+    _with_parts(server, page)
     take("page_robot_light")
 
 
