@@ -33,8 +33,9 @@ export function keepFocus(store, fallback) {
     last = null;
     const found = /** @type {HTMLElement[]} */ ([...(region?.querySelectorAll(REACHED) ?? [])]);
     const same = found.find((one) => nameOf(one) === name && one.checkVisibility());
-    const dialog = /** @type {HTMLElement|null} */ (document.querySelector("dialog[open]"));
-    (same ?? dialog ?? fallback).focus({ preventScroll: true });
+    const dialog = document.querySelector("dialog[open]");
+    const inDialog = /** @type {HTMLElement|null|undefined} */ (dialog?.querySelector(REACHED));
+    (same ?? inDialog ?? fallback).focus({ preventScroll: true });
   }
   store.later(Object.keys(store.state), look);
 }
