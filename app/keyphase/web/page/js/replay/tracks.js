@@ -181,6 +181,8 @@ const AXIS_NAMES = ["x", "y", "z"];
  * @param {import("../lib/scale.js").Scale} scale
  */
 function drawEndConditions(slots, samples, scale, y) {
+  /** @type {{from: number, to: number, y: number}[]} */
+  const written = [];
   return slots
     .filter(({ skill }) => skill.contact)
     .flatMap((slot) => {
@@ -195,17 +197,21 @@ function drawEndConditions(slots, samples, scale, y) {
       const at = y(level);
       const text = `ends at F${AXIS_NAMES[axis]} ${signed(level, 1).replace("+", "")} N`;
       const below = direction[axis] < 0;
-      return [
-        svg("path", { d: `M${from + 2} ${at}H${to}`, class: "end-condition" }),
-        svg("text", {
-          ...besides(from, scale.width, textWidth(text, "600 11px")),
-          y: at + (below ? 12 : -4),
-          class: "end-condition-text",
-          text,
-        }),
-      ];
+      const line = svg("path", { d: `M${from + 2} ${at}H${to}`, class: "end-condition" });
+      const long = textWidth(text, "600 11px");
+      const place = { ...besides(from, scale.width, long), y: at + (below ? 12 : -4) };
+      const left = place["text-anchor"] ? place.x - long : place.x;
+      const box = { from: left, to: left + long, y: place.y };
+      // The line is there all the same, and the skill's own card says it in words.
+      if (left < 0 || written.some((other) => overlap(other, box))) return [line];
+      written.push(box);
+      return [line, svg("text", { ...place, class: "end-condition-text", text })];
     });
 }
+
+const LINE_PX = 12;
+const overlap = (one, other) =>
+  one.from < other.to + 4 && other.from < one.to + 4 && Math.abs(one.y - other.y) < LINE_PX;
 
 /** Right of where a skill begins; left of it where that leaves the track. */
 const besides = (from, width, long) =>

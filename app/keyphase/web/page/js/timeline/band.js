@@ -9,7 +9,7 @@ import { chosenStretch } from "../model/segments.js";
 import { duration } from "../lib/format.js";
 import { formsOf } from "../model/label_forms.js";
 import { runsOf, runText } from "./runs.js";
-import { denseSegments, MOST_IN_DETAIL, segmentsInView } from "./dense.js";
+import { denseSegments, isCrowded, segmentsInView } from "./dense.js";
 import { textWidth } from "../lib/text_width.js";
 
 /**
@@ -36,10 +36,8 @@ export function drawBand(state, scale, row) {
     svg("rect", { y: row.y, width: scale.width, height: row.height, class: "band-ground" }),
   ];
   const rings = [];
-  const dense = segmentsInView(doc.segments, scale).length > MOST_IN_DETAIL;
+  const dense = isCrowded(segmentsInView(doc.segments, scale).length, scale);
   if (dense) nodes.push(...denseSegments(doc.segments, scale, box.top, box.height));
-  /** @type {import("./runs.js").Narrow[]} */
-  const narrow = [];
   doc.segments.forEach((segment, index) => {
     if (segment.end_s < scale.from || segment.start_s > scale.to || (dense && !isChosen(index)))
       return;
@@ -48,11 +46,9 @@ export function drawBand(state, scale, row) {
     if (right - left < 0.5) return;
     const place = { ...box, left, width: Math.max(right - left, 1) };
     nodes.push(drawSegment(segment, index, place));
-    narrow.push({ number: index + 1, left, right, fits: hasNumber(segment, index, place) });
     if (isChosen(index)) rings.push(drawRing(place));
     if (isMarked(segment)) rings.push(...drawMark(segment, place));
   });
-  if (!dense) nodes.push(...drawRuns(narrow, box));
   nodes.push(...rings);
   if (range) nodes.push(drawRange(doc, range, scale, box));
   return nodes;
@@ -70,8 +66,28 @@ function hasNumber({ kept }, index, { width }) {
     : width >= textWidth(number, PLATE_NUMBER) + 8;
 }
 
-/** Which segments those are that have no room for their numbers. */
-function drawRuns(narrow, { top, height }) {
+/**
+ * Which segments those are that have no room for their numbers; over the boundaries between them.
+ * @param {import("../lib/store.js").State} state
+ * @param {import("../lib/scale.js").Scale} scale
+ * @param {import("../model/rows.js").Row} row
+ */
+export function drawRuns({ document: doc }, scale, row) {
+  const box = { top: row.y + 3, height: row.height - 6 };
+  const seen = segmentsInView(doc.segments, scale);
+  if (row.folded || isCrowded(seen.length, scale)) return [];
+  const first = doc.segments.indexOf(seen[0]);
+  const narrow = seen.map((segment, k) => {
+    const left = Math.max(scale.x(segment.start_s), 0) + 1;
+    const right = Math.min(scale.x(segment.end_s), scale.width) - 1;
+    const fits = hasNumber(segment, first + k, { width: right - left });
+    return { number: first + k + 1, left, right, fits };
+  });
+  return platesOf(narrow, box);
+}
+
+/** @param {import("./runs.js").Narrow[]} narrow @param {{top: number, height: number}} box */
+function platesOf(narrow, { top, height }) {
   const widthOf = (first, last) => textWidth(runText(first, last), RUN) + 10;
   return runsOf(narrow, widthOf).map(({ first, last, left, right }) => {
     const width = widthOf(first, last) - 2;

@@ -4,7 +4,7 @@ import { chosenStretch } from "../model/segments.js";
 import { originColor } from "../lib/colors.js";
 import { svg } from "../lib/dom.js";
 import { time as timeText } from "../lib/format.js";
-import { denseBoundaries, MOST_IN_DETAIL } from "./dense.js";
+import { denseBoundaries, isCrowded } from "./dense.js";
 import { glyph } from "./glyphs.js";
 import { textWidth } from "../lib/text_width.js";
 
@@ -23,7 +23,7 @@ export function drawIntervals(state, scale, layout, bottom) {
   const top = layout.rows.get("boundaries").y;
   const bandBottom = layout.headHeight;
   const nodes = [];
-  const crowded = countInView(doc, scale) > MOST_IN_DETAIL;
+  const crowded = isCrowded(countInView(doc, scale), scale);
   doc.boundaries.forEach((boundary) => {
     const [low, high] = boundary.interval_s;
     if (crowded || high < scale.from || low > scale.to) return;
@@ -77,7 +77,7 @@ export function drawBoundaries(state, scale, layout, bottom) {
   const nodes = [];
   const seen = countInView(doc, scale);
   const dense = seen > scale.width / DENSE_PX ? "dense" : "";
-  const crowded = seen > MOST_IN_DETAIL;
+  const crowded = isCrowded(seen, scale);
   if (crowded) nodes.push(...denseBoundaries(doc.boundaries, scale, row));
   doc.boundaries.forEach((boundary, index) => {
     if (crowded && index !== hovered && index !== current) return;

@@ -8,6 +8,15 @@ import { svg } from "../lib/dom.js";
 
 /** Beyond so many in view, marks lose their texts and shapes. */
 export const MOST_IN_DETAIL = 300;
+/** So they do where each has less room than this on the average [px]. */
+const LEAST_ROOM_PX = 4;
+
+/** Whether so many marks in view are too many to be told apart. @param {number} count @param {{width: number}} scale */
+export const isCrowded = (count, { width }) =>
+  count > Math.min(MOST_IN_DETAIL, Math.max(width / LEAST_ROOM_PX, MOST_ANYWHERE));
+
+/** So many are told apart in any width. */
+const MOST_ANYWHERE = 24;
 
 /** @param {import("../model/types.js").Segment[]} segments @param {import("../lib/scale.js").Scale} scale */
 export function segmentsInView(segments, scale) {

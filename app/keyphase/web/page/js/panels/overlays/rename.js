@@ -14,8 +14,6 @@ const hint = () =>
     "names it",
     el("kbd", { text: "Tab" }),
     "and goes on to the next",
-    el("kbd", { text: "Esc" }),
-    "leaves it",
   );
 
 /**

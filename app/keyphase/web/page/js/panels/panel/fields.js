@@ -121,8 +121,8 @@ export function slider({ title, hint, share, value, unit = "", low, high, step, 
   };
 }
 
-/** Four figures: what a slider can place and a person can read. */
-const rounded = (value) => Number(value.toPrecision(4));
+/** Four figures: what a slider can place and a person can read; of small ones as many as have room. */
+const rounded = (value) => Number(value.toPrecision(Math.abs(value) < 0.1 ? 3 : 4));
 
 /**
  * One of several.

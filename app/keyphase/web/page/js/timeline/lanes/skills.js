@@ -5,7 +5,7 @@ import { svg } from "../../lib/dom.js";
 import { textWidth } from "../../lib/text_width.js";
 import { runsOf, runText } from "../runs.js";
 import { DOUBT, howItEnds } from "../../model/end_condition.js";
-import { MOST_IN_DETAIL, segmentsInView } from "../dense.js";
+import { isCrowded, segmentsInView } from "../dense.js";
 
 const FONT = "11px";
 
@@ -16,7 +16,7 @@ const FONT = "11px";
  */
 export function drawSkills({ document: doc }, scale, { y, height }) {
   const ground = svg("rect", { y, width: scale.width, height, class: "band-ground" });
-  if (segmentsInView(doc.segments, scale).length > MOST_IN_DETAIL) return [ground];
+  if (isCrowded(segmentsInView(doc.segments, scale).length, scale)) return [ground];
   /** @type {Map<number, number[]>} places in the plan, by the segment */
   const places = new Map();
   doc.plan.forEach(({ segment }, k) =>

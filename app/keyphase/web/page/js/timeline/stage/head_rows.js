@@ -1,7 +1,7 @@
 /** What is drawn over and beside the tracks: each function draws one layer of it anew. */
 
 import { withDrag } from "../../model/drag.js";
-import { drawBand, drawNaming } from "../band.js";
+import { drawBand, drawNaming, drawRuns } from "../band.js";
 import { drawBoundaries, drawGhosts, drawIntervals } from "../boundaries.js";
 import { drawOthers } from "../others.js";
 import { drawBreaks } from "../breaks.js";
@@ -29,6 +29,7 @@ export function drawSegments({ groups, gutters, scale, bottom }, plain) {
   groups.band.replaceChildren(...drawBand(state, at, band), ...drawOthers(state, at, band));
   groups.breaks.replaceChildren(...drawBreaks(state, at, layout, bottom()));
   groups.boundaries.replaceChildren(...drawBoundaries(state, at, layout, bottom()));
+  groups.runs.replaceChildren(...drawRuns(state, at, band));
   groups.ghosts.replaceChildren(...drawGhosts(state, at, layout, bottom()));
   const skills = layout.rows.get("skills");
   groups.skills.replaceChildren(...(skills ? drawSkills(state, at, skills) : []));

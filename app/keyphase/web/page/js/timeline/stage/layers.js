@@ -43,6 +43,7 @@ export function createLayers(pane) {
     groups.naming,
     groups.breaks,
     groups.boundaries,
+    groups.runs,
     groups.ghosts,
     groups.playhead,
   );
@@ -61,7 +62,11 @@ const overviewGroups = () => ({
 });
 
 /** What stands above the segments and over them. */
-const overSegments = () => ({ naming: svg("g"), skills: svg("g", { class: "skills" }) });
+const overSegments = () => ({
+  naming: svg("g"),
+  runs: svg("g"),
+  skills: svg("g", { class: "skills" }),
+});
 
 /** What stands below the segments. */
 const laneGroups = () => ({
