@@ -65,8 +65,11 @@ def test_space_pauses_and_goes_on(page: KeyphasePage) -> None:
     begin(page)
     page.press("Space")
     phase(page, "paused")
+    page.set_theme(dark=True)
     page.press("Space")
     phase(page, "running")
+    assert page.state("dark")
+    page.set_theme(dark=False)
 
 
 def test_next_skill_runs_until_one_has_ended(page: KeyphasePage) -> None:

@@ -42,12 +42,15 @@ export function createKeys(store, actions, commands, heldLabel, escape) {
  * @param {HTMLElement} to
  */
 export function letGoOfButton({ detail, target }, to) {
-  const button = /** @type {HTMLElement} */ (target)?.closest?.(
-    "button, summary, input[type=checkbox]",
+  const button = /** @type {HTMLElement|null} */ (
+    /** @type {HTMLElement} */ (target)?.closest?.("button, summary, input[type=checkbox]")
   );
   const isButton = button && button === document.activeElement && !button.closest("dialog, form");
   const row = /** @type {HTMLElement} */ (target)?.closest?.("#queue-rows [role=option]");
-  if (detail && (isButton || row)) to.focus({ preventScroll: true });
+  if (!detail || !(isButton || row)) return;
+  to.focus({ preventScroll: true });
+  // While a replay is shown the timeline is not.
+  if (document.activeElement === button) button?.blur();
 }
 
 const TEXT_FIELDS =
