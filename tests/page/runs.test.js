@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { isCrowded } from "../../app/keyphase/web/page/js/timeline/dense.js";
 import { runsOf, runText } from "../../app/keyphase/web/page/js/timeline/runs.js";
 
 const marks = (widths) => {
@@ -24,4 +25,10 @@ test("as many are told together as the words need room for", () => {
 test("what has its own number is in none, and what has no room is not told", () => {
   assert.deepEqual(runs([40, 30, 25]), []);
   assert.deepEqual(runs([40, 5, 40]), []);
+});
+
+test("where each would have no room, a narrow timeline shows colours only", () => {
+  const crowded = (count, width) => isCrowded(count, { width });
+  assert.deepEqual([crowded(74, 1100), crowded(74, 220)], [false, true]);
+  assert.deepEqual([crowded(20, 50), crowded(301, 1700)], [false, true]);
 });
