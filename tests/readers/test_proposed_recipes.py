@@ -94,7 +94,7 @@ def completed(text: str) -> str:
     text = text.replace('# frame = "base"', 'frame = "base"').replace("# sign = 1", "sign = 1")
     text = text.replace("# order =", 'order = "xyzw"')
     columns = 'kind = "quaternion"\ncolumns = [4, 5, 6, 7]' in text
-    if columns and "[force]" not in text:
+    if columns and "\n[force]" not in text:
         text = text.replace("[wrench]", "")
         text += '[force]\ncolumns = [8, 9, 10]\nunit = "N"\n[wrench]\nframe = "base"\nsign = 1\n'
     return re.sub(r"# Not read:.*", "", text)

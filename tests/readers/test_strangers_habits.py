@@ -155,7 +155,32 @@ TUM = np.column_stack([TIME, POSITION, XYZW])
 VICON = ["Trajectories", str(RATE_HZ), ",,Tool:Tool,,", "Frame,Sub Frame,X,Y,Z", ",,mm,mm,mm"]
 COUNTED = np.column_stack([1 + np.arange(ROWS), 0 * TIME])
 OBJECTS = [*VICON[:2], ",,Tool,,,,,", "Frame,Sub Frame,RX,RY,RZ,TX,TY,TZ", ",,rad,rad,rad,mm,mm,mm"]
+EXTERNAL = ["time,ee_pos_x,ee_pos_y,ee_pos_z,f_ext_x,f_ext_y,f_ext_z"]
+WHOLE = np.array([[1.7e9 + t // 1, round(1e9 * (t % 1))] for t in TIME])
+
+
+def echoed(folder: Path) -> Path:
+    """As `ros2 topic echo --csv` writes a pose: no names, seconds and nanoseconds apart."""
+    rows = [
+        f"{s:.0f},{n:.0f},base," + ",".join(f"{v:.9g}" for v in (*p, *q))
+        for (s, n), p, q in zip(WHOLE, POSITION, XYZW, strict=True)
+    ]
+    (folder / "pose.csv").write_text("\n".join(rows) + "\n")
+    return folder / "pose.csv"
+
+
+def behind_each_other(folder: Path) -> Path:
+    arrays = {"t": TIME, "T": MATRICES.transpose(1, 2, 0), "wrench": np.tile(FORCE, 2).T}
+    scipy.io.savemat(folder / "run.mat", arrays)
+    return folder / "run.mat"
+
+
 HABITS = {
+    "echoed without names": Habit(echoed, force=False),
+    "matrices behind each other": Habit(behind_each_other),
+    "external forces": Habit(
+        table("f.csv", EXTERNAL, np.column_stack([TIME, POSITION, FORCE])), turned=False
+    ),
     "lists in quotes": Habit(lists(lambda row: f'"{row.tolist()}"')),
     "arrays as numpy shows them": Habit(lists(lambda row: str(row).replace("\n", ""))),
     "KITTI": Habit(table("poses.txt", [], MATRICES[:, :3].reshape(ROWS, 12), " "), force=False),
@@ -230,3 +255,12 @@ def test_a_pickle_is_named_and_not_proposed_for(tmp_path: Path) -> None:
 
     with pytest.raises(DemonstrationError, match="pickle"):
         propose(path)
+
+
+def test_numbers_without_names_behind_a_pose_are_asked_about(tmp_path: Path) -> None:
+    np.save(tmp_path / "run.npy", FLAT)
+
+    text = propose(tmp_path / "run.npy").recipe_text()
+
+    assert '# columns = ["array[8]", "array[9]", "array[10]"]' in text
+    assert "\n[force]" not in text

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from keyphase.readers.formats.numeric import Arraylike
 
+_MATRIX = 4
 _MAX_LYING = 16
 """A pose has at most so many numbers."""
 
@@ -45,17 +46,26 @@ def _turned(
 ) -> tuple[dict[str, NDArray[Any]], tuple[str, ...]]:
     lengths = {len(values) for values in flat.values() if values.ndim == 1}
     lying = {
-        name for name, values in flat.items() if values.ndim == 2 and _lies(values.shape, lengths)
+        name
+        for name, values in flat.items()
+        if (values.ndim == 2 and _lies(values.shape, lengths)) or _is_stack(values.shape, lengths)
     }
     notices = ()
     if lying:
         shown = ", ".join(sorted(lying)[:5])
         notices = (f"Turned {shown}: one column a sample became one row a sample.",)
     return {
-        name: np.ascontiguousarray(v.T) if name in lying else v for name, v in flat.items()
+        name: np.ascontiguousarray(np.moveaxis(v, -1, 0)) if name in lying else v
+        for name, v in flat.items()
     }, notices
 
 
 def _lies(shape: tuple[int, ...], lengths: set[int]) -> bool:
     wide = shape[0] <= _MAX_LYING and shape[1] > shape[0]
     return wide and shape[1] in lengths and shape[0] not in lengths
+
+
+def _is_stack(shape: tuple[int, ...], lengths: set[int]) -> bool:
+    """Matrices one behind the other, (4, 4, N), as MATLAB writes poses."""
+    small = len(shape) == 3 and max(shape[:2]) <= _MATRIX and min(shape[:2]) >= _MATRIX - 1
+    return small and shape[2] in lengths and shape[0] not in lengths

@@ -15,7 +15,8 @@ NO_POSITION = re.compile(
     re.I,
 )
 FORCE = re.compile(
-    r"force|(?-i:[a-z]F[xyz])|kraft|(^|[\W_])f[\W_]?[xyz]|^f\d?[xyz]|(^|[./])f$", re.I
+    r"force|(?-i:[a-z]F[xyz])|kraft|(^|[\W_])f_?ext|(^|[\W_])f[\W_]?[xyz]|^f\d?[xyz]|(^|[./])f$",
+    re.I,
 )
 TORQUE = re.compile(
     r"torque|(?-i:[a-z][TM][xyz])|moment|(^|[\W_])[tm][\W_]?[xyz]($|[\W_])|(^|[./])(tau|m)$", re.I

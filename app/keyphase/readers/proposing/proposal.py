@@ -13,6 +13,7 @@ from keyphase.readers.foreign import foreign_kind
 from keyphase.readers.formats.known import format_of
 from keyphase.readers.formats.reader import split_side
 from keyphase.readers.proposing.columns import Looked, looked_at_arrays, looked_at_table
+from keyphase.readers.proposing.conventions import UNNAMED
 from keyphase.readers.proposing.frames import other_transforms
 from keyphase.readers.proposing.guess import Guess
 from keyphase.readers.proposing.layout import Layout, layout_of
@@ -27,6 +28,7 @@ from keyphase.readers.proposing.times import (
 from keyphase.readers.proposing.written import (
     guess_lines,
     maybe_clock_lines,
+    maybe_wrench_lines,
     preset_lines,
     section_of,
     table_lines,
@@ -92,7 +94,18 @@ class Proposal:
         if self.gaps:
             told = f"# {', '.join(self.gaps)}: not in all rows is there a number"
             lines += ["", told, "[rows]", f"empty = {toml('leave_out')}"]
-        return "\n".join([*lines, *unread_lines(self.unread)]) + "\n"
+        lines += unread_lines(self.unread)
+        return "\n".join([*lines, *self._maybe_wrench()]) + "\n"
+
+    def _maybe_wrench(self) -> list[str]:
+        left = [i for i, name in enumerate(self.names) if name in self.unread]
+        unnamed = all(UNNAMED.fullmatch(self.names[i]) for i in left)
+        told = not unnamed or any(g.role in ("force", "torque") for g in self.guesses)
+        behind = left == list(range(len(self.names) - len(left), len(self.names)))
+        has_names = self.layout is None or self.layout.form.header
+        return maybe_wrench_lines(
+            [self.names[i] if has_names else i for i in left], told or not behind
+        )
 
     @property
     def unread(self) -> tuple[str, ...]:

@@ -22,6 +22,7 @@ RESTARTS = "time starts again"
 
 _MIN_RATE_HZ, _MAX_RATE_HZ = 2.0, 5000.0
 _TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
+_SINCE_1970_S = 1e9
 _SLOW = {"min": 60.0}
 """Read only where a name says it."""
 _FORMATS = (
@@ -34,7 +35,7 @@ _FORMATS = (
 
 def time_of_numbers(names: Sequence[str], values: Array, free: Sequence[int]) -> Guess | None:
     """The column that rises as a time does, or falls only where a demonstration begins anew."""
-    two = _two_part_time(names, free)
+    two = _two_part_time(names, free) or _two_parts_by_numbers(values, free)
     if two is not None:
         return two
     elements = elements_of_vectors(names)
@@ -67,9 +68,18 @@ def _time_of(names: Sequence[str], values: Array, column: int, named: bool) -> G
 def _unit_and_step(name: str, seen: Array) -> tuple[str, float]:
     steps = np.diff(seen)
     step = float(np.median(steps[steps > 0]))
-    possible = [u for u, s in _TIME_UNITS.items() if _MIN_RATE_HZ <= 1 / (step * s) <= _MAX_RATE_HZ]
+    if not (possible := _possible_units(step)):
+        # Topics that are merged follow each other at once: then their mean says more.
+        step = float(np.mean(steps))
+        possible = _possible_units(step)
     told = unit_in(name, {**_TIME_UNITS, **_SLOW})
     return told or (possible[0] if len(possible) == 1 else _by_size(step, possible)), step
+
+
+def _possible_units(step: float) -> list[str]:
+    """The units in which a step makes a rate that a recorder has."""
+    rates = {unit: 1 / (step * size) for unit, size in _TIME_UNITS.items()}
+    return [unit for unit, rate in rates.items() if _MIN_RATE_HZ <= rate <= _MAX_RATE_HZ]
 
 
 def _restarting(names: Sequence[str], values: Array, free: Sequence[int]) -> Guess | None:
@@ -154,6 +164,24 @@ def _two_part_time(names: Sequence[str], free: Sequence[int]) -> Guess | None:
             evidence = ("seconds and nanoseconds in two columns",)
             return Guess("time", (seconds[0], i), "", "seconds and nanoseconds", evidence)
     return None
+
+
+def _two_parts_by_numbers(values: Array, free: Sequence[int]) -> Guess | None:
+    """The same in the first two columns, whatever they are called: whole seconds since 1970 that
+    stand still while whole nanoseconds beside them run.
+    """
+    if list(free[:2]) != [0, 1]:
+        return None
+    rows = measured_rows(values, (0, 1))
+    whole = len(rows) > 1 and bool((rows == np.round(rows)).all())
+    if not whole or rows[:, 0].min() < _SINCE_1970_S or rows[:, 1].min() < 0:
+        return None
+    seconds, rest = np.diff(rows[:, 0]), np.diff(rows[:, 1])
+    runs = bool((seconds * 1e9 + rest > 0).all()) and rows[:, 1].max() < 1e9
+    if not (runs and (seconds == 0).mean() > 0.5 and rows[:, 1].max() > 1e6):
+        return None
+    evidence = ("whole seconds since 1970, and whole nanoseconds that run beside them",)
+    return Guess("time", (0, 1), "", "seconds and nanoseconds", evidence)
 
 
 def _by_size(step: float, possible: Sequence[str]) -> str:

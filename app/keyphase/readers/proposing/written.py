@@ -118,6 +118,17 @@ def unread_lines(unread: Sequence[str]) -> list[str]:
     return ["", f"# Not read: {shown}{more}"]
 
 
+def maybe_wrench_lines(columns: Sequence[str | int], told: bool) -> list[str]:
+    """What is asked where three or six numbers without names are left behind a pose."""
+    if told or len(columns) not in (3, 6):
+        return []
+    lines = ["", "# What is left may be the wrench; nothing says so:"]
+    lines += ["# [force]", f"# columns = {toml(list(columns[:3]))}", '# unit = "N"']
+    if len(columns) == 6:
+        lines += ["# [torque]", f"# columns = {toml(list(columns[3:]))}", '# unit = "Nm"']
+    return [*lines, "# and [wrench] with its frame and sign"]
+
+
 def preset_lines(name: str, left_open: Mapping[str, Sequence[str]]) -> list[str]:
     """A recipe that begins with a preset, and what that leaves open, by section."""
     lines = [f"preset = {toml(name)}    # all columns it needs are there"]
