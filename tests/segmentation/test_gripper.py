@@ -91,9 +91,12 @@ def test_of_a_simulated_pick_and_place_grasp_and_release_are_found_named_and_kep
 def test_a_segment_that_ends_as_the_gripper_acts_ends_with_what_it_did() -> None:
     demonstration = with_opening(0.08 * np.repeat([1.0, 0.25, 1.0], [300, 400, 300]))
     first, second, last = (one.end_condition for one in segment(demonstration).segments)
-    assert first == ConfigurationEnd(gripper=GripperEnd("grasp", 0.02, first.gripper.tolerance))
-    assert second.gripper == replace(first.gripper, change="release")
+    assert isinstance(first, ConfigurationEnd)
+    assert first.gripper is not None
     assert first.gripper.tolerance == pytest.approx(0.006, rel=0.01)
+    grasp = GripperEnd("grasp", 0.02, first.gripper.tolerance)
+    assert first.gripper == grasp
+    assert second == ConfigurationEnd(gripper=replace(grasp, change="release"))
     assert last == ConfigurationEnd()
 
 

@@ -231,8 +231,9 @@ def _parts_of(guess: Guess) -> tuple[Part, ...]:
     if guess.is_one_of_several:
         return ("ignore",) * len(guess.columns)
     if guess.role == "quaternion":
-        known = tuple(_QUATERNION[letter] for letter in guess.detail)
-        return known or ("quaternion",) * len(guess.columns)
+        if guess.detail:
+            return tuple(_QUATERNION[letter] for letter in guess.detail)
+        return ("quaternion",) * len(guess.columns)
     if guess.detail == _TWO_PARTS:
         return ("seconds", "nanoseconds")
     if guess.role in _WHOLE:
