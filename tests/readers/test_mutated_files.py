@@ -20,6 +20,6 @@ def test_two_thousand_mutated_files_are_read_as_others_do_or_refused_in_a_line(
     assert faults == []
     assert sum(counts.values()) == 2000
     kinds = {kind for kind, _ in counts}
-    assert len(kinds) == 26
+    assert len(kinds) == 30
     assert sum(counts[kind, "read"] for kind in kinds) > 200
     assert sum(counts[kind, "refused"] for kind in kinds) > 1000
