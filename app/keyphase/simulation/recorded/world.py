@@ -90,8 +90,7 @@ class RecordedWorld:
         if span_s != self._span_s:
             self._span_s = span_s
             self._late_s.clear()
-        pace = 0.0 if None in (moment_s, self._moment) else moment_s - self._moment
-        self._pace = min(max(pace * RATE_HZ, 0.0), 1.0)
+        self._pace = _pace(self._moment, moment_s)
         self._moment, self._on_path = moment_s, span_s is not None
         if moment_s is None or span_s is None:
             return
@@ -245,6 +244,13 @@ class RecordedWorld:
             torque_Nm=np.zeros(3),
             contact_N=np.zeros(0),
         )
+
+
+def _pace(before_s: float | None, now_s: float | None) -> float:
+    """How much of the demonstration is repeated in the time that a tick takes, 0 to 1."""
+    if before_s is None or now_s is None:
+        return 0.0
+    return min(max((now_s - before_s) * RATE_HZ, 0.0), 1.0)
 
 
 def _disc(name: str, is_surface: bool) -> Shape:

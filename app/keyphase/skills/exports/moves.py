@@ -52,7 +52,7 @@ def _rows(
 
 
 def _ticks(duration_s: float) -> Array:
-    return STEP_S * np.arange(min(round(duration_s / STEP_S), MAX_TICKS) + 2)
+    return STEP_S * np.arange(min(round(duration_s / STEP_S), MAX_TICKS) + 2, dtype=np.float64)
 
 
 def _rounded(rows: list[Array]) -> list[list[float]]:
