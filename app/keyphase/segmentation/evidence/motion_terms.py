@@ -8,7 +8,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.grid import Grid
-from keyphase.segmentation.evidence.speed import Speed
+from keyphase.segmentation.evidence.speed import QUICK_HZ, Speed, speed_of
 
 MOTION_TERMS: Mapping[str, str] = {
     "depth": "how far the speed falls",
@@ -41,6 +41,8 @@ _EDGE = 0.07
 _SAME_S = 0.12
 _PLACE_SHARE = 0.02
 _PLACE_M = (1e-3, 5e-3)
+_SWAY_S = 2.0
+_WANDER = 3.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,6 +69,10 @@ def motion_candidates(grid: Grid, speed: Speed) -> MotionCandidates:
         strokes = [_Valleys(grid, speed, level) for level in LEVELS]
         crowd = strokes[0].valley
         tables += [valleys.rows(crowd) for valleys in strokes]
+        if grid.wrench is None:
+            # Beside a force a mere turn is no boundary by itself.
+            quick = _Valleys(grid, speed_of(grid, QUICK_HZ), LEVELS[-1])
+            tables.append(quick.rows(crowd))
         tables.append(_standing(grid, speed, crowd))
     rows = _distinct(tables, grid.rate_hz)
     if speed.fast_m_s > 0.0:
@@ -192,9 +198,21 @@ def _stops(grid: Grid, speed: Speed, coarse: _Valleys) -> Indices:
             if late - early <= shortest:
                 continue
             stretch = pose[early + margin : late - margin]
-            if float(np.linalg.norm(np.ptp(stretch, axis=0))) < place:
+            if _stays(stretch, place, grid.cells(_SWAY_S)):
                 found.append((int(early), int(late)))
     return np.array(found, dtype=np.intp).reshape(-1, 2)
+
+
+def _stays(pose: Array, place: float, sway: int) -> bool:
+    """Whether a pose (n, D) stays in a place: a hand that stands for a minute sways further than in
+    `sway` cells, but goes nowhere."""
+    whole = float(np.linalg.norm(np.ptp(pose, axis=0)))
+    if whole < place or whole >= _WANDER * place or len(pose) <= sway:
+        return whole < place
+    from scipy.ndimage import maximum_filter1d, minimum_filter1d
+
+    extent = maximum_filter1d(pose, sway, axis=0) - minimum_filter1d(pose, sway, axis=0)
+    return float(np.linalg.norm(extent, axis=1).max()) < place
 
 
 def _inside_a_stop(cell: Array, stops: Indices, rate_hz: float) -> np.ndarray:

@@ -15,6 +15,9 @@ from keyphase.segmentation.order_statistics import quantile
 
 SMOOTHING_HZ = 3.0
 
+QUICK_HZ = 7.0
+"""Strokes of a third of a second run into one another below 3 Hz; tremor is slower than they."""
+
 MIN_FAST_M_S = 5e-3
 """Where the fast moments are slower than this, nothing moves on purpose."""
 
@@ -25,7 +28,7 @@ _FAST_QUANTILE = 0.98
 class Speed:
     """Of the pose on a grid of n cells.
 
-    pose_m (n, 3 or 6)  smoothed below 3 Hz
+    pose_m (n, 3 or 6)  smoothed, usually below 3 Hz
     speed_m_s (n,)      of it
     fast_m_s            98 % of the moments are slower; 0 where nothing moves on purpose
     """
@@ -48,12 +51,12 @@ class Speed:
         return np.maximum(before, 0.0), np.maximum(windows.mean(at + near, at + far)[:, 0], 0.0)
 
 
-def speed_of(grid: Grid) -> Speed:
-    """Smooth the pose and differentiate it."""
+def speed_of(grid: Grid, smoothing_hz: float = SMOOTHING_HZ) -> Speed:
+    """Smooth the pose below `smoothing_hz` and differentiate it."""
     pose = grid.pose_m
     if len(grid) <= MIN_CELLS:
         return Speed(grid, pose, np.zeros(len(grid)), 0.0)
-    pose = smoothed(pose, min(SMOOTHING_HZ, 0.35 * grid.rate_hz), grid.rate_hz)
+    pose = smoothed(pose, min(smoothing_hz, 0.35 * grid.rate_hz), grid.rate_hz)
     velocity = np.gradient(pose, 1.0 / grid.rate_hz, axis=0)
     speed = np.linalg.norm(velocity, axis=1)
     fast = quantile(speed, _FAST_QUANTILE)

@@ -1,0 +1,43 @@
+"""Where the motion may change: a hand that stands for a minute, and one in a hurry."""
+
+import numpy as np
+
+import synthetic
+from keyphase.demonstration import Array, Demonstration
+from keyphase.making.draws import low_noise
+from keyphase.segmentation.evidence.grid import grid_of
+from keyphase.segmentation.evidence.motion_terms import MotionCandidates, motion_candidates
+from keyphase.segmentation.evidence.speed import speed_of
+from keyphase.segmentation.motion import motion_of
+
+
+def candidates_s(time_s: Array, position_m: Array) -> tuple[Array, MotionCandidates]:
+    recorded = Demonstration("moved", time_s, position_m)
+    grid = grid_of(recorded, motion_of(recorded))
+    found = motion_candidates(grid, speed_of(grid))
+    return np.interp(found.cell, np.arange(len(grid)), grid.time_s), found
+
+
+def strokes(time_s: Array, *each: tuple[float, float, tuple[float, float, float]]) -> Array:
+    position = np.zeros((len(time_s), 3))
+    for begin, end, way in each:
+        part = synthetic.minimum_jerk(np.clip((time_s - begin) / (end - begin), 0.0, 1.0))
+        position += part[:, None] * np.array(way)
+    return position
+
+
+def test_a_hand_that_sways_for_a_minute_does_not_move():
+    time = np.arange(0.0, 70.0, 0.01)
+    moved = strokes(time, (1.0, 2.0, (0.3, 0.0, 0.0)), (65.0, 66.0, (-0.3, 0.1, 0.0)))
+    sway = low_noise(np.random.default_rng(5), len(time), 100.0, 1.0, 6e-4)
+    at, _ = candidates_s(time, moved + sway)
+    assert not ((at > 3.0) & (at < 64.0)).any()
+
+
+def test_a_corner_between_two_hasty_strokes_is_deep():
+    time = np.arange(0.0, 3.0, 0.01)
+    moved = strokes(time, (1.0, 1.3, (0.2, 0.0, 0.0)), (1.3, 1.6, (0.0, 0.2, 0.0)))
+    at, found = candidates_s(time, moved)
+    corner = int(np.argmin(np.abs(at - 1.3)))
+    assert abs(at[corner] - 1.3) < 0.05
+    assert found.terms[corner, 0] > np.log(5.0)
