@@ -18,12 +18,8 @@ from keyphase.labeling.edits import MAX_PLAN_LENGTH, check_label
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file_content import as_csv, as_json, segment_file_content
 from keyphase.readers import fingerprint
-from keyphase.segmentation.end_condition import (
-    ConfigurationEnd,
-    ContactEnd,
-    EndCondition,
-    GripperEnd,
-)
+from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, EndCondition
+from keyphase.segmentation.end_condition.values import GripperEnd
 from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.segmentation import Origin
 
@@ -281,8 +277,7 @@ def _check_consistency(file: SegmentFile) -> None:
     times = [boundary.time_s for boundary in file.boundaries]
     starts = [segment.start_s for segment in file.segments]
     ends = [segment.end_s for segment in file.segments]
-    ids = [segment.id for segment in file.segments]
-    if ids != list(range(1, len(ids) + 1)):
+    if [segment.id for segment in file.segments] != list(range(1, len(ends) + 1)):
         raise _contradiction(file, "segment ids must count 1, 2, … in time order")
     if starts[1:] != times or ends[:-1] != times:
         raise _contradiction(file, "neighbouring segments must meet at the boundaries")

@@ -19,14 +19,11 @@ from keyphase.segmentation.segmentation import Candidate, Peak, Reason
 from keyphase.web.protocol import document_messages as say
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.recordings import printable
+from keyphase.workbench.showing import thresholds
 from keyphase.workbench.showing.doubts import is_unsure
 from keyphase.workbench.showing.force_steps import greatest_step
 from keyphase.workbench.showing.reasons import Meeting, logged_near, sentences
 from keyphase.workbench.showing.short_labels import short_labels
-from keyphase.workbench.showing.thresholds import (
-    automatic_motion_threshold,
-    automatic_threshold,
-)
 
 CONNECTING_MM = 1.0
 """A plan entry that starts nearer than this to where the last one ended needs no connection."""
@@ -57,9 +54,9 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         notices=_notices(state),
         parameters=asdict(segmentation.parameters),
         threshold=segmentation.threshold,
-        automatic_threshold=automatic_threshold(segmentation),
+        automatic_threshold=thresholds.automatic_threshold(segmentation),
         motion_threshold=segmentation.motion_threshold,
-        automatic_motion_threshold=automatic_motion_threshold(segmentation),
+        automatic_motion_threshold=thresholds.automatic_motion_threshold(segmentation),
         automatic_least_step_N=segmentation.automatic_least_step_N,
         boundaries=boundaries_of(state.labeling),
         segments=_segments(state.labeling),
