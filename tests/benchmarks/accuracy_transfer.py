@@ -28,7 +28,7 @@ def main() -> int:
     asked = _asked()
     cached = Memory(asked.cache, verbose=0).cache(made)
     tasks = {
-        task: _enough(cached, task, count, asked.jobs)
+        task: _enough(cached, task, count, asked)
         for task, count in [*((one, asked.count) for one in WORKCELLS), (GRIPPER, asked.grips)]
         if count
     }
@@ -60,18 +60,19 @@ def _asked() -> argparse.Namespace:
     parser.add_argument("--grips", type=int, default=40, help="recordings of the pick and place")
     parser.add_argument("--only", default="", help="only tasks with this in their name")
     parser.add_argument("--seed", type=int, default=0, help="of who teaches")
+    parser.add_argument("--first", type=int, default=0, help="seed of the first recording")
     parser.add_argument("--draws", type=int, default=5, help="choices of teachers; all, if fewer")
     parser.add_argument("--jobs", type=int, default=1)
     return parser.parse_args()
 
 
-def _enough(cached, task: str, count: int, jobs: int) -> list[Known]:
+def _enough(cached, task: str, count: int, asked: argparse.Namespace) -> list[Known]:
     """The first `count` recordings of a task that did not fail."""
     found: list[Known] = []
-    seed = 0
+    seed = asked.first
     while len(found) < count:
         seeds = range(seed, seed + count - len(found))
-        some = Parallel(n_jobs=jobs)(delayed(cached)(task, one) for one in seeds)
+        some = Parallel(n_jobs=asked.jobs)(delayed(cached)(task, one) for one in seeds)
         found += [
             simulated(task, one, each)
             for one, each in zip(seeds, some, strict=True)
