@@ -15,6 +15,7 @@ from keyphase.transfer.alignment import align
 from keyphase.transfer.as_edit import as_edit
 from keyphase.transfer.evidence_places import Place, Places
 from keyphase.transfer.own_boundaries import is_better
+from keyphase.transfer.placing import Teacher
 from keyphase.transfer.proposing import propose, usual_cost_of
 from keyphase.transfer.signals import signals_of
 from keyphase.transfer.taught import Taught, taught_by
@@ -29,6 +30,10 @@ def named(demonstration: Demonstration) -> Taught:
         replace(phase, name=name) for phase, name in zip(found.phases, NAMES, strict=True)
     )
     return replace(found, phases=phases)
+
+
+def teacher(taught: Taught, demonstration: Demonstration) -> Teacher:
+    return Teacher(taught, align(taught.signals, signals_of(demonstration)))
 
 
 @pytest.fixture(scope="module")
@@ -169,7 +174,27 @@ def test_a_program_of_which_three_of_four_were_kept_is_not_believed_yet(
     ends = first.ends_s
     three = replace(first, found_s=(*ends[:-1], ends[-1] + 0.3))
     assert len(ends) == 4
-    assert not is_better([three], proposed, own)
+    assert not is_better([teacher(three, second)], proposed, own)
+
+
+def test_a_little_early_in_a_fast_recording_is_early_in_a_slow_one(
+    first: Taught, second: Demonstration
+) -> None:
+    slower = segment(replace(second, time_s=3.0 * second.time_s))
+    proposed = propose([first], slower.demonstration).boundaries
+    own = replace(slower, boundaries=slower.boundaries[: len(proposed)])
+    early = replace(first, found_s=tuple(end_s + 0.05 for end_s in first.ends_s))
+    assert len(own.boundaries) == len(proposed)
+    assert not is_better([teacher(early, slower.demonstration)], proposed, own)
+
+
+def test_what_is_done_without_a_gripper_is_another_task(
+    first: Taught, second: Demonstration
+) -> None:
+    opening = np.clip(2.0 * np.sin(second.time_s), 0.0, 1.0)
+    gripping = replace(second, gripper=opening)
+    assert not propose([first], second).outlier
+    assert propose([first], gripping).cost > 1.5 * propose([first], second).cost
 
 
 def test_the_program_is_believed_where_persons_left_its_boundaries_where_they_were(
@@ -180,9 +205,9 @@ def test_the_program_is_believed_where_persons_left_its_boundaries_where_they_we
     kept = replace(first, found_s=first.ends_s)
     elsewhere = replace(first, found_s=tuple(end_s + 0.5 for end_s in first.ends_s))
     early = replace(first, found_s=tuple(end_s + 0.15 for end_s in first.ends_s))
-    assert is_better([kept], proposed, own)
-    assert not is_better([elsewhere], proposed, own)
-    assert not is_better([early], proposed, own)
+    assert is_better([teacher(kept, second)], proposed, own)
+    assert not is_better([teacher(elsewhere, second)], proposed, own)
+    assert not is_better([teacher(early, second)], proposed, own)
 
 
 def test_another_number_than_proposed_is_believed_of_a_program_that_found_what_persons_meant(

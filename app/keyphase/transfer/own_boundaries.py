@@ -17,7 +17,7 @@ TRUSTED = 0.6
 its own are taken. Of n boundaries with k right it is (k + 1) / (n + 3): one right of three is
 supposed before anything is known, so that three of four are not enough and four are."""
 
-CLOSE_S = 0.08
+CLOSE_S = 0.09
 """Persons whose boundaries typically lie farther than this from the program's mean other places."""
 
 SAME_S = 0.2
@@ -41,19 +41,24 @@ class ProposedBoundary:
 
 
 def is_better(
-    taught: Sequence[Taught], proposed: Sequence[ProposedBoundary], segmentation: Segmentation
+    teachers: Sequence[Teacher], proposed: Sequence[ProposedBoundary], segmentation: Segmentation
 ) -> bool:
     """Whether the program's own boundaries are to be taken rather than those proposed.
 
     They are where persons kept nearly all of them and added hardly any, and it now finds another
     number than is proposed: something is missing or doubled. Where it finds as many, only if the
-    persons had left them where they were.
+    persons had left them where they were, in the tempo of this recording.
     """
-    if _trust(taught) < TRUSTED:
+    if _trust([one.taught for one in teachers]) < TRUSTED:
         return False
     if len(segmentation.boundaries) != len(proposed):
         return True
-    offsets = [abs(o) for one in taught for o in _offsets_s(one) if o is not None]
+    offsets = [
+        abs(offset) * one.alignment.tempo
+        for one in teachers
+        for offset in _offsets_s(one.taught)
+        if offset is not None
+    ]
     return bool(offsets) and float(np.median(offsets)) < CLOSE_S
 
 

@@ -22,6 +22,9 @@ MAX_SAMPLES = 400
 VECTORS = ("velocity", "place", "turn", "force")
 """Kinds of three columns, x y z in the base frame."""
 
+GRIPPER = "gripper"
+"""The kind of one column, the opening."""
+
 _LEVER_M = 0.2
 _FORCE_WEIGHT = 1.5
 _SMOOTHING_S = 0.12
@@ -58,6 +61,13 @@ class Signals:
                 values[:, x + 1] = sine * self.values[:, x] + cosine * self.values[:, x + 1]
         return replace(self, values=values)
 
+    def with_gripper(self) -> "Signals":
+        """With a gripper that stands still where there is none."""
+        if GRIPPER in self.kinds:
+            return self
+        still = np.zeros((len(self.time_s), 1))
+        return replace(self, values=np.hstack([self.values, still]), kinds=(*self.kinds, GRIPPER))
+
     def only(self, kinds: Sequence[str]) -> "Signals":
         """With these kinds alone."""
         chosen = [i for kind in kinds for i, name in enumerate(self.kinds) if name == kind]
@@ -65,7 +75,13 @@ class Signals:
 
 
 def in_common(first: Signals, second: Signals, turned_rad: float = 0.0) -> tuple[Signals, Signals]:
-    """Both with the kinds that both have, the second turned about the vertical."""
+    """Both with the kinds that both have, the second turned about the vertical.
+
+    A gripper that only one has stands still in the other: what is done with one and without one is
+    not the same task.
+    """
+    if (GRIPPER in first.kinds) != (GRIPPER in second.kinds):
+        first, second = first.with_gripper(), second.with_gripper()
     shared = [kind for kind in dict.fromkeys(first.kinds) if kind in second.kinds]
     return first.only(shared), second.only(shared).turned(turned_rad)
 
@@ -89,7 +105,7 @@ def signals_of(demonstration: Demonstration) -> Signals:
         columns |= _force(_smooth(_at(demonstration.time_s, demonstration.force_N, grid)))
     if demonstration.gripper is not None:
         opening = np.interp(grid, demonstration.time_s, demonstration.gripper)[:, None]
-        columns["gripper"] = (opening - opening.min()) / (np.ptp(opening) + 1e-9)
+        columns[GRIPPER] = (opening - opening.min()) / (np.ptp(opening) + 1e-9)
     kinds = tuple(name for name, values in columns.items() for _ in range(values.shape[1]))
     return Signals(grid, np.hstack(list(columns.values())), kinds)
 
