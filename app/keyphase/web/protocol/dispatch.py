@@ -16,7 +16,6 @@ from keyphase.web.protocol.comparison_messages import comparison_message, lanes_
 from keyphase.web.protocol.control_messages import cameras_message
 from keyphase.web.protocol.export_messages import offers_message
 from keyphase.web.protocol.signals_frame import signals_frame
-from keyphase.web.protocol.view_requests import LEAST_SPEED
 from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.parameters import with_parameter
 from keyphase.workbench.exporting.beside import Beside
@@ -240,10 +239,8 @@ def _look(page: "Conversation", request: ask.LookRequest) -> None:
         case ask.Seek():
             view.move_playhead(lambda playhead: playhead.at(request.time_s))
         case ask.Play():
-            speed = request.speed
-            if abs(speed) < LEAST_SPEED:
-                raise RequestError(f"Expected a speed of {LEAST_SPEED} or more, but {speed} came.")
-            view.move_playhead(lambda head: head.played(request.playing, speed, request.loop))
+            playing, speed, loop = request.playing, request.speed, request.loop
+            view.move_playhead(lambda head: head.played(playing, speed, loop))
         case ask.PlayAround():
             view.move_playhead(lambda head: head.around(request.time_s))
         case ask.Show():

@@ -64,6 +64,11 @@ class Play(PageRequest, tag="play", frozen=True):
     speed: Speed = 1.0
     loop: bool = False
 
+    def __post_init__(self) -> None:
+        """Refuse a standstill that says it plays."""
+        if abs(self.speed) < LEAST_SPEED:
+            raise ValueError(f"Expected a speed of {LEAST_SPEED} or more, but got {self.speed}")
+
 
 class Show(PageRequest, tag="show", frozen=True):
     """Show or hide a part of the scene."""
