@@ -19,17 +19,23 @@ const nameOf = (node) =>
 export function keepFocus(store, fallback) {
   /** @type {{node: HTMLElement, region: Element|null, name: string}|null} */
   let last = null;
+  const isThere = (node) => node.isConnected && node.checkVisibility();
   addEventListener("focusin", ({ target }) => {
     const node = /** @type {HTMLElement} */ (target);
     last = { node, region: node.closest(REGIONS), name: nameOf(node) };
   });
-  // Pressed on nothing, the focus was given up, not lost.
+  // Pressed on nothing, or let go by what had it and is still there, the focus was given up, not lost.
   addEventListener("pointerdown", () => (last = null));
+  addEventListener("focusout", () =>
+    queueMicrotask(() => {
+      if (last && isThere(last.node) && document.activeElement === document.body) last = null;
+    }),
+  );
 
   function look() {
     if (!last || document.activeElement !== document.body) return;
     const { node, region, name } = last;
-    if (node.isConnected && node.checkVisibility()) return;
+    if (isThere(node)) return;
     last = null;
     const found = /** @type {HTMLElement[]} */ ([...(region?.querySelectorAll(REACHED) ?? [])]);
     const same = found.find((one) => nameOf(one) === name && one.checkVisibility());
