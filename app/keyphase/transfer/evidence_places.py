@@ -17,7 +17,7 @@ PlaceKind = Literal["contact", "motion", "grasp", "release"]
 REACH_S = 0.7
 """How far from evidence a person's boundary may lie and still belong to it."""
 
-MIN_PROBABILITY = 0.1
+MIN_PROBABILITY = 0.2
 """Less likely evidence is none."""
 
 _NEAR_S = 0.03
