@@ -108,6 +108,8 @@ def _seen_by_another_user(process: int, token: str) -> list[str]:
     here, there = context.Pipe()
     other = context.Process(target=_look_as_nobody, args=(there, process, token))
     other.start()
+    # One that ends without a word is an error here, not a wait for ever.
+    there.close()
     found = here.recv()
     other.join()
     return found
@@ -118,7 +120,9 @@ def _look_as_nobody(told: Connection, process: int, token: str) -> None:
     os.setgid(65534)
     os.setuid(65534)
     names = ("cmdline", "environ", "comm", "stat", "status", "maps", "mem")
-    files = [file for file in Path("/proc").glob("[0-9]*/*") if file.name in names]
+    # Named, not listed: a process may be gone by the time its folder would be.
+    running = [pid for pid in os.listdir("/proc") if pid.isdigit()]
+    files = [Path("/proc", pid, name) for pid in running for name in names]
     private = [Path("/proc", str(process), name) for name in ("mem", "environ", "fd", "cwd")]
     found = [str(path) for path in private if os.access(path, os.R_OK)]
     for file in files:
@@ -131,7 +135,8 @@ def _look_as_nobody(told: Connection, process: int, token: str) -> None:
 def _command_lines() -> list[str]:
     """And environments, which root at least can read."""
     lines = []
-    files = [*Path("/proc").glob("[0-9]*/cmdline"), *Path("/proc").glob("[0-9]*/environ")]
+    running = [pid for pid in os.listdir("/proc") if pid.isdigit()]
+    files = [Path("/proc", pid, name) for name in ("cmdline", "environ") for pid in running]
     for file in files:
         with contextlib.suppress(OSError):
             lines.append(file.read_bytes().replace(b"\0", b" ").decode(errors="replace"))
@@ -150,7 +155,7 @@ def _wait_for_command_line(part: str) -> list[str]:
 def _children(pid: int) -> list[int]:
     """The processes that were started by `pid`, which is this test's own."""
     found = []
-    for file in Path("/proc").glob("[0-9]*/stat"):
+    for file in (Path("/proc", one, "stat") for one in os.listdir("/proc") if one.isdigit()):
         with contextlib.suppress(OSError):
             fields = file.read_text().rpartition(")")[2].split()
             if int(fields[1]) == pid:
