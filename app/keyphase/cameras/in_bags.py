@@ -87,7 +87,7 @@ def _times_s(topic: Topic, zero_stamp: int, zero_log: int) -> NDArray[np.float64
     """By the stamps where all have one and they ascend, else by the log."""
     stamped = zero_stamp and all(topic.stamps) and (np.diff(topic.stamps) > 0).all()
     times = np.array(topic.stamps if stamped else topic.logs, dtype=np.int64)
-    return (times - (zero_stamp if stamped else zero_log)) * 1e-9
+    return ((times - (zero_stamp if stamped else zero_log)) * 1e-9).astype(np.float64)
 
 
 def _short(topic: str) -> str:

@@ -52,7 +52,8 @@ class DrawnCurve:
     def peaks(self, scores: Scores, selection: Selection) -> tuple[Peak, ...]:
         """The given and the likelier other candidates, in time order."""
         drawn = (selection.contact == GIVEN) | (scores.contact >= log_odds(MIN_DRAWN))
-        on = np.column_stack([selection.contact[drawn], sigmoid(scores.contact[drawn])])
+        codes = selection.contact[drawn].astype(np.float64)
+        on = np.column_stack([codes, sigmoid(scores.contact[drawn])])
         return tuple(self._peaks.of(np.flatnonzero(drawn), on).tolist())
 
     def _peak(self, index: int, on: list[float]) -> Peak:

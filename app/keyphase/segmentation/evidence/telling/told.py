@@ -170,7 +170,10 @@ class Told:
             if score >= log_odds(LOWEST)
         ]
         worth.sort(key=lambda each: (-each[0], each[1]))
-        told = sorted((time, kind, index) for _, time, kind, index in worth[:MAX_TOLD])
+        told: list[tuple[float, CandidateKind, int]] = [
+            (time, kind, index) for _, time, kind, index in worth[:MAX_TOLD]
+        ]
+        told.sort()
         return [(kind, index) for _, kind, index in told]
 
     def _summed_up(self, kind: CandidateKind, index: int) -> tuple[Reason, ...]:

@@ -46,7 +46,7 @@ class Tail:
 
     def follow(self, demonstration: Demonstration, time_s: float) -> None:
         """End at where the tool was at that time."""
-        self._balls.batched_positions = tail_m(demonstration, time_s)
+        self._balls.batched_positions = tail_m(demonstration, time_s).astype(np.float32)
 
 
 def tail_m(demonstration: Demonstration, time_s: float) -> NDArray[np.float64]:
