@@ -97,9 +97,12 @@ def test_what_is_done_while_the_scene_is_put_up_is_seen_in_it(
     )
     setup1.scene.wait_for_function(_TOOL_AT, arg=there)
     view = setup1.box("#viser")
-    seen = setup1.until_seen("merged", lambda now: now.count_hue(_COLOR, view) < 20)
-    assert seen.count_hue(_COLOR, view) < 20
-    assert seen.count_hue(SEGMENT_COLORS[0], view) > 100
+    (one,) = setup1.document["segments"]
+    color = SEGMENT_COLORS[one["color"]]
+    gone = SEGMENT_COLORS[1 if one["color"] == 2 else 2]
+    seen = setup1.until_seen("merged", lambda now: now.count_hue(gone, view) < 20)
+    assert seen.count_hue(gone, view) < 20
+    assert seen.count_hue(color, view) > 100
 
 
 def _is_drawn_thicker(page: KeyphasePage, before: int) -> None:
