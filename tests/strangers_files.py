@@ -34,8 +34,10 @@ def nobodys_hdf5(folder: Path, name: str = "session_7.h5", takes: int = 2) -> Pa
     return folder / name
 
 
-def nobodys_mcap(folder: Path) -> Path:
-    """JSON messages without ROS: a pose at 125 Hz and a force at 62.5 Hz, each with its stamp."""
+def nobodys_mcap(folder: Path, sensor_ns: int = _BEGIN_NS) -> Path:
+    """JSON messages without ROS: a pose at 125 Hz and a force at 62.5 Hz, each with its stamp; the
+    clock of the sensor begins at `sensor_ns`.
+    """
     time_s, position, force = press()
     with (folder / "cell_4.mcap").open("wb") as stream:
         writer = Writer(stream)
@@ -45,12 +47,17 @@ def nobodys_mcap(folder: Path) -> Path:
         loaded = writer.register_channel("/sensor", "json", schema)
         for i, seconds in enumerate(time_s):
             ns = _BEGIN_NS + round(1e9 * seconds)
-            stamp = {"sec": ns // 10**9, "nsec": ns % 10**9}
+            stamp = _stamp(ns)
             place = dict(zip("xyz", position[i].tolist(), strict=True))
             said = {"stamp": stamp, "tcp": place, "speed": 0.1 * i}
             writer.add_message(pose, ns + 10**6, json.dumps(said).encode(), ns)
             if i % 2 == 0:
-                felt = {"stamp": stamp, "force": dict(zip("xyz", force[i].tolist(), strict=True))}
+                told = _stamp(ns - _BEGIN_NS + sensor_ns)
+                felt = {"stamp": told, "force": dict(zip("xyz", force[i].tolist(), strict=True))}
                 writer.add_message(loaded, ns + 2 * 10**6, json.dumps(felt).encode(), ns)
         writer.finish()
     return folder / "cell_4.mcap"
+
+
+def _stamp(ns: int) -> dict[str, int]:
+    return {"sec": ns // 10**9, "nsec": ns % 10**9}

@@ -79,10 +79,10 @@ def test_a_corrected_column_and_a_clock_of_an_mcap_are_read_as_chosen(
     time_s, position, force = press()
     found = read(tmp_path / "here" / "cell_4.mcap")
     assert "/sensor.log_time" in (tmp_path / "here" / "cell_4.mcap.recipe.toml").read_text()
-    # Logs begin 1 ms after stamps do, each clock at its own zero, and a force is logged 2 ms after
-    # its stamp: it comes 1 ms late, so that the first and the last pose have none.
+    # A force is logged 2 ms after its stamp, and both clocks have one zero: the first and the last
+    # pose have none.
     within = slice(1, -1)
     np.testing.assert_allclose(found.position_m, position[within], atol=1e-6)
-    logged = np.column_stack([np.interp(time_s, time_s[::2] + 1e-3, each[::2]) for each in force.T])
+    logged = np.column_stack([np.interp(time_s, time_s[::2] + 2e-3, each[::2]) for each in force.T])
     assert found.force_N is not None
     np.testing.assert_allclose(found.force_N, logged[within], atol=1e-3)

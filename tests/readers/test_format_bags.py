@@ -100,7 +100,15 @@ def test_a_bag_is_read_value_by_value(bag: Path) -> None:
 
 def test_the_time_of_logging_can_be_taken_instead(bag: Path) -> None:
     recipe = RECIPE.replace(".stamp", ".log_time")
-    assert read(bag, parse_recipe(recipe, "r")).start_s == pytest.approx(0.0, abs=1e-6)
+    assert read(bag, parse_recipe(recipe, "r")).start_s == pytest.approx(0.003, abs=1e-6)
+
+
+def test_stamps_and_times_of_the_log_have_one_zero(bag: Path) -> None:
+    """The log is 3 ms late: a force by the log and a pose by its stamp keep that apart."""
+    mixed = read(bag, parse_recipe(RECIPE.replace("/wrench.stamp", "/wrench.log_time"), "r"))
+    assert mixed.force_N is not None
+    np.testing.assert_allclose(mixed.position_m[:, 0], 0.1 * mixed.time_s, atol=1e-9)
+    np.testing.assert_allclose(mixed.force_N[:, 2], 3.0 + mixed.time_s - 0.003, atol=1e-9)
 
 
 def test_a_cut_bag_is_refused(tmp_path: Path) -> None:

@@ -23,10 +23,11 @@ from rosbags.rosbag2 import Writer as BagWriter
 from rosbags.typesys import Stores, get_typestore
 from scipy.spatial.transform import Rotation
 
-from keyphase.errors import DemonstrationError
+from keyphase.errors import DemonstrationError, RecipeError
 from keyphase.readers import find_recordings, parse_recipe, read
 from keyphase.readers.formats.bags import table_of_bag
 from keyphase.readers.proposing.proposal import propose
+from strangers_files import nobodys_mcap
 
 ROWS = 100
 TIME = np.arange(ROWS) / 50
@@ -214,6 +215,22 @@ def test_a_transform_over_several_links_reaches_the_world_too(tmp_path: Path) ->
     found = read(transforms(tmp_path), parse_recipe(recipe, "r"))
     expected = Rotation.from_quat([0, 0, 0.6, 0.8]).apply(POSITION) + np.array([1, 0, 0.5])
     np.testing.assert_allclose(found.position_m, expected, atol=1e-9)
+
+
+def test_a_clock_that_tells_another_time_goes_with_no_other(tmp_path: Path) -> None:
+    """A sensor that counts from when it was switched on; the log has times for both."""
+    path = nobodys_mcap(tmp_path, sensor_ns=10**9)
+    recipe = (
+        'time = {column = "/robot/state.stamp", unit = "s"}\n'
+        'position = {columns = "/robot/state.tcp.?", unit = "m"}\n'
+        'force = {columns = "/sensor.force.?", unit = "N", time = "/sensor.stamp"}\n'
+        'wrench = {frame = "base", sign = 1}\n'
+    )
+    with pytest.raises(RecipeError, match=r"different times .* take \.log_time for all"):
+        read(path, parse_recipe(recipe, "r"))
+    assert propose(path).clocks["force"] == "/sensor.log_time"
+    logged = read(path, parse_recipe(recipe.replace(".stamp", ".log_time"), "r"))
+    assert logged.start_s == pytest.approx(0.009, abs=1e-6)
 
 
 def test_a_whole_dictionary_in_one_array_is_refused_with_the_way_out(tmp_path: Path) -> None:

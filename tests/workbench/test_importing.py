@@ -42,7 +42,7 @@ def test_only_what_numbers_cannot_tell_is_left_to_a_person(log):
 
     tried = waiting.table.tried(waiting.table.proposed)
 
-    assert tried.look is None
+    assert not tried.looks
     assert tried.missing == (
         "Say in whose axes the wrench is written.",
         "Say which way the force points when the tool presses.",
@@ -67,7 +67,7 @@ def test_confirmed_answers_become_a_recipe_beside_the_file(log):
     before = log.read_bytes()
     answers = replace(waiting.table.proposed, frame="tool", sign=-1)
 
-    look = importing.tried(waiting.id, answers).look
+    (look,) = importing.tried(waiting.id, answers).looks
     paths = importing.confirm(waiting.id, answers, "file")
 
     demonstration = read(paths[0])
@@ -77,7 +77,6 @@ def test_confirmed_answers_become_a_recipe_beside_the_file(log):
     np.testing.assert_allclose(demonstration.position_m[0], [0.4, 0.0105, 0.2])
     assert demonstration.force_N is not None
     np.testing.assert_allclose(demonstration.force_N[-1, 2], 5.0)
-    assert look is not None
     assert look.samples == len(demonstration)
     assert look.force_N is not None
     assert look.force_N[1].max() == pytest.approx(5.0, abs=0.01)
@@ -160,7 +159,7 @@ def test_another_separator_splits_the_table_anew(log):
 
     tried = table.tried(replace(table.proposed, separator="tab", decimal="."))
 
-    assert tried.look is None
+    assert not tried.looks
     assert tried.missing
 
 

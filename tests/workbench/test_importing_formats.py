@@ -40,12 +40,12 @@ def test_an_answered_hdf5_is_read_with_all_its_recordings_and_its_neighbour(tmp_
     waiting = importing.ask_about(Path(f"{path}#take_1"))
     answers = replace(waiting.table.proposed, order="xyzw", frame="base", sign=-1)
 
-    looked = importing.tried(waiting.id, answers).look
+    looked = importing.tried(waiting.id, answers).looks
     paths = importing.confirm(waiting.id, answers, "folder")
 
     time_s, position, force = press()
     assert waiting.others == 1
-    assert looked is not None
+    assert looked
     assert [one.name.partition("#")[0] for one in paths].count("session_7.h5") == 2
     assert "session_8.h5" in {one.name.partition("#")[0] for one in paths}
     found = read(paths[0])
@@ -104,8 +104,11 @@ def test_two_arms_in_one_file_become_two_recordings(tmp_path: Path):
     waiting = importing.ask_about(tmp_path / "pair.h5")
     answers = replace(waiting.table.proposed, sequence=ROTATION_VECTOR)
 
+    looks = importing.tried(waiting.id, answers).looks
     paths = importing.confirm(waiting.id, answers, "file")
 
+    assert [look.name for look in looks] == ["left", "right"]
+    np.testing.assert_allclose(looks[1].path_m[0], position[0] + 1)
     assert [path.name for path in paths] == ["pair.h5#left", "pair.h5#right"]
     np.testing.assert_allclose(read(paths[1]).position_m, position + 1)
 

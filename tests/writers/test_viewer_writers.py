@@ -134,11 +134,17 @@ def recorded_mcap(path):
         writer.finish()
 
 
-def test_mcap_has_the_segments_beside_every_recorded_message(one, tmp_path, monkeypatch):
+BY_THE_LOG = """
+time = {column = "/pose.log_time", unit = "s"}
+position = {columns = ["/pose.z", "/pose.z", "/pose.z"], unit = "m"}
+"""
+
+
+def test_mcap_has_the_segments_beside_every_recorded_message(one, tmp_path):
     recording = tmp_path / "run.mcap"
     recorded_mcap(recording)
+    (tmp_path / "run.mcap.recipe.toml").write_text(BY_THE_LOG)
     beside = SegmentedRecording(one.file, recording, held=one.held)
-    monkeypatch.setattr("keyphase.writers.mcap_file.zero_s", lambda *_: 1.7e9)
     (path,) = export(beside, "mcap", tmp_path / "out")
     assert messages(path, ["/pose", "/raw"]) == messages(recording, ["/pose", "/raw"])
     segments = messages(path, ["/keyphase/segment"])

@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Any, Literal
 
 from keyphase.cameras.container import EXTRA
-from keyphase.readers.formats.bags import BULKY, is_without_ros, opened_bag
+from keyphase.readers.beginnings import Zeros, zeros_of
+from keyphase.readers.formats.bags import BULKY, is_without_ros, opened_bag, parted
 from keyphase.readers.formats.damage import damage_told
 from keyphase.readers.formats.messages import plain_messages, stamp_of
 
@@ -45,13 +46,13 @@ def kind_of(name: str) -> Kind | None:
 
 def topics_of(
     path: Path, hear: Callable[[str, bytes], None] = lambda _topic, _data: None
-) -> tuple[dict[str, Topic], int, int]:
-    """The topics of pictures, and the zero of stamps and of the log [ns] as the signals have them.
+) -> tuple[dict[str, Topic], Zeros]:
+    """The topics of pictures, and from when the clocks of the signals count.
 
     `hear` is told every picture. Raises DemonstrationError for a file that cannot be read.
     """
     topics: dict[str, Topic] = {}
-    first_logs, first_stamps = dict[str, int](), dict[str, int]()
+    firsts, several = dict[str, tuple[int, int | None]](), set[str]()
     messages = _plain if (without_ros := is_without_ros(path)) else _of_ros
     for name, kind, log_ns, stamp_ns, picture in messages(path):
         if kind is not None and picture is not None:
@@ -59,11 +60,13 @@ def topics_of(
             topic.stamps.append(stamp_ns)
             topic.logs.append(log_ns)
             hear(name, picture.data)
-        if (kind is None or without_ros) and name not in first_logs:
-            first_logs[name], first_stamps[name] = log_ns, stamp_ns
-    stamps = [one for one in first_stamps.values() if one]
-    every = [log for one in topics.values() for log in one.logs[:1]]
-    return topics, min(stamps, default=0), min(first_logs.values(), default=min(every, default=0))
+        if kind is None or without_ros:
+            if name in firsts:
+                several.add(name)
+            firsts.setdefault(name, (log_ns, stamp_ns))
+    signals = {name: first for name, first in firsts.items() if name in several}
+    pictures = {name: (one.logs[0], one.stamps[0]) for name, one in topics.items() if one.logs}
+    return topics, zeros_of(signals or pictures)
 
 
 def pictures_of(path: Path, topic: str) -> Iterator[Picture]:
@@ -88,7 +91,8 @@ def _of_ros(path: Path, only: str | None = None) -> Iterator[_Heard]:
             kind = kind_of(connection.msgtype)
             message = deserialize(raw, connection.msgtype)
             picture = Picture(bytes(message.data), str(message.format)) if kind else None
-            yield connection.topic, kind, log_ns, _stamp_ns(message), picture
+            for name, one in parted(connection.topic, message):
+                yield name, kind, log_ns, _stamp_ns(one), picture
 
 
 def _stamp_ns(message: Any) -> int:

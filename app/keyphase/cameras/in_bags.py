@@ -18,6 +18,7 @@ from keyphase.cameras.encoding import Encoder, encoder
 from keyphase.cameras.kept import Kept
 from keyphase.cameras.packets import begins_anew, decoded, is_steady, remux
 from keyphase.errors import CameraError
+from keyphase.readers.beginnings import Zeros
 from keyphase.readers.formats.packages import package
 
 MAX_IMAGE_BYTES = 32 << 20
@@ -64,12 +65,12 @@ def videos_in_bag(path: Path, kept: Kept, tell: Callable[[float], None]) -> Iter
         if name not in starts and begins_anew(data):
             starts[name] = number
 
-    topics, zero_stamp, zero_log = topics_of(path, hear)
+    topics, zeros = topics_of(path, hear)
     chosen = [name for name in topics if len(topics[name].logs) > 1][:_MAX_CAMERAS]
     for number, name in enumerate(chosen):
         one = topics[name]
         skipped = starts.get(name, 0) if one.kind == "video" else 0
-        taken = _Taken(path, name, one.kind, skipped, _times_s(one, zero_stamp, zero_log)[skipped:])
+        taken = _Taken(path, name, one.kind, skipped, _times_s(one, zeros)[skipped:])
         if len(taken.times_s) < 2:
             continue
 
@@ -83,11 +84,15 @@ def videos_in_bag(path: Path, kept: Kept, tell: Callable[[float], None]) -> Iter
         yield Stretch(_short(name), file, begins_s=float(taken.times_s[0]))
 
 
-def _times_s(topic: Topic, zero_stamp: int, zero_log: int) -> NDArray[np.float64]:
-    """By the stamps where all have one and they ascend, else by the log."""
-    stamped = zero_stamp and all(topic.stamps) and (np.diff(topic.stamps) > 0).all()
+def _times_s(topic: Topic, zeros: Zeros) -> NDArray[np.float64]:
+    """By the stamps where all have one, they ascend and signals go by their clock, too; else by
+    the log.
+    """
+    zero = zeros.of_stamp(topic.stamps[0])
+    stamped = zero is not None and all(topic.stamps) and (np.diff(topic.stamps) > 0).all()
     times = np.array(topic.stamps if stamped else topic.logs, dtype=np.int64)
-    return ((times - (zero_stamp if stamped else zero_log)) * 1e-9).astype(np.float64)
+    begin = zero.own_ns if zero is not None and stamped else zeros.log.own_ns
+    return ((times - begin) * 1e-9).astype(np.float64)
 
 
 def _short(topic: str) -> str:

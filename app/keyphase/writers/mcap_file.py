@@ -14,7 +14,7 @@ from keyphase.labeling.segment_file import SUFFIX
 from keyphase.labeling.segment_file_content import as_json, end_condition_content
 from keyphase.readers.formats.bags import MCAP_MAGIC
 from keyphase.writers.carried import EVERYTHING
-from keyphase.writers.clock import zero_s
+from keyphase.writers.clock import zero_ns
 from keyphase.writers.copies import in_place_of
 from keyphase.writers.own_files import content_of
 from keyphase.writers.packages import package
@@ -46,7 +46,7 @@ def _write(items: Items, target: Path, _options: Options) -> tuple[Path, ...]:
         writer.start(profile="", library="keyphase")
         if is_mcap(item):
             _copy(item.container, writer)
-        zero = zero_s(item.recording, item.recipe)
+        zero = zero_ns(item.recording, item.recipe)
         _add_segments(item, writer, zero)
         _attach(item, writer, zero, target)
         writer.finish()
@@ -111,7 +111,7 @@ def _channel(copied: _Copied, writer: Any, schema: Any, channel: Any) -> int:
     return copied.channels[channel.id]
 
 
-def _add_segments(item: SegmentedRecording, writer: Any, zero: float) -> None:
+def _add_segments(item: SegmentedRecording, writer: Any, zero: int) -> None:
     schema = writer.register_schema(str(SCHEMA["title"]), "jsonschema", json.dumps(SCHEMA).encode())
     channel = writer.register_channel(TOPIC, "json", schema)
     for segment, motion in zip(item.segments, item.motions, strict=True):
@@ -129,15 +129,15 @@ def _add_segments(item: SegmentedRecording, writer: Any, zero: float) -> None:
         writer.add_message(channel, log_time, data, log_time, segment.id)
 
 
-def _attach(item: SegmentedRecording, writer: Any, zero: float, target: Path) -> None:
+def _attach(item: SegmentedRecording, writer: Any, zero: int, target: Path) -> None:
     at = _nanoseconds(item, zero, item.segments[0].start_s)
     data = as_json(content_of(item, target))
     writer.add_attachment(at, at, f"{item.name}{SUFFIX}", "application/json", data)
 
 
-def _nanoseconds(item: SegmentedRecording, zero: float, time_s: float) -> int:
+def _nanoseconds(item: SegmentedRecording, zero: int, time_s: float) -> int:
     # Seconds since 1970 and those of the recording are added as whole numbers, to keep nanoseconds.
-    nanoseconds = round(1e9 * zero) + round(1e9 * time_s)
+    nanoseconds = zero + round(1e9 * time_s)
     if nanoseconds < 0:
         raise ExportError(
             f"{item.recording}: MCAP has no times before zero, but it begins at {time_s:g} s; "

@@ -7,7 +7,7 @@ An array (N, D) called `pose` is the columns `pose[0]`, `pose[1]`, …; one of (
 import hashlib
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.errors import DemonstrationError, RecipeError
+from keyphase.readers.beginnings import Zero
 from keyphase.readers.table import TableForm
 
 MAX_COLUMNS = 100_000
@@ -32,6 +33,7 @@ class ArrayTable:
     notices  what was done on the way out of the file
     names_of further names of an array's columns, such as the features of a LeRobot state
     remarks  what the file says of its columns that a person should know who describes them
+    zeros    from when the clocks count that a recorder wrote beside each stream, by column
     """
 
     file: str
@@ -40,6 +42,7 @@ class ArrayTable:
     notices: tuple[str, ...]
     names_of: Mapping[str, Sequence[str]]
     remarks: tuple[str, ...] = ()
+    zeros: Mapping[str, Zero] = field(default_factory=dict[str, Zero])
 
     form = TableForm()
 

@@ -2,7 +2,8 @@
 
 A number in a message is the column `TOPIC.field.field`, such as `/wrench.wrench.force.x`; the
 topic's clocks are `TOPIC.stamp` (of the message's header, where it has one) and `TOPIC.log_time`,
-both in seconds from the beginning of the bag. A transform is the topic `/tf[parent>child]`, also
+both in seconds from the beginning of the bag; stamps by a clock that tells another time than the
+recorder's count from their own first. A transform is the topic `/tf[parent>child]`, also
 one over several links. MCAP files without ROS hold messages in JSON or Protobuf.
 """
 
@@ -45,17 +46,20 @@ def table_of_bag(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     """
     if part is not None:
         raise DemonstrationError(f"{path}: a bag is one recording; name it without #{part[:80]}.")
-    streams = Streams(str(path), limit_bytes)
-    if is_without_ros(path):
+    plain = is_without_ros(path)
+    streams = Streams(str(path), limit_bytes, of_ros=not plain)
+    if plain:
         with damage_told(path, "MCAP file", "copy or record it again"):
-            for topic, _, log_ns, content in plain_messages(path):
+            for topic, _, log_ns, content in plain_messages(path, streams.pass_over):
                 streams.add_plain(topic, log_ns, content)
     else:
         with damage_told(path, "bag", "copy or record it again"):
             for topic, log_ns, message in _messages(path, streams):
                 streams.add(topic, log_ns, message)
     arrays = with_chains(streams.arrays())
-    return ArrayTable(str(path), arrays, {}, streams.notices(), {}, streams.remarks())
+    return ArrayTable(
+        str(path), arrays, {}, streams.notices(), {}, streams.remarks(), streams.zeros()
+    )
 
 
 def is_without_ros(path: Path) -> bool:
@@ -99,14 +103,15 @@ def _messages(path: Path, streams: Streams) -> Iterator[tuple[str, int, Any]]:
                 # A bag of ROS 2 before Iron does not say what its own messages are.
                 streams.pass_over(connection.topic, connection.msgtype)
                 continue
-            yield from _parted(connection.topic, log_ns, message)
+            for topic, one in parted(connection.topic, message):
+                yield topic, log_ns, one
 
 
-def _parted(topic: str, log_ns: int, message: Any) -> Iterator[tuple[str, int, Any]]:
+def parted(topic: str, message: Any) -> Iterator[tuple[str, Any]]:
     """A message of transforms is one message of each of them."""
     transforms = getattr(message, "transforms", None)
     if transforms is None:
-        yield topic, log_ns, message
+        yield topic, message
         return
     for one in transforms:
-        yield f"{topic}[{one.header.frame_id}>{one.child_frame_id}]", log_ns, one
+        yield f"{topic}[{one.header.frame_id}>{one.child_frame_id}]", one

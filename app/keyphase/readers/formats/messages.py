@@ -23,32 +23,35 @@ def profile_of(path: Path) -> str:
         return str(reading.make_reader(stream).get_header().profile)
 
 
-def plain_messages(path: Path) -> Iterator[tuple[str, str, int, Plain]]:
+def plain_messages(
+    path: Path, pass_over: Callable[[str, str], None] = lambda _topic, _encoding: None
+) -> Iterator[tuple[str, str, int, Plain]]:
     """Topic, schema, time of the log [ns] and content of every message that can be understood.
 
-    Raises ValueError for messages that are neither JSON nor Protobuf, MissingPackageError where
-    mcap or protobuf is not installed, and what they raise over damaged files.
+    `pass_over` is told the topics that are neither JSON nor Protobuf, and in what they are written.
+    Raises MissingPackageError where mcap or protobuf is not installed, and what they raise over
+    damaged files.
     """
     reading = package("mcap.reader", EXTRA, path)
-    decoders: dict[int, Callable[[bytes], Plain]] = {}
+    decoders: dict[int, Callable[[bytes], Plain] | None] = {}
     with path.open("rb") as stream:
         for schema, channel, message in reading.make_reader(stream).iter_messages():
             if channel.id not in decoders:
                 decoders[channel.id] = _decoder(channel.message_encoding, schema, path)
-            kind = schema.name if schema is not None else ""
-            yield channel.topic, kind, message.log_time, decoders[channel.id](message.data)
+                if decoders[channel.id] is None:
+                    pass_over(channel.topic, channel.message_encoding[:40] or "nothing named")
+            decode, kind = decoders[channel.id], schema.name if schema is not None else ""
+            if decode is not None:
+                yield channel.topic, kind, message.log_time, decode(message.data)
 
 
-def _decoder(encoding: str, schema: Any, path: Path) -> Callable[[bytes], Plain]:
+def _decoder(encoding: str, schema: Any, path: Path) -> Callable[[bytes], Plain] | None:
     if encoding == "json":
         return _json
-    if encoding == "protobuf":
-        kind = _protobuf_class(schema, path)
-        return lambda data: _plain(kind.FromString(data))
-    raise ValueError(
-        f"its messages are written in {encoding[:40]!r}, of which the file's profile says nothing; "
-        "record it with ROS 2's own tools, or write JSON or Protobuf"
-    )
+    if encoding != "protobuf" or schema is None:
+        return None
+    kind = _protobuf_class(schema, path)
+    return lambda data: _plain(kind.FromString(data))
 
 
 def _json(data: bytes) -> Plain:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from keyphase.errors import DemonstrationError
 from keyphase.notices import Caution
+from keyphase.readers.beginnings import Zero, Zeros, zeros_of
 from keyphase.readers.formats.messages import Plain, numbers_in, stamp_of
 from keyphase.readers.formats.numeric import MAX_NUMBERS_A_ROW
 
@@ -58,14 +59,14 @@ class _Stream:
 class Streams:
     """All topics; messages are added in the order of the file."""
 
-    def __init__(self, file: str, limit_bytes: int) -> None:
-        self._file, self._limit = file, limit_bytes
+    def __init__(self, file: str, limit_bytes: int, of_ros: bool = True) -> None:
+        self._file, self._limit, self._of_ros = file, limit_bytes, of_ros
         self._streams: dict[str, _Stream] = {}
         self._undefined: dict[str, str] = {}
         self._numbers = 0
 
     def pass_over(self, topic: str, kind: str) -> None:
-        """A topic whose messages nobody defines."""
+        """A topic whose messages nobody can read, and what they are."""
         self._undefined[topic] = kind
 
     def passes_over(self, topic: str) -> bool:
@@ -114,26 +115,46 @@ class Streams:
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Columns and clocks of every topic with at least two messages, and static transforms."""
         if self._undefined and not self._streams:
-            raise DemonstrationError(
-                f"{self._file}: expected messages of known kinds, but of those in it there is no "
-                f"definition ({', '.join(sorted(set(self._undefined.values()))[:3])}); convert it "
-                "to MCAP where their packages are installed: ros2 bag convert."
-            )
-        used = {topic: one for topic, one in self._streams.items() if len(one.logs_ns) > 1}
-        begin = min((one.logs_ns[0] for one in used.values()), default=0)
-        stamped = [one.stamps_ns[0] for one in used.values() if one.stamped and one.stamps_ns[0]]
-        first = min(stamped, default=begin)
+            raise DemonstrationError(f"{self._file}: {self._nothing_known()}.")
+        used = self._used()
+        zeros = self._zeros()
         kept = used | {t: one for t, one in self._streams.items() if t.startswith(STATIC)}
         found: dict[str, NDArray[Any]] = {}
         for topic, one in kept.items():
-            found[f"{topic}.log_time"] = (np.array(one.logs_ns) - begin) * 1e-9
+            found[f"{topic}.log_time"] = (np.array(one.logs_ns) - zeros.log.own_ns) * 1e-9
             if one.stamped:
-                found[f"{topic}.stamp"] = (np.array(one.stamps_ns) - first) * 1e-9
+                zero = zeros.stamps.get(topic, zeros.log)
+                found[f"{topic}.stamp"] = (np.array(one.stamps_ns) - zero.own_ns) * 1e-9
             for name in one.numbers:
                 values = one.column(name)
                 if values is not None:
                     found[f"{topic}.{name}" if name else topic] = values
         return found
+
+    def _nothing_known(self) -> str:
+        kinds = ", ".join(sorted(set(self._undefined.values()))[:3])
+        if not self._of_ros:
+            return (
+                f"expected messages in JSON or Protobuf, but they are written in {kinds}; record "
+                "them so, or with ROS 2's own tools"
+            )
+        return (
+            "expected messages of known kinds, but of those in it there is no definition "
+            f"({kinds}); convert it to MCAP where their packages are installed: ros2 bag convert"
+        )
+
+    def zeros(self) -> dict[str, Zero]:
+        """From when each clock counts that is among the arrays."""
+        zeros = self._zeros()
+        stamps = {f"{topic}.stamp": zeros.stamps.get(topic, zeros.log) for topic in self._streams}
+        return stamps | {f"{topic}.log_time": zeros.log for topic in self._streams}
+
+    def _used(self) -> dict[str, _Stream]:
+        return {topic: one for topic, one in self._streams.items() if len(one.logs_ns) > 1}
+
+    def _zeros(self) -> Zeros:
+        used = self._used().items()
+        return zeros_of({t: (s.logs_ns[0], s.stamps_ns[0] if s.stamped else None) for t, s in used})
 
     def notices(self) -> tuple[str, ...]:
         """Which topics said too little to be read."""
@@ -147,14 +168,20 @@ class Streams:
             told += (Caution(f"Topics of one message were passed over: {', '.join(few[:5])}."),)
         if self._undefined:
             shown = ", ".join(f"{t} ({kind})" for t, kind in list(self._undefined.items())[:5])
-            said = f"Topics were passed over whose messages the bag does not define: {shown}."
+            why = "the bag does not define" if self._of_ros else "are not in JSON or Protobuf"
+            said = f"Topics were passed over whose messages {why}: {shown}."
             told += (Caution(said),)
         return told
 
     def remarks(self) -> tuple[str, ...]:
-        """In whose axes each topic is written, by the headers of its messages."""
+        """Whose clock tells another time than the recorder's; in whose axes topics are written."""
         named = {t: s.frame for t, s in self._streams.items() if s.frame and ">" not in t}
-        return tuple(f"{topic} is in the frame {frame!r}" for topic, frame in named.items())
+        apart = tuple(
+            f"{topic} is stamped by a clock that tells another time than the recorder's"
+            for topic, zero in self._zeros().stamps.items()
+            if zero.clock
+        )
+        return apart + tuple(f"{topic} is in the frame {frame!r}" for topic, frame in named.items())
 
 
 def _getter(name: str) -> Callable[[dict[str, Any]], Any]:

@@ -31,6 +31,7 @@ class Looked:
     texts    the same of columns that hold no numbers
     lengths  how many rows each column has
     remarks  what the file says of them
+    apart    clocks beside streams that tell another time than others do
     """
 
     names: tuple[str, ...]
@@ -40,6 +41,7 @@ class Looked:
     texts: tuple[tuple[str, ...], ...]
     lengths: tuple[int, ...]
     remarks: tuple[str, ...] = ()
+    apart: frozenset[str] = frozenset()
 
     def has_gaps(self, columns: Sequence[int]) -> bool:
         """Whether one of these has rows without a number."""
@@ -67,6 +69,7 @@ class Looked:
         vectors = elements_of_vectors(self.names)
         columns = (i for i in range(self.values.shape[1]) if i not in vectors)
         found = [i for i in columns if is_clock(self.names[i], self.values[:, i])]
+        found = [i for i in found if self.names[i] not in self.apart]
         # Of a single topic the clock it tells is nearer to the measurement than that of the log;
         # of several only clocks with one zero go together.
         topics = {name.partition(".")[0] for name in self.names if name.startswith("/")}
@@ -108,7 +111,17 @@ def looked_at_arrays(table: ArrayTable) -> Looked:
         if lengths[column] > _FEW_ROWS * longest:
             values[:, column] = table.first(column, count)
     empty: tuple[tuple[str, ...], ...] = ((),) * len(names)
-    return Looked(names, names, values, empty, empty, lengths, table.remarks)
+    return Looked(names, names, values, empty, empty, lengths, table.remarks, _apart(table))
+
+
+def _apart(table: ArrayTable) -> frozenset[str]:
+    """All stamps, where they are not of one clock; the log's times are."""
+    stamps = {
+        name: zero
+        for name, zero in table.zeros.items()
+        if name in table.arrays and not name.endswith(_OF_THE_LOG)
+    }
+    return frozenset(stamps if len({zero.clock for zero in stamps.values()}) > 1 else ())
 
 
 def looked_at_table(table: Table, layout: Layout) -> Looked:

@@ -10,6 +10,7 @@ from keyphase.demonstration import Array
 from keyphase.errors import RecipeError
 from keyphase.files.parts import split_part
 from keyphase.files.reading import read_whole
+from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.known import format_of
 from keyphase.readers.recipes.recipe import NumberTime, Recipe, WrenchFile
 from keyphase.readers.table import Columned, open_table
@@ -76,6 +77,19 @@ def clock_beside(table: Columned, form: WrenchFile, main: Columned, recipe: Reci
     if form.time.from_zero:
         return np.asarray(seconds - seconds[0])
     clock = recipe.time
-    if isinstance(clock, NumberTime) and clock.from_zero:
+    if not isinstance(clock, NumberTime):
+        return seconds
+    seconds = seconds + _later_s(table, column, main, clock.column.find(main)[0])
+    if clock.from_zero:
         return np.asarray(seconds - clock.size * main.numbers(clock.column.find(main))[0, 0])
     return seconds
+
+
+def _later_s(table: Columned, column: int, main: Columned, clock: int) -> float:
+    """By how much its zero is later than the recording's, where two bags say when they began."""
+    if not isinstance(table, ArrayTable) or not isinstance(main, ArrayTable):
+        return 0.0
+    zeros = table.zeros.get(table.names[column]), main.zeros.get(main.names[clock])
+    if zeros[0] is None or zeros[1] is None or zeros[0].clock or zeros[1].clock:
+        return 0.0
+    return 1e-9 * (zeros[0].own_ns - zeros[1].own_ns)

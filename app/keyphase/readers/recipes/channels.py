@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.notices import Caution
+from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.orientation import (
     from_euler,
     from_matrices,
@@ -20,7 +21,7 @@ from keyphase.readers.orientation import (
     with_last_row,
 )
 from keyphase.readers.recipes.beside import clock_beside
-from keyphase.readers.recipes.clocks import on_one_clock
+from keyphase.readers.recipes.clocks import on_one_clock, refuse_clocks_apart
 from keyphase.readers.recipes.columns import Columns
 from keyphase.readers.recipes.measured import MeasuredRows
 from keyphase.readers.recipes.recipe import (
@@ -123,6 +124,7 @@ def _on_one_clock(
 ) -> Noted:
     """Nothing to do where no channel has a clock of its own."""
     time = channels.pop("time_s")
+    _refuse_clocks_apart(rows.table, recipe)
 
     def clock_of(section: str, columns: Columns) -> Array:
         if beside is not None and recipe.wrench_file and section in ("force", "torque"):
@@ -146,6 +148,13 @@ def _on_one_clock(
         for section, offset in recipe.clock_offsets_s.items()
     )
     return brought, notices + moved + more
+
+
+def _refuse_clocks_apart(table: Columned, recipe: Recipe) -> None:
+    if isinstance(table, ArrayTable) and table.zeros:
+        main = [recipe.time.column] if isinstance(recipe.time, NumberTime) else []
+        found = [clock.find(table)[0] for clock in (*main, *recipe.clocks.values())]
+        refuse_clocks_apart(table.zeros, [table.names[at] for at in found], recipe.name)
 
 
 def _columns_of(recipe: Recipe) -> dict[str, Columns]:

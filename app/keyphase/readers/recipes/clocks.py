@@ -4,7 +4,7 @@ The channel that came most often keeps its samples; the others are interpolated 
 (orientations along great arcs), and what not all of them cover at either end is left out.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from keyphase.demonstration import Array
 from keyphase.errors import RecipeError
 from keyphase.notices import Caution
+from keyphase.readers.beginnings import Zero
 from keyphase.readers.resampling import interpolate
 
 _STEERING = ("position_m", "orientation_wxyz", "force_N", "torque_Nm")
@@ -70,6 +71,22 @@ def on_one_clock(
     }
     told = _notices(clocks, leading, moved, time) + _blind_notices(blind, lead)
     return {"time_s": time, **brought}, told
+
+
+def refuse_clocks_apart(zeros: Mapping[str, Zero], clocks: Iterable[str], recipe: str) -> None:
+    """Refuse clocks that a recorder wrote beside its streams and that tell different times."""
+    found = {name: zeros[name] for name in clocks if name in zeros}
+    one, other = next(iter(found), ""), ""
+    for name, zero in found.items():
+        if zero.clock != found[one].clock:
+            other = name
+    if other:
+        apart = abs(found[one].own_ns - found[other].own_ns) * 1e-9
+        raise RecipeError(
+            f"{recipe}: {one} and {other} are of clocks that tell different times ({apart:.6g} s "
+            "apart), so that nobody knows which of their samples belong together; take .log_time "
+            "for all, or stamps of one clock."
+        )
 
 
 def _blind(clock: Array, lead: Array) -> NDArray[np.bool_]:

@@ -22,12 +22,14 @@ _QUANTITIES: dict[str, Quantity] = {
 class TableLook(Struct, frozen=True):
     """The recording as it would be read.
 
+    name      which of the tools side by side in the file it is, "" where there is one
     path_m    points of the tool's path [m], in the robot's base frame
     time_s    when the force was as it is in `force_N` [s]
     force_N   sizes of the force [N]; null without a force
     notices   what would be done to it on reading
     """
 
+    name: str
     samples: int
     duration_s: float
     rate_hz: float
@@ -49,7 +51,7 @@ class TableProposal(Struct, frozen=True, tag_field="type", tag="table"):
     evidence         why each column was proposed to be what it is, "" where it was not
     layout_evidence  the same for encoding, separator, decimal and header
     missing          what is still to be said, or why it cannot be read so
-    look             the recording, where nothing is missing
+    looks            the recording, where nothing is missing; of two tools in it one each
     recipe           the recipe (TOML), where nothing is missing
     choices          what a column can be
     units            what each quantity can be written in
@@ -68,7 +70,7 @@ class TableProposal(Struct, frozen=True, tag_field="type", tag="table"):
     evidence: tuple[str, ...]
     layout_evidence: dict[str, str]
     missing: tuple[str, ...]
-    look: TableLook | None
+    looks: tuple[TableLook, ...]
     recipe: str | None
     choices: tuple[Part, ...]
     units: dict[str, tuple[str, ...]]
@@ -97,7 +99,7 @@ def table_proposal(waiting: Waiting, tried: Tried) -> TableProposal:
         evidence=table.evidence,
         layout_evidence=table.layout_evidence,
         missing=tried.missing,
-        look=None if tried.look is None else _look(tried.look),
+        looks=tuple(map(_look, tried.looks)),
         recipe=tried.recipe,
         choices=PARTS,
         units={name: units_of(quantity) for name, quantity in _QUANTITIES.items()},
@@ -107,6 +109,7 @@ def table_proposal(waiting: Waiting, tried: Tried) -> TableProposal:
 def _look(look: Look) -> TableLook:
     force = look.force_N
     return TableLook(
+        name=look.name,
         samples=look.samples,
         duration_s=look.duration_s,
         rate_hz=look.rate_hz,

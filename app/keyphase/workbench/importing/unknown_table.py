@@ -23,6 +23,8 @@ MAX_COLUMNS = 2000
 PATH_POINTS, FORCE_POINTS = 240, 320
 """So much of the path and the force is shown of a recording before it is taken in."""
 
+_SHOWN_TOOLS = 4
+
 _LOOKED_AT_BYTES = 1 << 18
 
 
@@ -30,11 +32,13 @@ _LOOKED_AT_BYTES = 1 << 18
 class Look:
     """The recording as it would be read.
 
+    name      which of the tools side by side in the file it is, "" where there is one
     path_m    (N, 3) [m]
     force_N   times [s] and sizes of the force [N], both (N,); None without a force
     notices   what would be done to it on reading
     """
 
+    name: str
     samples: int
     duration_s: float
     rate_hz: float
@@ -49,7 +53,7 @@ class Tried:
 
     names, rows  the table as it is split by them, at most `SHOWN_ROWS` rows
     missing      what is still to be said, or why the table cannot be read so
-    look         the recording, where it can be read
+    looks        the recording, where it can be read; of two tools in it one each
     recipe       the recipe that the answers make, where nothing is missing
     """
 
@@ -57,7 +61,7 @@ class Tried:
     names: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     missing: tuple[str, ...] = ()
-    look: Look | None = None
+    looks: tuple[Look, ...] = ()
     recipe: str | None = None
 
 
@@ -104,23 +108,29 @@ class UnknownTable:
         shown = Tried(answers, names, rows)
         try:
             text = recipe_text(answers, names)
-            demonstration = self._read(self.recipe(text))
+            looks = self._looks(self.recipe(text))
         except KeyphaseError as error:
             return replace(shown, missing=answers.open() or (self._in_words(error),))
-        notices = tuple(map(self._in_words, demonstration.notices))
-        return replace(shown, look=_look(demonstration, notices), recipe=text)
+        return replace(shown, looks=looks, recipe=text)
 
     def recipe(self, text: str) -> Recipe:
         """A recipe's text, parsed. Raises RecipeError for what no recipe can say."""
         return parse_recipe(text, str(self.path.with_name(self.name + RECIPE_SUFFIX)))
 
-    def _read(self, recipe: Recipe) -> Demonstration:
+    def _looks(self, recipe: Recipe) -> tuple[Look, ...]:
         """The first recording by a recipe, which may find two tools in it, or several tables."""
-        inside = self._first if self.part else self.path
-        sides = parts_of(self.path, recipe)
-        if sides:
-            inside = with_part(self.path, sides[0])
-        return read(inside, recipe, limit_bytes=self._limit_bytes)
+        parts = parts_of(self.path, recipe)
+        if not recipe.parts:
+            return (self._look("", with_part(self.path, parts[0]) if parts else self.path, recipe),)
+        # Of `take_0+left` and `take_0+right` the tool is the last word.
+        return tuple(
+            self._look(part.rpartition("+")[2], with_part(self.path, part), recipe)
+            for part in parts[: min(_SHOWN_TOOLS, len(recipe.parts))]
+        )
+
+    def _look(self, name: str, recording: Path, recipe: Recipe) -> Look:
+        demonstration = read(recording, recipe, limit_bytes=self._limit_bytes)
+        return _look(name, demonstration, tuple(map(self._in_words, demonstration.notices)))
 
     def _split(self, answers: Answers) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]:
         """Names of the columns, "" where they have none, and the first rows."""
@@ -159,10 +169,11 @@ def _form(answers: Answers) -> TableForm:
     )
 
 
-def _look(demonstration: Demonstration, notices: tuple[str, ...]) -> Look:
+def _look(name: str, demonstration: Demonstration, notices: tuple[str, ...]) -> Look:
     force = demonstration.force_N
     at = _spread(len(demonstration), FORCE_POINTS)
     return Look(
+        name=name,
         samples=len(demonstration),
         duration_s=demonstration.duration_s,
         rate_hz=demonstration.rate_hz,

@@ -13,7 +13,7 @@ import type { TableAnswers } from "./import_requests";
  * - evidence: why each column was proposed to be what it is, "" where it was not
  * - layout_evidence: the same for encoding, separator, decimal and header
  * - missing: what is still to be said, or why it cannot be read so
- * - look: the recording, where nothing is missing
+ * - looks: the recording, where nothing is missing; of two tools in it one each
  * - recipe: the recipe (TOML), where nothing is missing
  * - choices: what a column can be
  * - units: what each quantity can be written in
@@ -33,7 +33,7 @@ export interface TableProposal {
   evidence: string[];
   layout_evidence: { [name: string]: string };
   missing: string[];
-  look: TableLook | null;
+  looks: TableLook[];
   recipe: string | null;
   choices: ("demonstration" | "fx" | "fy" | "fz" | "gripper" | "ignore" | "joint" | "nanoseconds" | "pitch" | "pose" | "quaternion" | "qw" | "qx" | "qy" | "qz" | "roll" | "rot6d" | "rotation" | "seconds" | "time" | "tx" | "ty" | "tz" | "x" | "y" | "yaw" | "z")[];
   units: { [name: string]: string[] };
@@ -41,12 +41,14 @@ export interface TableProposal {
 
 /**
  * The recording as it would be read.
+ * - name: which of the tools side by side in the file it is, "" where there is one
  * - path_m: points of the tool's path [m], in the robot's base frame
  * - time_s: when the force was as it is in `force_N` [s]
  * - force_N: sizes of the force [N]; null without a force
  * - notices: what would be done to it on reading
  */
 export interface TableLook {
+  name: string;
   samples: number;
   duration_s: number;
   rate_hz: number;

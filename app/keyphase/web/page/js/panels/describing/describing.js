@@ -77,7 +77,7 @@ export function createDescribing(store, send) {
  * @returns {HTMLElement[]}
  */
 function drawTable(table, change, confirm, leave) {
-  const isWhole = table.look !== null;
+  const isWhole = table.looks.length > 0;
   const { preset } = table.answers;
   const button = (text, primary, onClick, disabled = false) =>
     el("button", {

@@ -8,19 +8,33 @@ const WIDTH = 190;
 const HEIGHT = 96;
 
 /** @param {import("./describing.js").Proposal} table */
-export function drawLook({ look }) {
-  const title = el("h3", { text: "The recording" });
-  if (!look)
+export function drawLook({ looks }) {
+  const title = el("h3", { text: looks.length > 1 ? "The recordings" : "The recording" });
+  if (!looks.length)
     return el(
       "section",
       { "aria-label": "The recording" },
       title,
       el("p", { class: "quiet", text: "It is drawn here as soon as nothing is missing." }),
     );
-  const { samples, duration_s: duration, rate_hz: rate, path_m: path, notices } = look;
+  return el("section", { "aria-label": "The recording" }, title, ...looks.flatMap(drawn));
+}
+
+/** One recording, under the name of its tool where there are several. */
+function drawn({
+  name,
+  samples,
+  duration_s: duration,
+  rate_hz: rate,
+  path_m: path,
+  time_s: times,
+  force_N: sizes,
+  notices,
+}) {
+  const called = (label) => (name ? `${name}, ${label}` : label);
   const side = (first, second, label) =>
     figure(
-      label,
+      called(label),
       fitted(
         path.map((p) => [p[first], p[second]]),
         WIDTH,
@@ -29,14 +43,11 @@ export function drawLook({ look }) {
       ),
       "path",
     );
-  const force = look.force_N?.map((value, i) => [look.time_s?.[i] ?? 0, value]);
-  return el(
-    "section",
-    { "aria-label": "The recording" },
-    title,
+  const force = sizes?.map((value, i) => [times?.[i] ?? 0, value]);
+  return [
     el("p", {
       class: "numbers",
-      text: `${samples} samples, ${timeText(duration)} s at ${rate.toPrecision(4)} Hz`,
+      text: called(`${samples} samples, ${timeText(duration)} s at ${rate.toPrecision(4)} Hz`),
     }),
     el(
       "div",
@@ -44,10 +55,14 @@ export function drawLook({ look }) {
       side(0, 2, `from the side, ${extent(path, 0)} wide, ${extent(path, 2)} high`),
       side(0, 1, `from above, ${extent(path, 1)} deep`),
       force &&
-        figure(`force, at most ${largest(force)} N`, fitted(force, WIDTH, HEIGHT, false), "force"),
+        figure(
+          called(`force, at most ${largest(force)} N`),
+          fitted(force, WIDTH, HEIGHT, false),
+          "force",
+        ),
     ),
     el("ul", {}, ...notices.map((text) => el("li", { text }))),
-  );
+  ];
 }
 
 function figure(label, points, kind) {
