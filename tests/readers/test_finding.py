@@ -145,3 +145,15 @@ def test_a_table_without_recipe_is_refused_with_the_way_to_write_one(folder: Pat
     ) as refused:
         read(folder / "foreign.csv")
     assert "recipe foreign.csv.recipe.toml beside it" in str(refused.value)
+
+
+def test_wrenches_beside_and_notes_are_no_recordings_of_a_folders_recipe(folder: Path) -> None:
+    batch = folder / "batch"
+    beside = '[wrench_file]\npath = "{stem}_ft.log"\ncolumn = "t"\nunit = "s"\n'
+    force = '[force]\ncolumns = ["x", "y", "z"]\nunit = "N"\n[wrench]\nframe = "base"\nsign = 1\n'
+    (batch / "recipe.toml").write_text((batch / "recipe.toml").read_text() + force + beside)
+    for name in ("one_ft.log", "two_ft.log"):
+        (batch / name).write_text(FOREIGN.replace(";", ","))
+    (batch / "notes.txt").write_text("Monday, 3 runs\nthe second 1.5 mm too deep\n")
+    found = names(find_recordings([batch]))
+    assert found == ["native.csv", "one.txt", "two.dat"]

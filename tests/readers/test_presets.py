@@ -199,3 +199,20 @@ def test_a_preset_reads_what_its_recorder_writes(tmp_path: Path, name: str) -> N
         np.testing.assert_allclose(found.joints_rad, JOINTS[:, :count], atol=1e-9)
     if found.force_N is not None:
         np.testing.assert_allclose(found.force_N, FORCE, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", [name for name in WRITERS if not left_open(name)])
+def test_a_folders_recipe_for_other_columns_is_passed_over_and_told(
+    name: str, tmp_path: Path
+) -> None:
+    path = WRITERS[name][0](tmp_path)
+    other = (
+        'time = {column = "t", unit = "s"}\nposition = {columns = ["a", "b", "c"], unit = "m"}\n'
+    )
+    (tmp_path / "recipe.toml").write_text(other)
+    found = read(path)
+    assert found.source is not None
+    assert found.source.recipe == f"preset {name}"
+    assert "The folder's recipe.toml names other columns and was passed over." in found.notices
+    (tmp_path / "recipe.toml").write_text(f'preset = "{name}"\n')
+    assert read(path).source != found.source

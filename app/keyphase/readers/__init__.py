@@ -13,6 +13,7 @@ from keyphase.demonstration import Demonstration, Source
 from keyphase.errors import DemonstrationError
 from keyphase.files.parts import sha256_of_part, split_part, with_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, WholeFile, read_whole
+from keyphase.notices import Caution
 from keyphase.readers.finding import (
     FOLDER_RECIPE,
     RECIPE_SUFFIX,
@@ -21,6 +22,7 @@ from keyphase.readers.finding import (
     find_recordings,
     folder_recipe,
     own_recipe,
+    passed_over_recipe,
 )
 from keyphase.readers.foreign import foreign_kind
 from keyphase.readers.formats.known import format_of
@@ -60,8 +62,9 @@ def read(
 
     An archive is read as native NPZ, whatever recipe is given. A table or a binary format is read
     through the recipe given, or the one beside it (`<file>.recipe.toml`); without, a native table
-    is read as such and anything else through its folder's `recipe.toml`, a binary format at last
-    through the preset that knows its columns. What was held, resampled, dropped or turned is said
+    is read as such and anything else through its folder's `recipe.toml`, at last through the preset
+    that knows its columns; where one does that leaves nothing open, a folder's recipe for other
+    columns is passed over. What was held, resampled, dropped or turned is said
     in the notices. `limit_bytes` bounds what is read and unpacked.
 
     Raises DemonstrationError for what cannot be read or used, RecipeError where recipe and table
@@ -72,7 +75,7 @@ def read(
     with np.errstate(all="ignore"):
         if form is not None:
             chosen = recipe or own_recipe(path) or folder_recipe(path)
-            return read_format(path, part, form, _loaded(chosen), limit_bytes)
+            return _told(path, read_format(path, part, form, _loaded(chosen), limit_bytes), chosen)
         return _read_table(path, part, recipe, limit_bytes)
 
 
@@ -118,7 +121,8 @@ def _read_undescribed(file: WholeFile, limit_bytes: int) -> Demonstration:
     """A table without a recipe; of one that is not native the way to a recipe is told."""
     name = None if has_native_header(file.data) else preset_of_header(file.data)
     if name is not None:
-        return read_by_recipe(file, preset_recipe(name, file.name), limit_bytes)
+        found = read_by_recipe(file, preset_recipe(name, file.name), limit_bytes)
+        return _told(split_part(file.source.path)[0], found, None)
     try:
         return read_csv(file, limit_bytes)
     except DemonstrationError as error:
@@ -130,6 +134,15 @@ def _read_undescribed(file: WholeFile, limit_bytes: int) -> Demonstration:
             f"{path.name}{RECIPE_SUFFIX} beside it, which `keyphase inspect --write {path}` "
             "proposes, or the page when the file is dropped on it."
         ) from error
+
+
+def _told(path: Path, found: Demonstration, chosen: object) -> Demonstration:
+    """With a notice where a file's folder has a recipe that is not meant for it."""
+    other = None if chosen else passed_over_recipe(path)
+    if other is None:
+        return found
+    told = Caution(f"The folder's {other.name} names other columns and was passed over.")
+    return replace(found, notices=(*found.notices, told))
 
 
 def _loaded(recipe: Recipe | Path | str | None) -> Recipe | None:

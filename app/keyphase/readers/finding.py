@@ -5,14 +5,16 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from keyphase.errors import DemonstrationError
+from keyphase.errors import DemonstrationError, KeyphaseError
 from keyphase.files.parts import split_part, with_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, first_bytes, read_whole
+from keyphase.readers.companions import companions_among
 from keyphase.readers.formats.known import Format, format_of
-from keyphase.readers.known_tables import begins_known
+from keyphase.readers.known_tables import begins_known, known_header, leaves_nothing_open
 from keyphase.readers.native_csv import MAX_HEADER_BYTES, has_native_header
 from keyphase.readers.recipes.file import load_recipe
-from keyphase.readers.recipes.presets import preset_sides
+from keyphase.readers.recipes.fitting import is_meant_for
+from keyphase.readers.recipes.presets import fitting_preset, preset_sides
 from keyphase.readers.recipes.recipe import Recipe
 from keyphase.readers.recipes.several import parts_of_table
 from keyphase.readers.table import open_table
@@ -41,9 +43,10 @@ def find_recordings(
 
     A file that is named is taken as it is; reading it says what is wrong with it. In a folder
     count archives (.npz), native tables, and tables that have a recipe: their own, their folder's,
-    or the one given for all. Hidden folders and files and what was exported are passed over,
-    links to folders not followed. No more of a file than its first line is read. Raises
-    DemonstrationError for a folder that cannot be listed.
+    or the one given for all; not the wrench of another one in a file of its own, nor notes in
+    prose. Hidden folders and files and what was exported are passed over, links to folders not
+    followed. No more of a file than its first lines is read. Raises DemonstrationError for a folder
+    that cannot be listed.
     """
     found: dict[str, Found] = {}
     for path in map(Path, paths):
@@ -140,9 +143,32 @@ def own_recipe(path: Path) -> Path | None:
 
 
 def folder_recipe(path: Path) -> Path | None:
-    """The recipe of all tables in the folder of `path`, `recipe.toml`, where it is there."""
+    """The `recipe.toml` of the folder of `path`, where it is there and can be meant for it."""
     recipe = path.with_name(FOLDER_RECIPE)
-    return recipe if os.path.isfile(recipe) else None
+    return recipe if os.path.isfile(recipe) and not _is_for_others(recipe, path) else None
+
+
+def passed_over_recipe(path: Path) -> Path | None:
+    """The recipe of its folder, where a file is read by a preset since that names other columns."""
+    recipe = path.with_name(FOLDER_RECIPE)
+    return recipe if os.path.isfile(recipe) and folder_recipe(path) is None else None
+
+
+def _is_for_others(recipe: Path, path: Path) -> bool:
+    """Whether its columns are not those of a file that a preset reads without anything to say."""
+    try:
+        form = format_of(path)
+        names = known_header(path) if form is None else _known_columns(form, path)
+        return bool(names) and not is_meant_for(load_recipe(recipe), names)
+    except KeyphaseError:
+        # Reading it says what is wrong.
+        return False
+
+
+def _known_columns(form: Format, path: Path) -> tuple[str, ...]:
+    """The columns of a file, where a preset knows them and leaves nothing open."""
+    names = form.names(path, next(iter(form.parts(path)), None))
+    return names if leaves_nothing_open(fitting_preset(names)) else ()
 
 
 def undescribed_alike(path: Path, folder: Path) -> tuple[Path, ...]:
@@ -189,6 +215,10 @@ def _in_folder(folder: Path, recipe: Path | str | None) -> Iterator[Found]:
         folders[:] = [name for name in folders if name not in datasets]
         paths += [Path(parent, name) for name in datasets]
         paths += [Path(parent, name) for name in files if not name.startswith(".")]
+    beside = companions_among(
+        paths, lambda path: Path(recipe) if recipe else own_recipe(path) or folder_recipe(path)
+    )
+    paths = [path for path in paths if path not in beside]
     for path in sorted([*paths, *shut], key=lambda path: path.relative_to(folder).parts):
         if os.path.isdir(path) or (
             os.path.isfile(path) and _is_recording(path, recipe is not None)

@@ -14,20 +14,34 @@ MAX_HEADER_BYTES = 64 * 1024
 
 def preset_of_header(data: bytes) -> str | None:
     """The preset that knows the columns in the first line of a plain table, if one does."""
-    line, _, _ = data[:MAX_HEADER_BYTES].partition(b"\n")
-    try:
-        return fitting_preset(header_names(line.decode(TableForm.encoding), TableForm()))
-    except UnicodeDecodeError:
-        return None
+    return fitting_preset(_header(data))
 
 
 def begins_known(path: Path) -> bool:
     """Whether a file begins with such a header, and the preset leaves nothing open."""
+    return bool(known_header(path))
+
+
+def known_header(path: Path) -> tuple[str, ...]:
+    """The columns in the first line of a table, where a preset leaves nothing of them open."""
     try:
-        name = preset_of_header(first_bytes(path, MAX_HEADER_BYTES))
+        names = _header(first_bytes(path, MAX_HEADER_BYTES))
     except (OSError, ValueError):
-        return False
-    return name is not None and not left_open(name)
+        return ()
+    return names if leaves_nothing_open(fitting_preset(names)) else ()
+
+
+def leaves_nothing_open(preset: str | None) -> bool:
+    """Whether there is a preset and it reads without a recipe."""
+    return preset is not None and not left_open(preset)
+
+
+def _header(data: bytes) -> tuple[str, ...]:
+    line, _, _ = data[:MAX_HEADER_BYTES].partition(b"\n")
+    try:
+        return tuple(header_names(line.decode(TableForm.encoding), TableForm()))
+    except UnicodeDecodeError:
+        return ()
 
 
 def preset_recipe(name: str, file: str) -> Recipe:

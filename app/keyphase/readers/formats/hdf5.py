@@ -51,7 +51,9 @@ def names_in_hdf5(path: Path, part: str | None) -> tuple[str, ...]:
         group = file if episodes is None else _group(episodes, part) if part else None
         if group is None:
             return ()
-        return ArrayTable(str(path), dict(_signals(group)), {}, (), {}).names
+        names = ArrayTable(str(path), dict(_signals(group)), {}, (), {}).names
+        timed = episodes is not None and _control_rate(episodes) is not None
+        return (*names, "time") if timed else names
 
 
 def table_of_hdf5(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:

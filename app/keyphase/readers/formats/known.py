@@ -32,7 +32,7 @@ from keyphase.readers.formats.matlab73 import table_of_mat73
 from keyphase.readers.formats.numpy_archive import is_foreign_archive, table_of_npz
 from keyphase.readers.formats.parquet import MAGIC as PARQUET_MAGIC
 from keyphase.readers.formats.parquet import table_of_parquet
-from keyphase.readers.formats.zarr_store import is_zarr, parts_of_zarr, table_of_zarr
+from keyphase.readers.formats.zarr_store import is_zarr, names_in_zarr, parts_of_zarr, table_of_zarr
 
 
 def _no_names(_path: Path, _part: str | None) -> tuple[str, ...]:
@@ -82,7 +82,13 @@ HDF5 = Format(
     names_in_hdf5,
 )
 ZARR = Format(
-    "Zarr", "zarr", ".zarr .zarr.zip", "buffer.zarr#episode_0", parts_of_zarr, table_of_zarr
+    "Zarr",
+    "zarr",
+    ".zarr .zarr.zip",
+    "buffer.zarr#episode_0",
+    parts_of_zarr,
+    table_of_zarr,
+    names_in_zarr,
 )
 BAG = Format(
     "ROS 1 and ROS 2 bag, MCAP", "ros", ".bag .mcap, a folder", "run.bag", _one, table_of_bag

@@ -47,6 +47,17 @@ def parts_of_zarr(path: Path) -> tuple[str, ...]:
         return _groups(store)[1]
 
 
+def names_in_zarr(path: Path, part: str | None) -> tuple[str, ...]:
+    """What the columns of an episode are called, without reading any; none where it is not."""
+    with _opened(path) as store:
+        group, names = _groups(store)
+        if names and part not in names:
+            return ()
+        data = group[part] if names else store.get("data", store)
+        found = {name: array for name, array in _arrays(data) if is_signal(array)}
+        return ArrayTable(str(path), found, {}, (), {}).names
+
+
 def table_of_zarr(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     """The signals of one episode, of which only the chunks that hold it are read.
 

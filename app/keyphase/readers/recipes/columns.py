@@ -3,6 +3,7 @@
 import difflib
 import fnmatch
 import re
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from keyphase.errors import RecipeError
@@ -40,13 +41,19 @@ class Columns:
             )
         return found
 
+    def names_some_of(self, names: Sequence[str]) -> bool:
+        """Whether all that it calls by a name is among these; a place by its index always is."""
+        if isinstance(self.chosen, str):
+            return any(map(_matcher(self.chosen), names))
+        return all(choice in names for choice in self.chosen if isinstance(choice, str))
+
     def _shown(self) -> str:
         chosen = [self.chosen] if isinstance(self.chosen, str) else self.chosen
         return ", ".join(repr(choice)[:60] for choice in chosen[:4])
 
     def _matching(self, pattern: str, table: Columned) -> list[int]:
         self._refuse_without_names(table)
-        matches = re.compile(fnmatch.translate(pattern.replace("[", "[[]"))).fullmatch
+        matches = _matcher(pattern)
         return [i for i, name in enumerate(table.names[: table.width]) if matches(name)]
 
     def _one(self, choice: str | int, table: Columned) -> int:
@@ -78,3 +85,7 @@ class Columns:
                 f"{self.where}: columns can be named only where the table has a header; "
                 "choose them by index, from 0."
             )
+
+
+def _matcher(pattern: str) -> Callable[[str], object]:
+    return re.compile(fnmatch.translate(pattern.replace("[", "[[]"))).fullmatch
