@@ -239,6 +239,20 @@ def test_a_whole_dictionary_in_one_array_is_refused_with_the_way_out(tmp_path: P
         read(tmp_path / "fmb.npy")
 
 
+@pytest.mark.parametrize(
+    "write",
+    [archive, matlab_73, parquet, records, json_messages, protobuf_messages],
+    ids=lambda write: write.__name__,
+)
+def test_a_torn_file_is_refused_in_our_words_not_in_the_librarys(
+    write: Callable[[Path], Path], tmp_path: Path
+) -> None:
+    path = write(tmp_path)
+    path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
+    with pytest.raises(DemonstrationError, match=r"\(its end is missing, as after [^:]*\); "):
+        read(path)
+
+
 def test_a_topic_whose_messages_nobody_defines_is_passed_over_and_told(tmp_path: Path) -> None:
     """Bags of ROS 2 before Iron hold no definitions; a laboratory's own messages are unknown."""
     store = get_typestore(Stores.ROS2_HUMBLE)

@@ -10,6 +10,7 @@ from typing import Any, BinaryIO
 
 from keyphase.errors import CameraError
 from keyphase.files.reading import first_bytes
+from keyphase.readers.formats.damage import what_is_wrong
 from keyphase.readers.formats.packages import package
 
 EXTRA = "video"
@@ -87,13 +88,8 @@ def opened_video(file: Path, media_type: str, most_bytes: int = MOST_INDEX_BYTES
         except (av.FFmpegError, ValueError, OverflowError, EOFError, IndexError) as error:
             raise CameraError(
                 f"{file}: expected a whole video, but it cannot be read "
-                f"({_reason(error)}); copy or export it again."
+                f"({what_is_wrong(file, error)}); copy or export it again."
             ) from error
-
-
-def _reason(error: Exception) -> str:
-    """What FFmpeg says is wrong, without its numbers."""
-    return getattr(error, "strerror", None) or str(error)
 
 
 def _media_type(file: Path) -> str:

@@ -19,6 +19,7 @@ from keyphase.cameras.kept import Kept
 from keyphase.cameras.packets import begins_anew, decoded, is_steady, remux
 from keyphase.errors import CameraError
 from keyphase.readers.beginnings import Zeros
+from keyphase.readers.formats.damage import what_is_wrong
 from keyphase.readers.formats.packages import package
 
 MAX_IMAGE_BYTES = 32 << 20
@@ -152,7 +153,9 @@ def _decoded(path: Path, image: Picture) -> Any:
     try:
         frames = [*codec.decode(av.Packet(image.data)), *codec.decode(None)]
     except (av.FFmpegError, ValueError) as error:
-        raise CameraError(f"{path}: an image cannot be read ({error}).") from error
+        raise CameraError(
+            f"{path}: an image cannot be read ({what_is_wrong(path, error)})."
+        ) from error
     if not frames:
         raise CameraError(f"{path}: an image holds no picture.")
     return frames[0]

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from keyphase.cameras.bag_pictures import EXTRA, Picture
 from keyphase.errors import CameraError
+from keyphase.readers.formats.damage import what_is_wrong
 from keyphase.readers.formats.packages import package
 
 MAX_PACKET_BYTES = 32 << 20
@@ -63,7 +64,9 @@ def remux(path: Path, packets: Iterable[Picture], fps: float, to: Path) -> None:
                 written += 1
                 output.mux(packet)
     except (av.FFmpegError, ValueError, IndexError) as error:
-        raise CameraError(f"{path}: its packets of H.264 cannot be read ({error}).") from error
+        raise CameraError(
+            f"{path}: its packets of H.264 cannot be read ({what_is_wrong(path, error)})."
+        ) from error
     finally:
         raw.unlink(missing_ok=True)
     if written != count:
@@ -101,7 +104,9 @@ def decoded(path: Path, packets: Iterable[Picture]) -> Iterator[tuple[int, Any]]
         if decoder is not None:
             yield from ((frame.pts, frame) for frame in decoder.decode(None))
     except (av.FFmpegError, ValueError) as error:
-        raise CameraError(f"{path}: its video cannot be decoded ({error}).") from error
+        raise CameraError(
+            f"{path}: its video cannot be decoded ({what_is_wrong(path, error)})."
+        ) from error
 
 
 def _decoder_of(path: Path, packet: Picture) -> str:

@@ -11,6 +11,8 @@ import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from keyphase.readers.formats.damage import UnfitError
+
 _HEADER = 128
 _ENDIANS = {b"IM": "<", b"MI": ">"}
 _MATRIX, _COMPRESSED = 14, 15
@@ -31,11 +33,11 @@ class _Element:
 def plain_variables(data: bytes, limit_bytes: int) -> list[str]:
     """The names of the variables SciPy can be trusted with: numbers, text, cells and structs.
 
-    Raises ValueError for a file that is not as it says, or unpacks to more than `limit_bytes`.
+    Raises UnfitError for a file that is not as it says, or unpacks to more than `limit_bytes`.
     """
     endian = _ENDIANS.get(data[126:128])
     if endian is None:
-        raise ValueError("its header says no order of bytes")
+        raise UnfitError("its header says no order of bytes")
     left, names = limit_bytes, list[str]()
     for element in _elements(memoryview(data)[_HEADER:], endian, packed=True):
         if element.kind == _COMPRESSED:
@@ -43,13 +45,13 @@ def plain_variables(data: bytes, limit_bytes: int) -> list[str]:
             content = unpacking.decompress(element.data, left + 1)
             left -= len(content)
             if left < 0 or not unpacking.eof:
-                raise ValueError("a variable is cut, or larger than the limit")
+                raise UnfitError("a variable is cut, or larger than the limit")
             inner = list(_elements(memoryview(content), endian))
             if len(inner) != 1:
-                raise ValueError("a packed variable holds more than one")
+                raise UnfitError("a packed variable holds more than one")
             element = inner[0]
         if element.kind != _MATRIX:
-            raise ValueError(f"an element of kind {element.kind} stands where a variable must")
+            raise UnfitError(f"an element of kind {element.kind} stands where a variable must")
         name, is_plain = _checked(element.data, endian, 0)
         names += [name] if is_plain and name else []
     return names
@@ -60,23 +62,23 @@ def _elements(data: memoryview, endian: str, packed: bool = False) -> Iterator[_
     at = 0
     while at < len(data):
         if at + 8 > len(data):
-            raise ValueError("an element is cut")
+            raise UnfitError("an element is cut")
         word, length = struct.unpack_from(f"{endian}II", data, at)
         if word >> 16:
             kind, length, begin, following = word & 0xFFFF, word >> 16, at + 4, at + 8
             if length > 4:
-                raise ValueError("a short element is longer than four bytes")
+                raise UnfitError("a short element is longer than four bytes")
         else:
             kind, begin = word, at + 8
             whole = packed and kind == _COMPRESSED
             following = begin + (length if whole else (length + 7) // 8 * 8)
         if begin + length > len(data):
-            raise ValueError("an element is longer than what holds it")
+            raise UnfitError("an element is longer than what holds it")
         size = _SIZES.get(kind)
         if size is None and kind not in (_MATRIX, _COMPRESSED):
-            raise ValueError(f"there is no element of kind {kind}")
+            raise UnfitError(f"there is no element of kind {kind}")
         if size is not None and length % size:
-            raise ValueError("an element ends within a number")
+            raise UnfitError("an element ends within a number")
         yield _Element(kind, data[begin : begin + length])
         at = following
 
@@ -87,7 +89,7 @@ def _checked(data: memoryview, endian: str, depth: int) -> tuple[str, bool]:
     An empty one in a cell has no content at all.
     """
     if depth > _MAX_DEPTH:
-        raise ValueError("its variables are nested too deep")
+        raise UnfitError("its variables are nested too deep")
     if not len(data):
         return "", True
     parts = list(_elements(data, endian))
@@ -111,32 +113,32 @@ def _checked(data: memoryview, endian: str, depth: int) -> tuple[str, bool]:
         for one in rest
     )
     if not fitting and not (kind == _TEXT and count == 0):
-        raise ValueError("a variable has another size than it says")
+        raise UnfitError("a variable has another size than it says")
     return name, True
 
 
 def _size(dimensions: _Element, endian: str) -> int:
     count = len(dimensions.data) // 4
     if dimensions.kind != 5 or not 2 <= count <= _MAX_DIMENSIONS:
-        raise ValueError("a variable has no size")
+        raise UnfitError("a variable has no size")
     sizes = struct.unpack(f"{endian}{count}i", dimensions.data)
     if min(sizes) < 0:
-        raise ValueError("a variable has a size below zero")
+        raise UnfitError("a variable has a size below zero")
     return math.prod(sizes)
 
 
 def _fields(parts: list[_Element], endian: str) -> int:
     """How many fields a struct has, by the length of each name and all of them."""
     if len(parts) < 2 or len(parts[0].data) != 4 or parts[1].kind != 1:
-        raise ValueError("a struct does not name its fields")
+        raise UnfitError("a struct does not name its fields")
     length = struct.unpack(f"{endian}i", parts[0].data)[0]
     if length <= 0 or len(parts[1].data) % length:
-        raise ValueError("the names of a struct's fields do not have one length")
+        raise UnfitError("the names of a struct's fields do not have one length")
     return len(parts[1].data) // length
 
 
 def _all_plain(parts: list[_Element], count: int, endian: str, depth: int) -> bool:
     if len(parts) != count or any(one.kind != _MATRIX for one in parts):
-        raise ValueError("a cell or struct holds another number of values than it says")
+        raise UnfitError("a cell or struct holds another number of values than it says")
     plain = [_checked(one.data, endian, depth + 1)[1] for one in parts]
     return all(plain)

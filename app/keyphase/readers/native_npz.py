@@ -31,6 +31,7 @@ from keyphase.files.writing import write_whole
 from keyphase.logged import Event
 from keyphase.notices import Caution
 from keyphase.readers.build import build
+from keyphase.readers.formats.damage import what_is_wrong
 from keyphase.readers.npz_members import (
     EVENTS,
     METADATA,
@@ -108,7 +109,7 @@ def _damage_told(file: WholeFile) -> Iterator[None]:
     except _DAMAGE as error:
         raise DemonstrationError(
             f"{file.name}: expected a whole NPZ archive, but it is damaged "
-            f"({error or type(error).__name__}); copy or export it again."
+            f"({what_is_wrong(file.source.path, error)}); copy or export it again."
         ) from error
 
 

@@ -13,6 +13,7 @@ from keyphase.errors import ExportError
 from keyphase.labeling.segment_file import SUFFIX
 from keyphase.labeling.segment_file_content import as_json, end_condition_content
 from keyphase.readers.formats.bags import MCAP_MAGIC
+from keyphase.readers.formats.damage import what_is_wrong
 from keyphase.writers.carried import EVERYTHING
 from keyphase.writers.clock import zero_ns
 from keyphase.writers.copies import in_place_of
@@ -93,7 +94,8 @@ def _copy(source: Path, writer: Any) -> None:
                 writer.add_metadata(one.name, one.metadata)
     except (problem, OSError, ValueError) as error:
         raise ExportError(
-            f"{source}: expected a whole MCAP file, but it cannot be read ({error}); copy it again."
+            f"{source}: expected a whole MCAP file, but it cannot be read "
+            f"({what_is_wrong(source, error)}); copy it again."
         ) from error
 
 

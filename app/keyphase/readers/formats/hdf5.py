@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.readers.formats.array_table import ArrayTable
-from keyphase.readers.formats.damage import damage_told
+from keyphase.readers.formats.damage import UnfitError, damage_told
 from keyphase.readers.formats.numeric import (
     in_natural_order,
     is_signal,
@@ -125,7 +125,7 @@ def _signals(group: Any, before: str = "", depth: int = 0) -> Iterator[tuple[str
     import h5py
 
     if depth > MAX_DEPTH or len(group) > MAX_ARRAYS:
-        raise ValueError("it is nested deeper, or holds more, than a recording does")
+        raise UnfitError("it is nested deeper, or holds more, than a recording does")
     for name in group:
         if not isinstance(group.get(name, getlink=True), h5py.HardLink):
             continue
@@ -189,7 +189,7 @@ def refuse_hollow(found: dict[str, Any]) -> None:
     for name, dataset in found.items():
         stored = dataset.id.get_storage_size()
         if dataset.nbytes > _MAX_DEFLATED * stored + _MIN_ROOM_BYTES:
-            raise ValueError(
+            raise UnfitError(
                 f"{name} has shape {dataset.shape}, which its {stored} stored bytes cannot fill"
             )
 

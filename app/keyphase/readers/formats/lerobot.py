@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from keyphase.errors import DemonstrationError
 from keyphase.readers.formats.array_table import ArrayTable
-from keyphase.readers.formats.damage import damage_told
+from keyphase.readers.formats.damage import damage_told, what_is_wrong
 from keyphase.readers.formats.numeric import MAX_NUMBERS_A_ROW, refuse_too_large, unknown_part
 from keyphase.readers.formats.packages import package
 
@@ -208,7 +208,7 @@ def info_of(path: Path) -> dict[str, Any]:
             raise _damaged(path, f"{INFO} is too large")
         content = json.loads(file.read_bytes())
     except (OSError, ValueError, RecursionError) as error:
-        raise _damaged(path, f"{INFO} cannot be read ({error})") from error
+        raise _damaged(path, f"{INFO} cannot be read ({what_is_wrong(file, error)})") from error
     if not isinstance(content, dict):
         raise _damaged(path, f"{INFO} must hold an object")
     return content

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from keyphase.errors import DemonstrationError
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES
 from keyphase.readers.formats.array_table import ArrayTable
-from keyphase.readers.formats.damage import damage_told
+from keyphase.readers.formats.damage import UnfitError, damage_told
 from keyphase.readers.formats.numeric import is_signal, refuse_too_large, unknown_part
 from keyphase.readers.formats.upright import upright
 from keyphase.readers.mat_elements import plain_variables
@@ -35,7 +35,7 @@ def table_of_npy(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
         _refuse_pickled(path)
         mapped = np.load(path, mmap_mode="r", allow_pickle=False)
         if not isinstance(mapped, np.ndarray):
-            raise ValueError("it holds no array")
+            raise UnfitError("it holds no array")
         refuse_too_large([mapped], str(path), limit_bytes)
         array = np.array(mapped)
     named = {name: array[name] for name in array.dtype.names or ()} or {"array": array}

@@ -8,6 +8,7 @@ import numpy as np
 
 from keyphase.errors import DemonstrationError
 from keyphase.readers.formats.array_table import ArrayTable
+from keyphase.readers.formats.damage import UnfitError
 from keyphase.readers.formats.hdf5 import MAX_ARRAYS, MAX_DEPTH, is_own_data, opened, refuse_hollow
 from keyphase.readers.formats.numeric import is_signal, refuse_too_large
 from keyphase.readers.formats.upright import upright
@@ -43,7 +44,7 @@ def _variables(group: Any, before: str = "", depth: int = 0) -> Iterator[tuple[s
     import h5py
 
     if depth > MAX_DEPTH or len(group) > MAX_ARRAYS:
-        raise ValueError("it is nested deeper, or holds more, than a recording does")
+        raise UnfitError("it is nested deeper, or holds more, than a recording does")
     for name in group:
         if name.startswith("#") or not isinstance(group.get(name, getlink=True), h5py.HardLink):
             continue

@@ -7,7 +7,7 @@ from keyphase.errors import DemonstrationError
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES
 from keyphase.notices import Caution
 from keyphase.readers.formats.array_table import ArrayTable
-from keyphase.readers.formats.damage import damage_told
+from keyphase.readers.formats.damage import UnfitError, damage_told
 from keyphase.readers.formats.numeric import is_signal
 from keyphase.readers.formats.upright import upright
 from keyphase.readers.npz_members import Member, member_of, numbers_of
@@ -65,7 +65,7 @@ def _members(archive: zipfile.ZipFile, file: str) -> tuple[dict[str, Member], li
     """The arrays of numbers by name, and the names of what holds something else."""
     infos = [info for info in archive.infolist() if info.filename.endswith(_SUFFIX)]
     if len(infos) > _MAX_MEMBERS:
-        raise ValueError(f"it has {len(infos)} members, more than a recording does")
+        raise UnfitError(f"it has {len(infos)} members, more than a recording does")
     found: dict[str, Member] = {}
     left_out = []
     for info in infos:

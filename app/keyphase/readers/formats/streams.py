@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from keyphase.errors import DemonstrationError
 from keyphase.notices import Caution
 from keyphase.readers.beginnings import Zero, Zeros, zeros_of
+from keyphase.readers.formats.damage import UnfitError
 from keyphase.readers.formats.messages import Plain, numbers_in, stamp_of
 from keyphase.readers.formats.numeric import MAX_NUMBERS_A_ROW
 
@@ -94,7 +95,7 @@ class Streams:
         stream = self._streams[topic]
         if not stream.getters.keys() <= numbers.keys() or (stream.stamped and ns is None):
             missing = sorted(stream.getters.keys() - numbers.keys())[:3] or ["its stamp"]
-            raise ValueError(f"a message of {topic} goes without {', '.join(missing)}")
+            raise UnfitError(f"a message of {topic} goes without {', '.join(missing)}")
         self._append(stream, log_ns, ns, numbers)
 
     def _append(self, stream: _Stream, log_ns: int, stamp_ns: int | None, message: Any) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.readers.formats.array_table import ArrayTable
-from keyphase.readers.formats.damage import damage_told
+from keyphase.readers.formats.damage import UnfitError, damage_told
 from keyphase.readers.formats.numeric import (
     is_signal,
     recordings_among,
@@ -136,10 +136,10 @@ def _ends(store: Any, name: str) -> NDArray[np.int64] | None:
         return None
     array = store[key]
     if len(array.shape) != 1 or array.shape[0] > _MAX_EPISODES or array.dtype.kind not in "iu":
-        raise ValueError(f"{key} must be a list of whole numbers")
+        raise UnfitError(f"{key} must be a list of whole numbers")
     ends = np.asarray(array[:]).astype(np.int64)
     if (np.diff(ends, prepend=0) < 0).any():
-        raise ValueError(f"{key} must not decrease")
+        raise UnfitError(f"{key} must not decrease")
     return ends
 
 
@@ -157,5 +157,5 @@ def _span(store: Any, name: str, array: Any, number: int | None) -> tuple[int, i
     own = _ends(store, f"episode_{name.partition('_')[0]}_ends")
     ends = _ends(store, _ENDS) if own is None else own
     if ends is None or number >= len(ends) or ends[-1] > array.shape[0]:
-        raise ValueError(f"{name} has {array.shape[0]} rows, which its episodes' ends do not fit")
+        raise UnfitError(f"{name} has {array.shape[0]} rows, which its episodes' ends do not fit")
     return (int(ends[number - 1]) if number else 0), int(ends[number])

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from keyphase.errors import ExportError
+from keyphase.readers.formats.damage import what_is_wrong
 from keyphase.writers.packages import package
 from keyphase.writers.segmented import SegmentedRecording
 
@@ -23,8 +24,8 @@ def changing(path: Path, shown: Path) -> Iterator[Any]:
             yield file
     except (OSError, RuntimeError, KeyError, ValueError, TypeError) as error:
         raise ExportError(
-            f"{shown}: expected a whole HDF5 file, but it cannot be written into ({error}); "
-            "copy it again."
+            f"{shown}: expected a whole HDF5 file, but it cannot be written into "
+            f"({what_is_wrong(path, error)}); copy it again."
         ) from error
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from keyphase.errors import ExportError
 from keyphase.files.writing import write_whole
+from keyphase.readers.formats.damage import what_is_wrong
 from keyphase.readers.formats.lerobot import INFO, file_of_episode, is_lerobot
 from keyphase.writers.packages import package
 
@@ -86,7 +87,7 @@ def damage_told(path: Path) -> Iterator[None]:
     except (arrow.ArrowException, OSError, KeyError, ValueError, TypeError, IndexError) as error:
         raise ExportError(
             f"{path}: expected a whole LeRobot dataset, but it cannot be written into "
-            f"({type(error).__name__}: {error}); copy it again."
+            f"({what_is_wrong(path, error)}); copy it again."
         ) from error
 
 
