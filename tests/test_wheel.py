@@ -10,6 +10,7 @@ from pathlib import Path
 from zipfile import ZipFile
 
 import pytest
+from filelock import FileLock
 
 from linked_environment import environment_with
 
@@ -19,35 +20,44 @@ pytestmark = pytest.mark.slow
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("wheel")
-    command = [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder, ROOT]
-    subprocess.run(command, check=True, capture_output=True)
-    (built,) = folder.glob("*.whl")
-    return built
+def shared(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of all processes of this run, with the wheel: what one made serves the others."""
+    own = tmp_path_factory.getbasetemp()
+    folder = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "installed"
+    with FileLock(f"{folder}.lock"):
+        folder.mkdir(exist_ok=True)
+        if not list(folder.glob("*.whl")):
+            command = [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir"]
+            subprocess.run([*command, folder, ROOT], check=True, capture_output=True)
+    return folder
 
 
 @pytest.fixture(scope="module")
-def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def installed(shared: Path) -> Path:
     """The bin folder of an environment that holds nothing but the wheel and what it needs."""
+    (wheel,) = shared.glob("*.whl")
     with ZipFile(wheel) as archive:
         (name,) = [one for one in archive.namelist() if one.endswith(".dist-info/METADATA")]
         needed = message_from_bytes(archive.read(name)).get_all("Requires-Dist", [])
-    return _with_the_wheel(wheel, tmp_path_factory.mktemp("environment"), needed)
+    return _with_the_wheel(wheel, shared / "environment", needed)
 
 
 @pytest.fixture(scope="module")
-def core(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def core(shared: Path) -> Path:
     """The bin folder of an environment with the inner ring only: no page, robot or simulation."""
+    (wheel,) = shared.glob("*.whl")
     lines = (ROOT / "requirements-core.txt").read_text().splitlines()
     needed = [line for line in lines if not line.startswith("#")]
-    return _with_the_wheel(wheel, tmp_path_factory.mktemp("core"), needed)
+    return _with_the_wheel(wheel, shared / "core", needed)
 
 
 def _with_the_wheel(wheel: Path, folder: Path, needed: list[str]) -> Path:
-    programs = environment_with(folder, (one for one in needed if "extra ==" not in one))
-    pip = [sys.executable, "-m", "pip", "--python", programs / "python", "install", "--quiet"]
-    subprocess.run([*pip, "--no-compile", "--no-deps", wheel], check=True)
+    with FileLock(f"{folder}.lock"):
+        programs = folder / "bin"
+        if not (programs / "keyphase").exists():
+            environment_with(folder, (one for one in needed if "extra ==" not in one))
+            pip = [sys.executable, "-m", "pip", "--python", programs / "python", "install"]
+            subprocess.run([*pip, "--quiet", "--no-compile", "--no-deps", wheel], check=True)
     return programs
 
 

@@ -11,6 +11,7 @@ from keyphase.readers import read
 from keyphase.segmentation import segment
 from keyphase.web.scene.replaying.workcell_scene import GIZMO_M
 from keyphase.web.server import PageServer
+from keyphase.workbench import workbench as workbench_module
 
 FORWARD, FORWARD_M = np.array([1.0, 0.0, 0.0]), 0.12
 DOWN, DOWN_M = np.array([0.0, 0.0, -1.0]), 0.115
@@ -103,13 +104,18 @@ def test_a_take_is_undone_and_brought_back(
 
 @pytest.mark.slow
 def test_a_take_is_kept_when_the_browser_closes_midway(
-    tmp_path: Path, server: PageServer, page: KeyphasePage, visit: Visit
+    tmp_path: Path,
+    server: PageServer,
+    page: KeyphasePage,
+    visit: Visit,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr(workbench_module, "KEPT_S", 1.0)
     press(page, "Record")
     page.panel.get_by_role("button", name="Stop", exact=True).wait_for()
     wait_until_at_rest(server, page, 2.0)
     page.page.goto("about:blank")
-    again = visit(server)
+    again = visit(server, scene=False)
     again.page.locator(".queue-row", has_text="setup1_01").click(timeout=90_000)
     again.wait_for_document()
     assert again.document["name"] == "setup1_01"

@@ -25,8 +25,12 @@ def contacts(segmenter, line=None):
 
 
 def test_it_is_what_the_maker_makes(tmp_path):
+    """But for the last bit, in which processors differ."""
     save_npz(make("light-touch", 18).demonstration, tmp_path / "wipe.npz")
-    assert (tmp_path / "wipe.npz").read_bytes() == (shipped("data") / "wipe.npz").read_bytes()
+    made, bundled = np.load(tmp_path / "wipe.npz"), np.load(shipped("data") / "wipe.npz")
+    assert made.files == bundled.files
+    for name in ("time_s", "position_m", "orientation_wxyz", "force_N", "torque_Nm"):
+        np.testing.assert_allclose(made[name], bundled[name], rtol=0, atol=1e-12)
 
 
 def test_lowering_the_line_brings_the_light_touch(segmenter, touch_s):

@@ -1,12 +1,13 @@
 """Several recordings in one page: the list, and what is known of each without opening it."""
 
+import asyncio
 import shutil
 import threading
 from pathlib import Path
 
 import numpy as np
 import pytest
-from talking import PageClient, StartServer
+from talking import PageClient, StartServer, wait_until
 
 from keyphase.workbench.desks.library import Library
 from keyphase.workbench.desks.open_recording import OpenRecording
@@ -77,7 +78,7 @@ def test_others_are_looked_at_when_there_is_time(
         page.wait_for("playhead")
         assert looked == []
         there_is_time.set()
-        page.wait_for("recordings", lambda _: "broken" in looked)
+        asyncio.run(wait_until(lambda: "broken" in looked))
 
 
 def test_a_file_that_cannot_be_read_says_so_in_its_line_and_opens_nothing(
