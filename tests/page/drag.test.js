@@ -27,6 +27,24 @@ test("dragging changes nothing of the document itself", () => {
   assert.deepEqual(doc, before);
 });
 
+test("of an hour only what is beside the hand is copied at each move", () => {
+  const shown = withDrag(doc, { boundary: 0, time: 4, snapped: "" });
+  assert.equal(shown.segments[2], doc.segments[2]);
+  assert.equal(shown.boundaries[1], doc.boundaries[1]);
+});
+
+test("with all later boundaries the last segment begins later and ends where it did", () => {
+  const shown = withDrag(doc, { boundary: 0, time: 4, snapped: "", ripples: true });
+  assert.deepEqual(
+    shown.segments.map(({ start_s, end_s }) => [start_s, end_s]),
+    [
+      [0, 4],
+      [4, 7],
+      [7, 10],
+    ],
+  );
+});
+
 test("without a drag, or of a boundary that has gone, the document is as it was", () => {
   assert.equal(withDrag(doc, null), doc);
   assert.equal(withDrag(doc, { boundary: 5, time: 7, snapped: "" }), doc);

@@ -23,16 +23,19 @@ export function withDrag(doc, drag) {
  * @returns {import("./types.js").Doc}
  */
 export function withMoved(doc, first, last, by) {
-  const boundaries = doc.boundaries.map((one, k) =>
-    k < first || k >= last
-      ? one
-      : { ...one, time_s: one.time_s + by, was_s: one.was_s ?? one.time_s },
-  );
-  const segments = doc.segments.map((one, k) => ({
-    ...one,
-    start_s: boundaries[k - 1]?.time_s ?? one.start_s,
-    end_s: boundaries[k]?.time_s ?? one.end_s,
-  }));
+  const boundaries = doc.boundaries.slice();
+  const segments = doc.segments.slice();
+  for (let k = first; k < last; k++) {
+    const one = boundaries[k];
+    boundaries[k] = { ...one, time_s: one.time_s + by, was_s: one.was_s ?? one.time_s };
+  }
+  // Those beside a moved boundary only: of thousands, copies would cost every move of the hand.
+  for (let k = first; k <= last && k < segments.length; k++)
+    segments[k] = {
+      ...segments[k],
+      start_s: boundaries[k - 1]?.time_s ?? segments[k].start_s,
+      end_s: boundaries[k]?.time_s ?? segments[k].end_s,
+    };
   return { ...doc, boundaries, segments };
 }
 

@@ -17,11 +17,13 @@ const FONT = "11px";
 export function drawSkills({ document: doc }, scale, { y, height }) {
   const ground = svg("rect", { y, width: scale.width, height, class: "band-ground" });
   if (isCrowded(segmentsInView(doc.segments, scale).length, scale)) return [ground];
-  /** @type {Map<number, number[]>} places in the plan, by the segment */
+  /** @type {Map<number, number[]>} places in the plan, by the segment in view */
   const places = new Map();
-  doc.plan.forEach(({ segment }, k) =>
-    places.set(segment, [...(places.get(segment) ?? []), k + 1]),
-  );
+  doc.plan.forEach(({ segment: index }, k) => {
+    const segment = doc.segments[index];
+    if (!segment || segment.end_s < scale.from || segment.start_s > scale.to) return;
+    places.set(index, [...(places.get(index) ?? []), k + 1]);
+  });
   const inTime = [...places].sort(([a], [b]) => a - b);
   const skills = inTime.flatMap(([index, at]) =>
     drawSkill(doc.segments[index], at, scale, y, height),
@@ -31,10 +33,7 @@ export function drawSkills({ document: doc }, scale, { y, height }) {
 
 /** The places of brackets that are too narrow for their own. */
 function drawRuns({ segments }, places, scale, foot) {
-  const seen = places.filter(
-    ([index]) => segments[index]?.end_s >= scale.from && segments[index].start_s <= scale.to,
-  );
-  const marks = seen.map(([index, at]) => {
+  const marks = places.map(([index, at]) => {
     const { left, right } = bracketOf(segments[index], scale);
     const fits = textWidth(at.join(", "), FONT) <= right - left;
     return { number: at[0], left, right, fits };
@@ -61,7 +60,6 @@ function bracketOf(segment, scale) {
 
 /** A bracket over its segment, closed at the end by what ends it. */
 function drawSkill(segment, places, scale, y, height) {
-  if (!segment || segment.end_s < scale.from || segment.start_s > scale.to) return [];
   const { left, right } = bracketOf(segment, scale);
   if (right - left < 3) return [];
   const { kind, agrees } = segment.end_condition;
