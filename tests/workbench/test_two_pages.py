@@ -111,6 +111,9 @@ def test_neither_page_moves_what_the_other_looks_at(workbench: Workbench) -> Non
     assert one.told["playhead"]["time_s"] == one.told["document"]["start_s"]
     assert one.told["recordings"]["items"][1]["pages"][0]["id"] == "two"
 
+    two.conversation.end()
+    one.wait_for(lambda: not one.told["recordings"]["items"][1]["pages"])
+
 
 def test_a_page_that_follows_sees_what_the_other_opens(workbench: Workbench) -> None:
     one, two = TalkingPage(workbench, "one"), TalkingPage(workbench, "two")

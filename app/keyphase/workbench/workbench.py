@@ -110,6 +110,12 @@ class Workbench:
         with self._lock:
             return tuple(self._views.values())
 
+    @property
+    def _present(self) -> tuple[View, ...]:
+        """The views that somebody has before them."""
+        with self._lock:
+            return tuple(view for page, view in self._views.items() if self._held.get(page))
+
     def enter(self, page: str) -> View:
         """The view of a page, made where there is none; each entering needs a leaving.
 
@@ -118,15 +124,16 @@ class Workbench:
         with self._lock:
             if (timer := self._leaving.pop(page, None)) is not None:
                 timer.cancel()
+            has_come = not self._held.get(page)
             self._held[page] = self._held.get(page, 0) + 1
-            view = self._views.get(page)
-            is_new = view is None
-            if view is None:
-                view = self._views[page] = View(page, next(self._numbers), self)
-        if is_new:
+            is_new = page not in self._views
+            if is_new:
+                self._views[page] = View(page, next(self._numbers), self)
+            view = self._views[page]
+        if has_come:
             self.view_changed(view)
-            first = self.recordings.first_to_do()
-            if first is not None:
+        if is_new:
+            if (first := self.recordings.first_to_do()) is not None:
                 view.open(first.id)
             if len(self.views) == 1:
                 self.looking.begin()
@@ -134,16 +141,19 @@ class Workbench:
         return view
 
     def leave(self, page: str) -> None:
-        """One of those who entered has gone; after the last one the view is kept for KEPT_S."""
+        """One of those who entered has gone; after the last the view is kept KEPT_S, unseen."""
         with self._lock:
-            if page not in self._views:
+            view = self._views.get(page)
+            if view is None:
                 return
             self._held[page] -= 1
-            if self._held[page] == 0:
-                timer = threading.Timer(KEPT_S, self._forget, (page,))
-                timer.daemon = True
-                self._leaving[page] = timer
-                timer.start()
+            if self._held[page]:
+                return
+            timer = threading.Timer(KEPT_S, self._forget, (page,))
+            timer.daemon = True
+            self._leaving[page] = timer
+            timer.start()
+        self.view_changed(view)
 
     def find_view(self, page: str) -> View:
         """The view of a page. Raises RequestError where there is none."""
@@ -157,15 +167,15 @@ class Workbench:
         return tuple(view for view in self.views if view.following == page)
 
     def view_changed(self, view: View) -> None:
-        """A view looks at another recording, or has come or gone."""
-        self.recordings.show_pages(lambda: [Presence.of(one) for one in self.views])
+        """A view looks at another recording, or its page has come or gone."""
+        self.recordings.show_pages(lambda: [Presence.of(one) for one in self._present])
         view.each(lambda watcher: watcher.show_recordings(self.recordings.listing, view.recording))
         self.selection_changed()
 
     def selection_changed(self) -> None:
         """A view has selected another segment: whoever is at the same recording is told."""
         for one in self.views:
-            others = selected_by_others(one, self.views)
+            others = selected_by_others(one, self._present)
             one.each(lambda watcher, others=others: watcher.show_others(others))
 
     def wake_clock(self) -> None:
@@ -183,7 +193,6 @@ class Workbench:
             for follower in self.followers(page):
                 follower.follow(None)
             view.close()
-            self.view_changed(view)
 
     def _step(self, elapsed_s: float) -> bool:
         still_running = [view.step(elapsed_s) for view in self.views]

@@ -1,6 +1,6 @@
 /** viser's client in its frame, and what lies over it. */
 
-import { isDressed, sceneFrames } from "./viser_client.js";
+import { hideBareGround, isDressed, sceneFrames } from "./viser_client.js";
 import { createCalmScene } from "./calm_scene.js";
 import { byId, el, svg } from "../lib/dom.js";
 import { moment } from "../lib/format.js";
@@ -30,6 +30,7 @@ export function createScene(store, page) {
   const frame = /** @type {HTMLIFrameElement} */ (byId("viser"));
   frame.addEventListener("load", () => {
     const inside = frame.contentWindow;
+    lookBeforeEachFrame(inside, () => hideBareGround(inside));
     calm.watch(inside);
     showOnceDressed(frame);
   });
@@ -53,6 +54,16 @@ function seen({ clock, document: doc, record }) {
   if (!doc) return [];
   const hasFrame = doc.channels.includes("orientation");
   return ["At ", el("b", { text: moment(clock) }), hasFrame ? " · tool frame" : ""];
+}
+
+/** @param {Window} inside @param {() => void} look */
+function lookBeforeEachFrame(inside, look) {
+  const request = inside.requestAnimationFrame.bind(inside);
+  inside.requestAnimationFrame = (callback) =>
+    request((now) => {
+      look();
+      callback(now);
+    });
 }
 
 /** @param {HTMLIFrameElement} frame */

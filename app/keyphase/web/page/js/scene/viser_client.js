@@ -6,7 +6,8 @@
  * @typedef {{elements: number[]}} Matrix  4x4, column by column
  * @typedef {{canvas: HTMLCanvasElement|null, camera: {updateMatrixWorld: () => void,
  *   projectionMatrix: Matrix, matrixWorldInverse: Matrix}|null, cameraControl: any,
- *   nodeRefFromName: Object<string, ?{visible: boolean, matrixWorld: Matrix}>}} Viser
+ *   nodeRefFromName: Object<string, ?{visible: boolean, matrixWorld: Matrix,
+ *   traverse?: (each: (node: any) => void) => void}>}} Viser
  */
 
 import { byId } from "../lib/dom.js";
@@ -20,6 +21,16 @@ export function viserIn(inside) {
 /** Whether the scene has the light and the colours of this page: before, it is white. */
 export function isDressed(inside) {
   return Boolean(viserIn(inside)?.nodeRefFromName["/lights/sun"]);
+}
+
+/**
+ * Shows the picture of the ground once it is there: a picture that is still being decoded is drawn
+ * white, which in the dark blinds for as long as the scene takes to draw its next frame.
+ */
+export function hideBareGround(inside) {
+  viserIn(inside)?.nodeRefFromName["/grid/ground"]?.traverse?.((node) => {
+    if (node.isMesh) node.visible = Boolean(node.material.map);
+  });
 }
 
 /** How many messages the client has yet to draw. @param {Window} inside */
