@@ -1,15 +1,18 @@
 """The manifest of a batch: a line for each recording that is done, so that a stopped run goes on.
 
-It lies beside the segment files, one JSON object a line, appended and synced as each is done:
-the recording, its size and time of change, the hash of parameters and recipe, the hash of the
-segment file, seconds. A recording is done where all of that is still so.
+It lies beside the segment files, one JSON object a line, appended as each is done: the recording,
+its size and time of change, the hash of parameters and recipe, the hash of the segment file,
+seconds. A recording is done where all of that is still so. A killed run loses no line; one whose
+machine stops at most those of the last second, and does these again.
 """
 
 import hashlib
 import json
 import os
+from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
 from keyphase import __version__
@@ -21,6 +24,7 @@ from keyphase.segmentation.parameters import Parameters
 
 NAME = "keyphase-manifest.jsonl"
 _MAX_LINE_LENGTH = 100_000
+_SYNC_S = 1.0
 
 
 def settings_hash(parameters: Parameters, recipe: Path | None, csv: bool) -> str:
@@ -46,43 +50,64 @@ class Manifest:
                 f"{output}: the folder for the segment files cannot be made ({error.strerror}); "
                 "choose another one."
             ) from error
-        self._settings = settings
+        self._settings, self._synced_s = settings, 0.0
         self._done = {str(line["recording"]): line for line in _lines(self._path)}
 
     def holds(self, task: Written) -> bool:
         """Whether the task is done, under these settings, and nothing has changed since."""
         line = self._done.get(str(task.recording))
-        return line is not None and line == {**line, **self._line(task)}
+        return line is not None and line == {**line, **self._line(task, known_by(task))}
 
     def keep(self, task: Written) -> None:
         """Write down that the task is done. Raises SegmentFileError where that is impossible."""
-        self._append({**self._line(task), "seconds": round(task.seconds, 3)})
+        self._append({**self._line(task, task.known_by), "seconds": round(task.seconds, 3)})
+
+    def sync(self) -> None:
+        """All that is kept is on the disk. Raises SegmentFileError where that is impossible."""
+        self._synced_s = 0.0
+        self._write(b"")
 
     def keep_refusal(self, refusal: Refusal) -> None:
         """Write down that a recording was refused; the next run tries it again."""
         self._append({"recording": str(refusal.path), "refused": refusal.reason})
 
     def _append(self, line: dict[str, Any]) -> None:
+        self._write(json.dumps(line).encode() + b"\n")
+
+    def _write(self, data: bytes) -> None:
         try:
             with self._path.open("ab") as file:
-                file.write(json.dumps(line).encode() + b"\n")
+                file.write(data)
                 file.flush()
-                os.fsync(file.fileno())
+                # The disk is waited for once a second, not for each of thousands of lines.
+                if monotonic() - self._synced_s > _SYNC_S:
+                    os.fsync(file.fileno())
+                    self._synced_s = monotonic()
         except OSError as error:
             raise SegmentFileError(
                 f"{self._path}: the manifest cannot be written ({error.strerror}); check the "
                 "folder."
             ) from error
 
-    def _line(self, task: Written) -> dict[str, Any]:
-        recording, recipe = split_part(task.recording)[0], own_or_folder_recipe(task.recording)
-        return {
-            "recording": str(task.recording),
-            "changed": _stamp(recording),
-            "recipe": None if recipe is None else _hash_of_file(recipe),
-            "settings": self._settings,
-            "segment_file": _hash_of_file(task.segment_file),
-        }
+    def _line(self, task: Written, known: Mapping[str, Any]) -> dict[str, Any]:
+        return {"recording": str(task.recording), "settings": self._settings, **known}
+
+
+def known_by(task: Written, segment_file: bytes | None = None) -> dict[str, Any]:
+    """By what is seen later that recording, recipe and segment file are what they are now.
+
+    `segment_file` are the bytes of the segment file, where they are at hand.
+    """
+    recording, recipe = split_part(task.recording)[0], own_or_folder_recipe(task.recording)
+    return {
+        "changed": _stamp(recording),
+        "recipe": None if recipe is None else _hash_of_file(recipe),
+        "segment_file": (
+            _hash_of_file(task.segment_file)
+            if segment_file is None
+            else hashlib.sha256(segment_file).hexdigest()
+        ),
+    }
 
 
 def _stamp(path: Path) -> list[int] | None:

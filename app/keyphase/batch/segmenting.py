@@ -1,13 +1,13 @@
 """Segmenting many recordings at once and writing a segment file for each."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
 from typing import Any
 
 from keyphase.batch.backends import Backend, running_on
-from keyphase.batch.manifest import Manifest, settings_hash
+from keyphase.batch.manifest import Manifest, known_by, settings_hash
 from keyphase.batch.tasks import (
     BatchReport,
     Refusal,
@@ -67,6 +67,7 @@ def segment_all(
             became[task] = result
             manifest.keep(result) if isinstance(result, Written) else manifest.keep_refusal(result)
             tell(len(became), len(tasks))
+    manifest.sync()
     return report_of([became[task] for task in tasks])
 
 
@@ -149,14 +150,19 @@ def _segmented(task: Written, how: _How) -> Written:
     demonstration = read(task.recording, how.recipe)
     labeling = label(segment(demonstration, how.parameters))
     task.segment_file.parent.mkdir(parents=True, exist_ok=True)
-    csv = [task.segment_file.with_suffix(".csv")] if how.csv else []
-    for path in (task.segment_file, *csv):
+    data = segment_file_data(labeling, task.segment_file)
+    written = {task.segment_file: data}
+    if how.csv:
+        csv = task.segment_file.with_suffix(".csv")
+        written[csv] = segment_file_data(labeling, csv)
+    for path, content in written.items():
         write_unasked(
             path,
-            segment_file_data(labeling, path),
+            content,
             _made_from(task.recording, demonstration, how),
             SegmentFileError,
             if_there="replace" if how.replace else "ask",
         )
     seconds = perf_counter() - begun
-    return Written(task.recording, task.segment_file, demonstration.notices, seconds)
+    known = known_by(task, data)
+    return replace(task, notices=demonstration.notices, seconds=seconds, known_by=known)

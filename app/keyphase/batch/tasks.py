@@ -2,9 +2,10 @@
 
 import os
 import re
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from keyphase.errors import ParameterError, SegmentFileError
 from keyphase.files.parts import stem_of
@@ -21,6 +22,7 @@ class Written:
     notices      what was done to the numbers on reading
     seconds      how long reading, segmenting and writing took
     went_before  it was done by an earlier run and is as it was
+    known_by     by what a later run sees that nothing has changed since, as the manifest says it
     """
 
     recording: Path
@@ -28,6 +30,7 @@ class Written:
     notices: tuple[str, ...] = ()
     seconds: float = 0.0
     went_before: bool = False
+    known_by: Mapping[str, Any] = field(default_factory=dict[str, Any], compare=False)
 
 
 @dataclass(frozen=True)
