@@ -4,6 +4,8 @@ plan = Plan("setup1.skills.json", sensed)          sensed = position (3,), orien
 while plan.stage != "over":                                 velocity (6,), force on the tool (3,)
     robot.follow(*plan.reference)                  position, orientation, velocity (6,) for 4 ms
     plan.step(sensed)                              plan.outcomes says how each skill ended
+
+Who measures the gripper's opening, in the demonstration's unit, gives it as a fifth value.
 """
 
 import json
@@ -62,15 +64,19 @@ class Plan:
         with open(file, encoding="utf-8") as text:
             self.file = json.load(text, object_pairs_hook=values)
         self.n, self.h, self.k = self.file.execution, self.file.execution.step_s, self.file.gains
-        self.at, self.q, self.v, self.force = sensed
+        self.sense(*sensed)
         self.shift, self.outcomes, self.rotated = np.zeros(3), [], np.array([1.0, 0, 0, 0])
         self.reference = self.at, self.q, REST
         self.begin(REST)
         self.reference = self.follow()
 
+    def sense(self, position, orientation, velocity, force, opening=None):
+        self.at, self.q, self.v = position, orientation, velocity
+        self.force, self.opening = force, opening
+
     def step(self, sensed):
         """Take in what was sensed at the end of a tick: the next stage, where this one is over."""
-        self.at, self.q, self.v, self.force = sensed
+        self.sense(*sensed)
         self.time += self.h
         time, n, s = self.time + 1e-9, self.n, self.s
         self.touch()
@@ -237,6 +243,7 @@ class Plan:
         (self.yr, self.qr, _), self.vr = self.reference, velocity
         self.level, self.first_force, self.armed, self.furthest = None, self.force, False, -np.inf
         self.over = self.beyond = self.stalled = self.best = self.done = 0.0
+        self.begun_at, self.stands = None, -self.h
         self.pressed, self.dragged = self.kept(0.0, self.force), self.force
         self.pushed = self.pushed_at(0.0)
         self.enter("moving")
@@ -334,6 +341,7 @@ class Plan:
         change, felt = (np.linalg.norm(f) for f in (self.force - self.first_force, self.force))
         unexpected = change > s.force_limit_N and felt > n.fell_away * change
         self.beyond = self.beyond + h if unexpected else 0.0
+        gripped = not end.get("gripper") or self.has_gripped(end.gripper)
         self.stalled += h
         if beyond >= self.furthest + n.progress_m or done >= self.best + n.progress_fraction:
             self.stalled, self.best, self.furthest = 0.0, done, max(beyond, self.furthest)
@@ -346,9 +354,24 @@ class Plan:
         if end.kind == "configuration" and self.done >= 1.0:
             wide = np.linalg.norm(turn(s.end_orientation_wxyz, self.q)) * s.primitive.oriented
             near = np.linalg.norm(off) <= end.position_tolerance_m
-            if near and wide <= end.rotation_tolerance_rad:
+            if gripped and near and wide <= end.rotation_tolerance_rad:
                 return "reached"
         return "timeout" if self.stalled >= s.timeout_s else ""
+
+    def has_gripped(self, grip):
+        """Whether the gripper has done its part; of whom nobody measures it, it is not asked."""
+        opening = self.opening
+        if opening is None:
+            return True
+        if self.begun_at is None:
+            self.begun_at = self.stood_at = opening
+        self.stands += self.h
+        if abs(opening - self.stood_at) > self.n.gripper_still * abs(opening - self.begun_at):
+            self.stands, self.stood_at = 0.0, opening
+        if grip.change == "release":
+            return opening > grip.opening + grip.tolerance
+        stalled = self.stands >= grip.stalled_s and self.begun_at - opening >= grip.tolerance
+        return opening <= grip.opening + grip.tolerance or stalled
 
     def is_met(self, end, beyond):
         """Whether the force has risen by the threshold for long enough, near the contact."""

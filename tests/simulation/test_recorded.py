@@ -11,6 +11,7 @@ from keyphase.demonstration import Demonstration
 from keyphase.doubtful_force import doubtful_force, power_share
 from keyphase.errors import SimulationError
 from keyphase.recorded_force import evenly, offset_while_moving
+from keyphase.segmentation.end_condition import ConfigurationEnd, GripperEnd
 from keyphase.simulation import Disturbance
 from keyphase.simulation.choosing import cell_for, unfit
 from keyphase.simulation.recorded.cell import RecordedCell
@@ -66,6 +67,7 @@ def test_a_plan_that_skips_the_contact_does_not_succeed() -> None:
 
 def test_a_constant_offset_of_the_sensor_is_no_contact() -> None:
     resting = pressed_slide((0.0, 3.0, 14.0))
+    assert resting.force_N is not None
     hold = np.arange(100) / 250
     still = replace(
         resting,
@@ -117,6 +119,23 @@ def test_a_world_made_from_a_doubtful_force_is_never_a_success() -> None:
     assert "a force to be trusted" in result.outcome()
 
 
+@pytest.mark.parametrize(("closes", "outcome"), [(True, "reached"), (False, "timeout")])
+def test_a_grasp_is_over_once_the_gripper_has_closed_as_recorded(closes, outcome) -> None:
+    """It closes while the skill ends and a little after; one that is stuck open never has."""
+    gripped_s = DOWN_S + 1.0
+    opening = np.interp(pressed_slide().time_s, (gripped_s - 0.1, gripped_s + 0.2), (0.08, 0.02))
+    shown = replace(pressed_slide(), gripper=opening)
+    end = ConfigurationEnd(gripper=GripperEnd("grasp", 0.02, 0.006))
+    skills = skills_of(
+        shown, [its_plan()[0], replace(its_plan()[1], end_s=gripped_s, end_condition=end)]
+    )
+    found = replace(shown, gripper=opening if closes else np.full(len(shown), 0.08))
+    result = run(RecordedCell(found).build(), skills, found)
+    assert result.results[-1].outcome == outcome
+    assert result.demonstration.gripper is not None
+    assert result.demonstration.gripper[-1] == pytest.approx(0.02 if closes else 0.08, abs=0.006)
+
+
 def test_without_force_no_world_can_be_made() -> None:
     with pytest.raises(SimulationError, match="has none"):
         RecordedCell(replace(pressed_slide(), force_N=None))
@@ -143,7 +162,7 @@ def test_the_recording_of_its_replay_has_no_joints() -> None:
 
 def test_the_same_seed_gives_the_same_replay() -> None:
     first, second = (replayed(pressed_slide())[0].demonstration for _ in range(2))
-    assert np.array_equal(first.force_N, second.force_N)
+    np.testing.assert_array_equal(np.asarray(first.force_N), np.asarray(second.force_N))
     assert np.array_equal(first.position_m, second.position_m)
 
 

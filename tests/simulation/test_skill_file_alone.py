@@ -8,6 +8,7 @@ from drawn_contact import DOWN_S, FRICTION, PRESS_S, PRESSED_N, SLIDE_S, pressed
 from file_alone import both, example
 from replaying import Drawn, bundled, plan
 
+from keyphase.segmentation.end_condition import ConfigurationEnd, GripperEnd
 from keyphase.simulation import Disturbance, workcell
 from keyphase.skills import Executor, Sensed
 from keyphase.skills.exports.skill_file import write_skills
@@ -54,6 +55,34 @@ def test_the_example_interpreter_pushes_what_was_recorded_besides_what_is_presse
         position = position + 0.004 * velocity[:3]
         executor.step(Sensed(position, wxyz, velocity, force))
         alone.step((position, wxyz, velocity, force))
+
+
+@pytest.mark.parametrize(
+    ("change", "from_to", "ticks"),
+    [("grasp", (0.08, 0.02), 138), ("grasp", (0.08, 0.05), 165), ("release", (0.02, 0.08), 103)],
+)
+def test_the_example_interpreter_waits_for_the_gripper(change, from_to, ticks, tmp_path) -> None:
+    """It moves between ticks 100 and 140: as far as demonstrated, or stalls at something wider."""
+    end = ConfigurationEnd(gripper=GripperEnd(change, 0.02, 0.004, stalled_s=0.1))
+    skills = skills_of(bundled("setup1")[0], [Drawn(0.3, 0.5, "go", end)])
+    file = tmp_path / "gripped.skills.json"
+    write_skills(file, library_of(bundled("setup1")[0], skills))
+    start = skills[0].primitive
+    position, wxyz = start.start_position_m, start.start_orientation_wxyz
+    felt = np.zeros(6), np.zeros(3)
+    executor = Executor(skills, Sensed(position, wxyz, *felt))
+    alone = example().Plan(file, (position, wxyz, *felt))
+    ended = []
+    for tick in range(170):
+        opening = float(np.interp(tick, (100, 140), from_to))
+        reference = same_reference(executor, alone)
+        position, wxyz = reference.position_m, reference.orientation_wxyz
+        felt = reference.velocity, np.zeros(3)
+        executor.step(Sensed(position, wxyz, *felt, opening))
+        alone.step((position, wxyz, *felt, opening))
+        if executor.results and not ended:
+            ended = [tick, executor.results[0].outcome, *alone.outcomes]
+    assert ended == [ticks, "reached", "reached"]
 
 
 def test_the_example_interpreter_is_as_soft_as_the_executor(tmp_path) -> None:

@@ -111,9 +111,11 @@ def test_a_turned_housing_turns_the_cap() -> None:
     assert result.succeeded, result.outcome()
 
 
-@pytest.mark.parametrize("turn_deg", [-5.0, 5.0])
-def test_a_housing_with_play_is_squared_before_it_is_carried_along(turn_deg) -> None:
-    world = Disturbance(part_turn_rad=np.radians(turn_deg), part_offset_m=(0.003, 0.002))
+@pytest.mark.parametrize(("turn_deg", "tilt_deg"), [(-5.0, 0.0), (5.0, -1.8)])
+def test_a_housing_with_play_is_squared_before_it_is_carried_along(turn_deg, tilt_deg) -> None:
+    """A cap that is tilted in the hand lies flat then, and does not turn its housing."""
+    turn, tilt = np.radians([turn_deg, tilt_deg])
+    world = Disturbance(part_turn_rad=turn, tilt_rad=tilt, part_offset_m=(0.003, 0.002))
     result, simulation = replayed("setup2", plan("setup2"), world)
     assert result.succeeded, result.outcome()
     assert np.degrees(lie_of(simulation, FITS).angle_rad) < 2.0

@@ -1,17 +1,16 @@
 """Paths the skill tests share: a curved stroke, a turn, a tool that meets the table."""
 
-from types import SimpleNamespace
-
 import numpy as np
 
 from keyphase.demonstration import Demonstration
 from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ConfigurationEnd
 from keyphase.skills.connecting import minimum_jerk
+from keyphase.skills.library import Cut
 
 H = 0.004
 DURATION_S = 1.5
-TIME_S = np.arange(376) * H
+TIME_S = H * np.arange(376, dtype=np.float64)
 AXIS = np.array([1.0, 2.0, -1.0]) / np.sqrt(6.0)
 
 
@@ -42,7 +41,7 @@ def millimetres_between(position_m, other_m):
 def lowered(depth_m=0.1, contact_s=1.2, step_N=6.0, cut=0.8, rate_hz=250.0, noise_m=0.0):
     """A tool that comes down, meets the table while still moving, and presses on it."""
     time = np.arange(int((contact_s + 1.0) * rate_hz)) / rate_hz
-    way = minimum_jerk(np.minimum(time / contact_s, 1.0) * cut) / minimum_jerk(cut)
+    way = minimum_jerk(np.minimum(time / contact_s, 1.0) * cut) / minimum_jerk(np.array([cut]))
     position = np.c_[np.zeros_like(way), np.zeros_like(way), 0.3 - depth_m * way]
     position += noise_m * np.random.default_rng(0).normal(size=position.shape)
     force = np.where(time[:, None] >= contact_s, (0.0, 0.0, step_N), 0.0)
@@ -52,4 +51,4 @@ def lowered(depth_m=0.1, contact_s=1.2, step_N=6.0, cut=0.8, rate_hz=250.0, nois
 
 def segment(start_s, end_s, end_condition=None, label="move"):
     end = ConfigurationEnd() if end_condition is None else end_condition
-    return SimpleNamespace(start_s=start_s, end_s=end_s, label=label, end_condition=end)
+    return Cut(start_s, end_s, label, end)

@@ -200,7 +200,9 @@ def test_at_a_grasp_it_is_over_where_the_gripper_is_as_far_closed_as_demonstrate
 
 def test_a_grasp_of_something_wider_is_over_once_the_gripper_has_stalled():
     closing = np.r_[np.linspace(0.08, 0.05, 31), np.full(200, 0.05)]
-    count, outcome = at_the_goal(GRASP, closing)
+    ended = at_the_goal(GRASP, closing)
+    assert ended is not None
+    count, outcome = ended
     assert outcome == "reached"
     assert (count - 31) * H == pytest.approx(GRASP.stalled_s, abs=0.05)
 

@@ -22,7 +22,7 @@ def as_demonstration(
 ) -> Demonstration:
     """The samples of one recording, time counted from its first one.
 
-    A world without a robot knows neither joints nor torques.
+    A world without a robot knows neither joints nor torques, one without a gripper no opening.
     """
 
     def column(channel: str) -> np.ndarray:
@@ -38,6 +38,7 @@ def as_demonstration(
         force_N=column("force_N"),
         torque_Nm=column("torque_Nm") if has_robot else None,
         joints_rad=column("joints_rad") if has_robot else None,
+        gripper=None if samples[0].gripper is None else column("gripper"),
         metadata=metadata,
     )
 

@@ -44,7 +44,8 @@ class Sample:
     """What one 250 Hz tick gives; base frame, torque about the tool point.
 
     `contact_N` holds the simulator's own normal forces, one per pair of the workcell: ground
-    truth, which nothing that controls or segments may read.
+    truth, which nothing that controls or segments may read. `gripper` is its opening; None where
+    the world has none that opens.
     """
 
     time_s: float
@@ -54,6 +55,7 @@ class Sample:
     force_N: Array
     torque_Nm: Array
     contact_N: Array
+    gripper: float | None = None
 
 
 class Simulation:

@@ -73,6 +73,7 @@ class RecordedWorld:
         self.furthest_m = 0.0
         self._ticks, self._pushed = 0, (np.zeros(3), np.zeros(3))
         self._moment: float | None = float(start)
+        self._opening = self.workcell.opening_at(float(start))
         self._pace = 0.0
         self._on_path = True
         self._planes = self._standing()
@@ -85,13 +86,16 @@ class RecordedWorld:
 
         `span_s` is the stretch that the skill repeats: what was met in it is to be met again, and
         what is met late becomes what it became so much later. None while a skill seeks, or squares
-        a part, and so is on no recorded path.
+        a part, and so is on no recorded path. Who led the robot also moved its gripper: it opens
+        and closes as it then did.
         """
         if span_s != self._span_s:
             self._span_s = span_s
             self._late_s.clear()
         self._pace = _pace(self._moment, moment_s)
         self._moment, self._on_path = moment_s, span_s is not None
+        if moment_s is not None:
+            self._opening = self.workcell.opening_at(moment_s)
         if moment_s is None or span_s is None:
             return
         for index, surface in enumerate(self.workcell.surfaces):
@@ -243,6 +247,7 @@ class RecordedWorld:
             force_N=self._passed + noise + self._bias,
             torque_Nm=np.zeros(3),
             contact_N=np.zeros(0),
+            gripper=self._opening,
         )
 
 

@@ -139,8 +139,11 @@ class Replay:
         )
 
     def _sensed(self, sample: Sample) -> Sensed:
-        velocity = self.simulation.tool_velocity()
-        return Sensed(sample.position_m, sample.orientation_wxyz, velocity, sample.force_N)
+        pose, velocity = (
+            (sample.position_m, sample.orientation_wxyz),
+            self.simulation.tool_velocity(),
+        )
+        return Sensed(*pose, velocity, sample.force_N, sample.gripper)
 
     def _moment(self) -> float | None:
         """The moment of the demonstration that is being repeated, a contact's lateness included."""

@@ -8,7 +8,7 @@ from keyphase.skills.coupling import Reference
 from keyphase.skills.execution.sensed import Sensed
 from keyphase.skills.skill import Skill
 
-FLATTENING = 0.1
+FLATTENING = 0.03
 """Part of the stiffness in rotation that is left while the part is pressed: it is to lie flat, as
 one that stands on an edge turns what it then carries along."""
 

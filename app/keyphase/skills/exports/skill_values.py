@@ -8,7 +8,7 @@ from keyphase.segmentation.end_condition import ContactEnd, EndCondition
 from keyphase.skills import search
 from keyphase.skills.coupling import MAX_STEP, REFERENCE_REACH
 from keyphase.skills.end_monitor import FELL_AWAY, PROGRESS_FRACTION, PROGRESS_M, REACHED_AFTER
-from keyphase.skills.execution import executor, guard, pressing, seeking, squared
+from keyphase.skills.execution import executor, grip, guard, pressing, seeking, squared
 from keyphase.skills.exports.moves import moves_of
 from keyphase.skills.exports.skill_library import SkillLibrary
 from keyphase.skills.precondition import Precondition
@@ -64,6 +64,7 @@ def execution_values() -> dict[str, float]:
         "seat_crept": search.CREPT_SHARE,
         "seat_yields": search.YIELDS,
         "brake_m_s2": guard.BRAKE_M_S2,
+        "gripper_still": grip.STILL,
     }
 
 
