@@ -14,6 +14,8 @@ STEPS = 10
 
 TRIES = 3
 
+NEAR_M = 0.01
+
 
 class Gizmo:
     """Where the arrows of the one gizmo that is shown are on the page; its size in m."""
@@ -24,10 +26,16 @@ class Gizmo:
         self.camera = self.client.camera
 
     def pull(self, axis: Vector, distance_m: float) -> None:
-        """Drag the arrow along a direction of the base frame with the mouse."""
-        self.page.wait_for_scene()
-        start, end = self.grip(axis, distance_m)
-        self.page.drag(start, end, steps=STEPS)
+        """Drag the arrow along a direction of the base frame with the mouse, until it is there."""
+        start = np.array(self.handle.position)
+        for _ in range(TRIES):
+            left_m = distance_m - float((self.handle.position - start) @ axis)
+            if left_m < NEAR_M:
+                return
+            self.hold(axis, left_m)
+            self.page.page.mouse.up()
+            self.page.settle()
+        raise AssertionError("the gizmo was not dragged to where it should be")
 
     def hold(self, axis: Vector, distance_m: float) -> None:
         """Drag the arrow and keep the button down; a busy machine may need more than one try."""

@@ -218,6 +218,8 @@ def test_a_number_held_while_it_plays_names_what_plays_meanwhile(timeline: Keyph
     timeline.press("Escape")
     timeline.press("v")
     timeline.until("!keyphase.state.snap")
+    timeline.page.evaluate("() => keyphase.actions.setSpeed(0.25)")
+    timeline.page.evaluate("() => keyphase.actions.seek(2.5)")
     _play_until(timeline, 2.6)
     timeline.page.keyboard.down("1")
     timeline.until("keyphase.state.naming && keyphase.state.clock > 3.1")
