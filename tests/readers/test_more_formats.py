@@ -23,6 +23,7 @@ from rosbags.rosbag2 import Writer as BagWriter
 from rosbags.typesys import Stores, get_typestore
 from scipy.spatial.transform import Rotation
 
+from keyphase.auditing.reading import given_labels
 from keyphase.errors import DemonstrationError, RecipeError
 from keyphase.readers import find_recordings, parse_recipe, read
 from keyphase.readers.formats.bags import table_of_bag
@@ -235,7 +236,7 @@ def test_a_clock_that_tells_another_time_goes_with_no_other(tmp_path: Path) -> N
 
 def test_a_whole_dictionary_in_one_array_is_refused_with_the_way_out(tmp_path: Path) -> None:
     np.save(tmp_path / "fmb.npy", {"tcp_pose": POSITION}, allow_pickle=True)
-    with pytest.raises(DemonstrationError, match=r"allow_pickle=True\)\.item\(\)"):
+    with pytest.raises(DemonstrationError, match=r"savez\(.run.npz., \*\*a\.item\(\)\)"):
         read(tmp_path / "fmb.npy")
 
 
@@ -276,3 +277,20 @@ def test_a_topic_whose_messages_nobody_defines_is_passed_over_and_told(tmp_path:
     table = table_of_bag(tmp_path / "old", None, 10**9)
     assert "/place.point.x" in table.names
     assert any("/own (lab_msgs/msg/Own)" in notice for notice in table.notices)
+
+
+def test_a_word_for_each_step_of_an_archive_is_read_as_events(tmp_path: Path) -> None:
+    """FMB's `primitive`, saved from its pickles; a button beside it."""
+    words = np.where(TIME < 1, "grasp", "insert")
+    np.savez(tmp_path / "fmb.npz", t=TIME, pose=POSITION, primitive=words, button=TIME > 1)
+    recipe = (
+        'time = {column = "t", unit = "s"}\nposition = {columns = "pose[*]", unit = "m"}\n'
+        'channels = {button = "button"}\nevents = {column = "primitive"}\n'
+    )
+    found = read(tmp_path / "fmb.npz", parse_recipe(recipe, "r"))
+    assert [(event.time_s, event.text) for event in found.events] == [(0, "grasp"), (1, "insert")]
+    assert found.channels["button"].max() == 1
+    assert [one.label for one in given_labels(tmp_path / "fmb.npz", found).segments] == [
+        "grasp",
+        "insert",
+    ]

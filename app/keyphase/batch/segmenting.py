@@ -63,12 +63,20 @@ def segment_all(
     with running_on(backend, address):
         work = _in_groups if backend == "ray" else _results
         results = work(todo, _How(recipe, chosen, csv, replace), jobs)
-        for task, result in zip(todo, results, strict=True):
+        for task, result in zip(todo, _kept(results, manifest), strict=True):
             became[task] = result
-            manifest.keep(result) if isinstance(result, Written) else manifest.keep_refusal(result)
             tell(len(became), len(tasks))
-    manifest.sync()
     return report_of([became[task] for task in tasks])
+
+
+def _kept(results: Iterator[Written | Refusal], manifest: Manifest) -> Iterator[Written | Refusal]:
+    """The results, each written down as it comes."""
+    try:
+        for result in results:
+            manifest.keep(result) if isinstance(result, Written) else manifest.keep_refusal(result)
+            yield result
+    finally:
+        manifest.sync()
 
 
 def _found(paths: Sequence[Path], output: Path, recipe: Path | None) -> list[Written]:

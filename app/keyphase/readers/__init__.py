@@ -52,6 +52,9 @@ __all__ = [
 ]
 
 
+_LOOKED_AT_BYTES = 4096
+
+
 def read(
     path: Path | str,
     recipe: Recipe | Path | str | None = None,
@@ -126,7 +129,7 @@ def _read_undescribed(file: WholeFile, limit_bytes: int) -> Demonstration:
     try:
         return read_csv(file, limit_bytes)
     except DemonstrationError as error:
-        if has_native_header(file.data):
+        if has_native_header(file.data) or b"\0" in file.data[:_LOOKED_AT_BYTES]:
             raise
         path = split_part(file.source.path)[0]
         raise DemonstrationError(

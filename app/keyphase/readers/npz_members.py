@@ -60,8 +60,10 @@ class Member:
         return math.prod(self.shape) * each
 
 
-def member_of(archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str, file: str) -> Member:
-    """Read no more than the header of a member.
+def member_of(
+    archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str, file: str, also: str = ""
+) -> Member:
+    """Read no more than the header of a member; `also` are further kinds that it may hold.
 
     Raises DemonstrationError where it cannot be one of a recording.
     """
@@ -73,7 +75,7 @@ def member_of(archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str, file: 
     with archive.open(info) as packed:
         stream = io.BytesIO(packed.read(_HEADER_BYTES))
     shape, fortran_order, dtype = _header(stream, name, file)
-    _refuse_wrong_type(dtype, name, file)
+    _refuse_wrong_type(dtype, name, file, also)
     member = Member(name, info, shape, fortran_order, dtype, stream.tell())
     expected = math.prod(shape) * dtype.itemsize
     came = info.file_size - member.offset
@@ -160,14 +162,14 @@ def _header(
     )
 
 
-def _refuse_wrong_type(dtype: np.dtype[Any], name: str, file: str) -> None:
+def _refuse_wrong_type(dtype: np.dtype[Any], name: str, file: str, also: str) -> None:
     if dtype.hasobject:
         raise DemonstrationError(
             f"{file}: {name} holds pickled Python objects, which are never loaded; "
             "save plain arrays of numbers."
         )
     kinds, expected = ("U", "text") if name in TEXTS else ("fiu", "real numbers")
-    if dtype.kind not in kinds:
+    if dtype.kind not in kinds + also:
         raise DemonstrationError(
             f"{file}: {name} must hold {expected}, but its type is {dtype}; "
             "convert it before saving."

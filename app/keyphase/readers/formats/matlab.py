@@ -47,12 +47,14 @@ def _refuse_pickled(path: Path) -> None:
     with path.open("rb") as stream:
         version = npy.read_magic(stream)
         reading = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
-        pickled = version in ((1, 0), (2, 0)) and reading(stream)[2].hasobject
-    if pickled:
+        shape, _, dtype = reading(stream) if version in ((1, 0), (2, 0)) else ((), False, None)
+    if dtype is not None and dtype.hasobject:
+        # A whole dictionary, or a record for each step.
+        arrays = "a.item()" if shape == () else "{k: [one[k] for one in a] for k in a[0]}"
         raise DemonstrationError(
             f"{path}: it holds pickled Python objects, which can run programs and are never "
-            "loaded; load it where you trust it and save its arrays: "
-            "numpy.savez('run.npz', **numpy.load('run.npy', allow_pickle=True).item())."
+            "loaded; load it where you trust it, a = numpy.load('run.npy', allow_pickle=True), and "
+            f"save its arrays: numpy.savez('run.npz', **{arrays})."
         )
 
 

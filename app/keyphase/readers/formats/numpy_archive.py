@@ -2,6 +2,9 @@
 
 import zipfile
 from pathlib import Path
+from typing import Any
+
+from numpy.typing import NDArray
 
 from keyphase.errors import DemonstrationError
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES
@@ -15,6 +18,8 @@ from keyphase.readers.npz_members import Member, member_of, numbers_of
 _SUFFIX = ".npy"
 _NATIVE = ("time_s", "position_m")
 _MAX_MEMBERS = 10_000
+_ALSO = "bUS"
+"""Buttons, and words such as what is done at each step."""
 
 
 def is_foreign_archive(path: Path) -> bool:
@@ -49,6 +54,8 @@ def table_of_npz(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
                 f"{limit_bytes}; cut the recording or raise the limit."
             )
         arrays = {name: numbers_of(archive, one, str(path)) for name, one in members.items()}
+    texts = {name: _words(values) for name, values in arrays.items() if values.dtype.kind in "US"}
+    arrays = {name: values for name, values in arrays.items() if name not in texts}
     standing, notices = upright(arrays)
     signals = {name: values for name, values in standing.items() if is_signal(values)}
     if not signals:
@@ -58,7 +65,17 @@ def table_of_npz(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     if left_out:
         shown = ", ".join(repr(name[:60]) for name in left_out[:5])
         notices = (*notices, Caution(f"Left out members that hold no plain numbers: {shown}."))
-    return ArrayTable(str(path), signals, {}, notices, {})
+    columns = {name: words for name, words in texts.items() if len(words) > 1}
+    return ArrayTable(str(path), signals, columns, notices, {})
+
+
+def _words(values: NDArray[Any]) -> list[str]:
+    """A word for each row; none where it is no such list."""
+    if values.ndim != 1:
+        return []
+    if values.dtype.kind == "S":
+        return [word.decode("utf-8", "replace") for word in values.tolist()]
+    return values.tolist()
 
 
 def _members(archive: zipfile.ZipFile, file: str) -> tuple[dict[str, Member], list[str]]:
@@ -71,7 +88,7 @@ def _members(archive: zipfile.ZipFile, file: str) -> tuple[dict[str, Member], li
     for info in infos:
         name = info.filename.removesuffix(_SUFFIX)
         try:
-            found[name] = member_of(archive, info, name, file)
+            found[name] = member_of(archive, info, name, file, also=_ALSO)
         except DemonstrationError:
             left_out.append(name)
     return found, left_out
