@@ -9,6 +9,7 @@ from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.grid import Grid
 from keyphase.segmentation.evidence.speed import QUICK_HZ, Speed, speed_of
+from keyphase.segmentation.evidence.ways import rotation_share, rounds
 
 MOTION_TERMS: Mapping[str, str] = {
     "depth": "how far the speed falls",
@@ -19,6 +20,7 @@ MOTION_TERMS: Mapping[str, str] = {
     "stroke_speed": "speed of the slower stroke beside it",
     "absolute_speed": "speed of that stroke in m/s",
     "small_stroke": "a stroke of less than a twentieth of the path",
+    "rounds": "it goes round: back at the same place without stopping",
     "bare_turn": "a turn where no force was recorded",
     "kinds": "rotation turns into translation, or the other way",
     "stands": "the tool stands still for half a second",
@@ -154,7 +156,7 @@ class _Valleys:
         span = float(np.linalg.norm(np.ptp(pose, axis=0))) + 1e-9
         into, out = pose[early] - pose[self.before], pose[self.after] - pose[late]
         # Where one kind of motion passes into the other, both have their tail in the valley.
-        kinds = np.abs(_rotation_share(into) - _rotation_share(out))
+        kinds = np.abs(rotation_share(into) - rotation_share(out))
         norms = np.linalg.norm(into, axis=1) * np.linalg.norm(out, axis=1)
         stops = np.concatenate([[0], self.valley, [len(pose) - 1]])
         strokes = np.linalg.norm(np.diff(pose[stops], axis=0), axis=1)
@@ -170,6 +172,7 @@ class _Valleys:
                 np.log(np.maximum(lower / fast, 0.02)),
                 np.log(lower.clip(0.01, 1.0)),
                 np.minimum(0.0, np.log(np.maximum(shorter, 0.002) / 0.05)),
+                rounds(pose[stops], depth),
                 (dwell < REST_S) * float(self.grid.wrench is None),
                 kinds,
                 np.zeros(len(early)),
@@ -177,15 +180,9 @@ class _Valleys:
         ).astype(np.float64)
 
 
-def _rotation_share(stroke: Array) -> Array:
-    """How much of each stroke (V, 3 or 6) is rotation, 0 to 1."""
-    whole = np.square(stroke).sum(axis=1) + 1e-12
-    return np.square(stroke[:, 3:]).sum(axis=1) / whole
-
-
 def _stops(grid: Grid, speed: Speed, coarse: _Valleys) -> Indices:
     """First and last cell (S, 2) of rests, and of coarse valleys that stay in a small place."""
-    found = [tuple(pair) for pair in speed.rests.tolist()]
+    found = [tuple(pair) for pair in speed.stops.tolist()]
     if len(coarse.stroke):
         s, pose = speed.speed_m_s, speed.pose_m
         span = float(np.linalg.norm(np.ptp(pose[:, :3], axis=0)))
@@ -253,7 +250,7 @@ def _crowding(at: Indices | Array, crowd: Indices, rate_hz: float) -> Array:
 
 def _standing(grid: Grid, speed: Speed, crowd: Indices) -> Array:
     """Both edges of every stop of half a second within a millimetre and a degree."""
-    found = speed.rests
+    found = speed.stops
     if not len(found):
         return np.zeros((0, 4 + len(MOTION_TERMS)))
     early, late = found[:, 0].astype(float), found[:, 1].astype(float)
@@ -270,6 +267,7 @@ def _standing(grid: Grid, speed: Speed, crowd: Indices) -> Array:
             np.log(0.2) * ones,
             np.log(0.5) * ones,
             np.clip(fast, np.log(0.01), 0.0) * ones,
+            0.0 * ones,
             0.0 * ones,
             0.0 * ones,
             0.0 * ones,

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.grid import Grid
 from keyphase.segmentation.motion import METRES_PER_RADIAN
@@ -44,3 +45,23 @@ def rests(grid: Grid, fast_m_s: float) -> Indices:
     starts = np.flatnonzero(apart)
     ends = np.append(starts[1:], len(first)) - 1
     return np.column_stack([first[starts], last[ends]]) if len(first) else np.zeros((0, 2), int)
+
+
+SWAY_M = 5e-3
+SWAY_SHARE = 0.08
+"""Between two stops the tool went nowhere if it stayed within this place and was never faster than
+this share of the fast moments: a hand sways, and creeps while it presses."""
+
+
+def joined(stops: Indices, grid: Grid, speed_m_s: Array, fast_m_s: float) -> Indices:
+    """The stops (R, 2) without the gaps in which the tool went nowhere."""
+    if len(stops) < 2:
+        return stops
+    ends = np.ones(len(stops), dtype=bool)
+    for index, (last, first) in enumerate(zip(stops[:-1, 1], stops[1:, 0], strict=True)):
+        gap = slice(int(last), int(first) + 1)
+        extent = float(np.linalg.norm(np.ptp(grid.pose_m[gap], axis=0)))
+        fastest = float(speed_m_s[gap].max(initial=0.0))
+        ends[index] = extent >= SWAY_M or fastest >= SWAY_SHARE * fast_m_s
+    begins = np.concatenate([[True], ends[:-1]])
+    return np.column_stack([stops[begins, 0], stops[ends, 1]])

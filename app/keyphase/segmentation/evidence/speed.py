@@ -8,7 +8,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.grid import MIN_CELLS, Grid
-from keyphase.segmentation.evidence.rests import rests
+from keyphase.segmentation.evidence.rests import joined, rests
 from keyphase.segmentation.evidence.windows import Windows
 from keyphase.segmentation.filters import smoothed
 from keyphase.segmentation.order_statistics import quantile
@@ -42,6 +42,11 @@ class Speed:
     def rests(self) -> Indices:
         """First and last cell (R, 2) of every stop, see `rests`."""
         return rests(self.grid, self.fast_m_s)
+
+    @cached_property
+    def stops(self) -> Indices:
+        """The same (S, 2), those that are parted by a mere sway as one."""
+        return joined(self.rests, self.grid, self.speed_m_s, self.fast_m_s)
 
     def beside(self, at: Indices) -> tuple[Array, Array]:
         """Mean speed (C,) 0.4 to 0.05 s before and after cells."""

@@ -45,6 +45,7 @@ STEP_SIGNS: Mapping[str, int] = {
     "standing": -1,
     "over_core": 1,
     "over_wander": 1,
+    "taken_back": -1,
     "inside_free": -1,
 }
 STATE_SIGNS: Mapping[str, int] = {
@@ -63,6 +64,7 @@ MOTION_SIGNS: Mapping[str, int] = {
     "stroke_length": 1,
     "stroke_speed": 1,
     "small_stroke": 1,
+    "rounds": -1,
     "bare_turn": 1,
     "kinds": 1,
     "stands": 1,
