@@ -4,6 +4,7 @@ Sound files that were damaged are tried in test_mutated_files.py.
 """
 
 import io
+import pickle
 import zipfile
 from pathlib import Path
 
@@ -92,3 +93,24 @@ def test_an_arbitrary_array_header_reads_or_says_why(
         archive.writestr("time_s.npy", member)
         archive.writestr("position_m.npy", good.getvalue())
     reads_or_says_why(path)
+
+
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        (pickle.dumps({"a": [1.0, 2.0]}, protocol=0), "never loaded"),
+        (pickle.dumps({"a": [1.0, 2.0]}, protocol=1), "never loaded"),
+        (pickle.dumps({"a": [1.0, 2.0]}), "never loaded"),
+        (b"FEA1" + bytes(40), "write its table as Parquet"),
+        (b"run.csv".ljust(257, b"\0") + b"ustar\0" + bytes(249), "unpack it first"),
+        (b"TDSm" + bytes(40), "LabVIEW"),
+        (b"\x02\x50\x02\x00" + bytes(508), "C3D"),
+        (b"\0\0\0\x20ftypisom" + bytes(40), "beside a recording of the same name"),
+    ],
+)
+def test_a_file_of_another_kind_is_named_with_the_way_out(
+    data: bytes, said: str, tmp_path: Path
+) -> None:
+    (tmp_path / "run.csv").write_bytes(data)
+    with pytest.raises(DemonstrationError, match=f"expected a recording, but it is .*{said}"):
+        read(tmp_path / "run.csv")

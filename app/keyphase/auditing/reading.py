@@ -49,6 +49,6 @@ def _events(demonstration: Demonstration) -> Iterator[GivenSegment]:
     """What was logged in words, each of which holds until the next."""
     events = demonstration.events
     ends = [*(event.time_s for event in events[1:]), demonstration.end_s]
-    for event, end_s in zip(events, ends, strict=True):
+    for event, end_s in zip(events, ends, strict=False):
         if event.text.strip():
             yield GivenSegment(event.time_s, end_s, event.text)
