@@ -3,7 +3,7 @@
 import { segmentFill } from "../lib/colors.js";
 import { svg } from "../lib/dom.js";
 import { duration } from "../lib/format.js";
-import { fittingLabel } from "../timeline/band.js";
+import { drawRing, fittingLabel } from "../timeline/band.js";
 import { glyph } from "../timeline/glyphs.js";
 import { textWidth } from "../lib/text_width.js";
 import { outcomeText } from "./schedule.js";
@@ -215,29 +215,6 @@ function connectingText(slot, { left, top, width, height }) {
       }),
     );
   return nodes;
-}
-
-function drawRing({ left, top, width, height }) {
-  return svg(
-    "g",
-    { class: "segment-ring" },
-    svg("rect", {
-      x: left - 0.5,
-      y: top - 0.5,
-      width: width + 1,
-      height: height + 1,
-      rx: 4,
-      class: "ring-gap",
-    }),
-    svg("rect", {
-      x: left - 1,
-      y: top - 1,
-      width: width + 2,
-      height: height + 2,
-      rx: 4,
-      class: "ring",
-    }),
-  );
 }
 
 /**

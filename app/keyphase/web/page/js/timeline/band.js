@@ -250,7 +250,8 @@ export function drawNaming({ naming, clock }, scale, { y, height }) {
   ];
 }
 
-function drawRing({ left, top, width, height }) {
+/** The ring around a segment that is chosen, or a skill that runs. */
+export function drawRing({ left, top, width, height }) {
   return svg(
     "g",
     { class: "segment-ring" },

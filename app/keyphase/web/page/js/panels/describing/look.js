@@ -20,7 +20,10 @@ export function drawLook({ looks }) {
   return el("section", { "aria-label": "The recording" }, title, ...looks.flatMap(drawn));
 }
 
-/** One recording, under the name of its tool where there are several. */
+/**
+ * One recording, under the name of its tool where there are several.
+ * @param {import("../../messages/import_messages").TableLook} look
+ */
 function drawn({
   name,
   samples,
