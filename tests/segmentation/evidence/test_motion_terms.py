@@ -6,7 +6,11 @@ import synthetic
 from keyphase.demonstration import Array, Demonstration
 from keyphase.making.draws import low_noise
 from keyphase.segmentation.evidence.grid import grid_of
-from keyphase.segmentation.evidence.motion_terms import MotionCandidates, motion_candidates
+from keyphase.segmentation.evidence.motion_terms import (
+    MOTION_TERMS,
+    MotionCandidates,
+    motion_candidates,
+)
 from keyphase.segmentation.evidence.speed import speed_of
 from keyphase.segmentation.motion import motion_of
 
@@ -41,3 +45,19 @@ def test_a_corner_between_two_hasty_strokes_is_deep():
     corner = int(np.argmin(np.abs(at - 1.3)))
     assert abs(at[corner] - 1.3) < 0.05
     assert found.terms[corner, 0] > np.log(5.0)
+
+
+def test_the_slow_ends_of_an_oval_are_told_from_turns_at_places_of_their_own():
+    time = np.arange(0.0, 10.0, 0.01)
+    angle = 2.0 * np.pi * np.clip(time - 1.0, 0.0, 8.0) / 2.0
+    oval = np.column_stack([0.2 * np.cos(angle), 0.08 * np.sin(angle), 0.0 * time])
+    ahead = np.column_stack([0.2 * np.cos(angle) + 0.3 * angle, 0.08 * np.sin(angle), 0.0 * time])
+    column = list(MOTION_TERMS).index("rounds")
+    at, found = candidates_s(time, oval)
+    rounds = found.terms[(at > 2.0) & (at < 8.0), column]
+    assert len(rounds)
+    assert rounds.min() > 0.5
+    at, found = candidates_s(time, ahead)
+    onwards = found.terms[(at > 2.0) & (at < 8.0), column]
+    assert len(onwards)
+    assert onwards.max() < 0.2

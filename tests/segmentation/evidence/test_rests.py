@@ -34,3 +34,16 @@ def test_a_stop_of_half_a_second_between_strokes_is_one():
     (stop,) = [s for s in stops(out_and_back(0.2, 1.5, 0.7)) if 1.0 < s[0] < 3.0]
     assert stop[0] <= 1.55
     assert stop[1] >= 2.15
+
+
+def test_stops_parted_by_a_sway_are_one_and_by_a_stroke_two():
+    still, sway = np.zeros(60), 0.003 * np.sin(np.linspace(0.0, np.pi, 40)) ** 2
+    stroke = out_and_back(0.2, 1.0, 0.0)
+    position = np.concatenate([still, sway, still, stroke, still])
+    recording = Demonstration(
+        "sways", np.arange(len(position)) / 50.0, np.outer(position, [1.0, 0.0, 0.0])
+    )
+    grid = grid_of(recording, motion_of(recording))
+    speed = speed_of(grid)
+    assert len(speed.rests) == 3
+    assert grid.time_s[speed.stops].round(1).tolist() == [[0.0, 3.3], [5.1, 6.4]]
