@@ -175,7 +175,34 @@ def behind_each_other(folder: Path) -> Path:
     return folder / "run.mat"
 
 
+def encoded(name: str, encoding: str, head: str) -> Callable[[Path], Path]:
+    """Milliseconds, millimetres and newtons under names of a country."""
+
+    def write(folder: Path) -> Path:
+        path = table(name, [head], np.column_stack([1000 * TIME, 1000 * POSITION, FORCE]))(folder)
+        path.write_bytes(path.read_text().encode(encoding))
+        return path
+
+    return write
+
+
+JAPANESE = "時刻[ms],位置X[mm],位置Y[mm],位置Z[mm],力X[N],力Y[N],力Z[N]"
+CHINESE = "时间(ms),位置x(mm),位置y(mm),位置z(mm),力x(N),力y(N),力z(N)"
+FRENCH = "temps écoulé (ms),pos_x (mm),pos_y (mm),pos_z (mm),effort_x,effort_y,effort_z"
+GRID = [f"T{row}{column}" for row in range(4) for column in range(4)]
+
 HABITS = {
+    "Japanese": Habit(encoded("j.csv", "shift_jis", JAPANESE), turned=False),
+    "Chinese": Habit(encoded("c.csv", "gb18030", CHINESE), turned=False),
+    "French": Habit(encoded("f.csv", "latin-1", FRENCH), turned=False),
+    "a matrix by row and column": Habit(
+        table(
+            "m.csv",
+            [",".join(["t", *GRID])],
+            np.column_stack([TIME, MATRICES.reshape(ROWS, 16)]),
+        ),
+        force=False,
+    ),
     "echoed without names": Habit(echoed, force=False),
     "matrices behind each other": Habit(behind_each_other),
     "external forces": Habit(
@@ -264,3 +291,32 @@ def test_numbers_without_names_behind_a_pose_are_asked_about(tmp_path: Path) -> 
 
     assert '# columns = ["array[8]", "array[9]", "array[10]"]' in text
     assert "\n[force]" not in text
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "called"),
+    [
+        ("L_", "R_", ("left", "right")),
+        ("links_", "rechts_", ("left", "right")),
+        ("robot1_", "robot2_", ("first", "second")),
+        ("arm_0_", "arm_1_", ("first", "second")),
+    ],
+)
+def test_two_arms_are_told_apart_as_people_call_them(
+    one: str, other: str, called: tuple[str, str], tmp_path: Path
+) -> None:
+    head = ",".join(["t", *(f"{side}{axis}" for side in (one, other) for axis in "xyz")])
+    path = table("arms.csv", [head], np.column_stack([TIME, POSITION, POSITION + 1]))(tmp_path)
+    recipe = parse_recipe(propose(path).recipe_text(), "proposed")
+    assert parts_of(path, recipe) == called
+    second = read(path.with_name(f"arms.csv#{called[1]}"), recipe)
+    np.testing.assert_allclose(second.position_m, POSITION + 1, atol=1e-6)
+
+
+def test_a_clock_that_was_set_back_is_told_and_is_no_second_demonstration(tmp_path: Path) -> None:
+    seconds = TIME - 0.1 * (TIME > 0.3)
+    path = table("ntp.csv", ["t,x,y,z"], np.column_stack([seconds, POSITION]))(tmp_path)
+    proposal = propose(path).recipe_text()
+    assert "# the clock was set back 1 times" in proposal
+    with pytest.raises(DemonstrationError, match=r"set back by 0\.092 s at line 40, "):
+        read(path, parse_recipe(proposal, "proposed"))

@@ -232,10 +232,10 @@ def _lines(file: str, data: bytes, form: TableForm, limit_bytes: int) -> list[st
     try:
         text = data.decode(form.encoding)
     except UnicodeError as error:
+        line = data[: getattr(error, "start", 0)].count(b"\n") + 1
         raise DemonstrationError(
-            f"{file}: expected text in {form.encoding}, but it cannot be decoded "
-            f"({error.reason if isinstance(error, UnicodeDecodeError) else error}); "
-            "save it as UTF-8 or name its encoding in a recipe."
+            f"{file}: expected text in {form.encoding.removesuffix('-sig')}, but in line {line} "
+            "there is none; save it as UTF-8 or name its encoding in a recipe."
         ) from error
     if "\0" in text:
         raise DemonstrationError(

@@ -37,7 +37,15 @@ def refuse_not_increasing(time_s: Array, where: Callable[[int], str]) -> None:
             f"{came}{len(stuck)} of {len(time_s)} rows have no time of their own: this column is "
             "too coarse; name another, such as [time] seconds and nanoseconds."
         )
-    raise DemonstrationError(f"{came}sort the rows, or let a recipe drop the repeated ones.")
+    back = time_s[stuck] - time_s[stuck + 1]
+    if not (back > 0).any():
+        raise DemonstrationError(f"{came}let a recipe drop the rows that are repeated.")
+    at = where(int(stuck[np.argmax(back > 0)]) + 1).rpartition(": ")[2]
+    raise DemonstrationError(
+        f"{came}the clock was set back by {back[back > 0][0]:.3g} s at {at}: read what is before "
+        "and after as recordings of their own ([table] time_starts_again = true), or sort the rows "
+        "where they are only mixed up."
+    )
 
 
 def _restarts(time_s: Array, stuck: NDArray[np.intp]) -> NDArray[np.intp]:

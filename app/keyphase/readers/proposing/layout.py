@@ -9,6 +9,26 @@ from keyphase.errors import DemonstrationError
 from keyphase.readers.list_cells import lists_apart
 from keyphase.readers.table import TableForm, split_cells
 
+_ASCII = 127
+_WORDS = {
+    "shift_jis": (
+        "時刻",
+        "時間",
+        "位置",
+        "力",
+        "トルク",
+        "モーメント",
+        "角度",
+        "姿勢",
+        "座標",
+        "秒",
+    ),
+    "gb18030": ("时间", "位置", "力", "扭矩", "角度", "姿态", "坐标", "秒"),
+}
+"""Words of recordings by which a table in one of these is known: read as Western text it is no less
+text, in signs that nobody writes.
+"""
+
 _LOOKED_AT_BYTES = 1 << 18
 _LOOKED_AT_LINES = 400
 _BODY_LINES = 40
@@ -121,10 +141,31 @@ def _encoding(data: bytes) -> tuple[str, dict[str, str]]:
         cut.decode("utf-8")
     except UnicodeDecodeError as error:
         byte = cut[error.start]
-        shown = bytes([byte]).decode("cp1252", errors="replace")
         line = cut[: error.start].count(b"\n") + 1
-        return "cp1252", {"encoding": f"byte {byte:#x} in line {line} is no UTF-8 ({shown!r} here)"}
+        encoding = _encoding_without_mark(cut)
+        odd = cut.split(b"\n")[line - 1].decode(encoding, errors="replace")
+        shown = next((one for one in odd if ord(one) > _ASCII), "?")
+        told = f"byte {byte:#x} in line {line} is no UTF-8 ({shown!r} here)"
+        return encoding, {"encoding": told}
     return "utf-8", {"encoding": "every byte is UTF-8"}
+
+
+def _encoding_without_mark(data: bytes) -> str:
+    """Of the encodings a recipe can name the one in which a table is not gibberish."""
+    fits = [encoding for encoding in ("cp1252", *_WORDS) if _is_text(data, encoding)]
+    for encoding in fits:
+        text = data.decode(encoding)
+        if any(word in text for word in _WORDS.get(encoding, ())):
+            return encoding
+    return fits[0] if fits else "latin-1"
+
+
+def _is_text(data: bytes, encoding: str) -> bool:
+    try:
+        data.decode(encoding)
+    except UnicodeDecodeError:
+        return False
+    return True
 
 
 def _fitted(lines: Sequence[str], separator: str | None, decimal: str) -> _Fit:

@@ -4,24 +4,28 @@ import re
 from collections.abc import Mapping, Sequence
 
 AXIS = re.compile(r"(|.*?[^a-z]|.*?[a-z])([xyz])(|[\W_].*|\d*)")
-TIME = re.compile(r"time|zeit|stamp|(^|[\W_])t($|[\W_])|sec|(^|[\W_])tm($|[\W_])", re.I)
+TIME = re.compile(
+    r"time|zeit|temps|tiempo|時刻|時間|时间|stamp|(^|[\W_])t($|[\W_])|sec|(^|[\W_])tm($|[\W_])",
+    re.I,
+)
 POSITION = re.compile(
-    r"pos|tcp|tool|ee|pose|^[xyz]$|^[xyz][\W_]|^p?[xyz]$|translation|punkt|xyz", re.I
+    r"pos|位置|座標|坐标|tcp|tool|ee|pose|^[xyz]$|^[xyz][\W_]|^p?[xyz]$|translation|punkt|xyz", re.I
 )
 NO_POSITION = re.compile(
     r"vel|speed|acc|cmd|soll|target|desired|action|goal|force|torque|wrench|quat|orient|ori[\W_]"
-    r"|roll|pitch|yaw|kraft|moment|joint|gripper|finger|rot|covariance"
+    r"|roll|pitch|yaw|kraft|moment|effort|couple|力|トルク|モーメント|扭矩|joint|gripper|finger|rot|covariance"
     r"|(^|[\W_])[ftmq]\d?[\W_]?[xyz]($|[\W_])|(?-i:[a-z][FTM][xyz])",
     re.I,
 )
 FORCE = re.compile(
-    r"force|(?-i:[a-z]F[xyz])|kraft|(^|[\W_])f_?ext|(^|[\W_])f[\W_]?[xyz]|^f\d?[xyz]|(^|[./])f$",
+    r"force|(?-i:[a-z]F[xyz])|kraft|effort|力(?!矩)|(^|[\W_])f_?ext|(^|[\W_])f[\W_]?[xyz]|^f\d?[xyz]|(^|[./])f$",
     re.I,
 )
 TORQUE = re.compile(
-    r"torque|(?-i:[a-z][TM][xyz])|moment|(^|[\W_])[tm][\W_]?[xyz]($|[\W_])|(^|[./])(tau|m)$", re.I
+    r"torque|(?-i:[a-z][TM][xyz])|moment|couple|力矩|トルク|モーメント|扭矩|(^|[\W_])[tm][\W_]?[xyz]($|[\W_])|(^|[./])(tau|m)$",
+    re.I,
 )
-WRENCH = re.compile(r"wrench|force|(^|[\W_])ft($|[\W_])|f_?ext|kraft", re.I)
+WRENCH = re.compile(r"wrench|force|力|(^|[\W_])ft($|[\W_])|f_?ext|kraft", re.I)
 QUATERNION = re.compile(r"quat|orient|(^|[\W_])q[\W_]?[wxyz0-3]|(^|[\W_])u[0-3]$", re.I)
 EULER = re.compile(r"roll|pitch|yaw|euler|rpy|(^|[\W_])r[xyz]|rot", re.I)
 TURN = re.compile(r"rot|axis.?angle|euler|rpy|orient", re.I)
@@ -50,6 +54,24 @@ DEMONSTRATION = re.compile(
     r"([\W_]?(id|idx|index|nr|no|num|number))?$",
     re.I,
 )
+
+
+TOOLS: tuple[tuple[tuple[str, re.Pattern[str]], tuple[str, re.Pattern[str]]], ...] = (
+    (("left", re.compile("left", re.I)), ("right", re.compile("right", re.I))),
+    (
+        ("left", re.compile(r"(^|[\W_])(l|links|lft|gauche)(?=[\W_])|左", re.I)),
+        ("right", re.compile(r"(^|[\W_])(r|rechts|rgt|droite?)(?=[\W_])|右", re.I)),
+    ),
+    (
+        ("first", re.compile(r"(^|[\W_])(robot|rob|arm|tool|tcp|ee|eef)[\W_]?1(?!\d)", re.I)),
+        ("second", re.compile(r"(^|[\W_])(robot|rob|arm|tool|tcp|ee|eef)[\W_]?2(?!\d)", re.I)),
+    ),
+    (
+        ("first", re.compile(r"(^|[\W_])(robot|rob|arm)[\W_]?0(?!\d)", re.I)),
+        ("second", re.compile(r"(^|[\W_])(robot|rob|arm)[\W_]?1(?!\d)", re.I)),
+    ),
+)
+"""How the columns of two tools are told apart: what each tool is called here, and by what."""
 
 
 def bare(name: str) -> str:
@@ -82,6 +104,9 @@ def likely_unit(name: str, units: Mapping[str, float], otherwise: str) -> tuple[
     return ("", "an unknown unit") if bare(name) != name.strip() else (otherwise, "by its size")
 
 
+_ROW_AND_COLUMN = re.compile(r"(.*?)[\s_.]?[\[(]?(\d)[\])]?[\s_,.]?[\[(]?(\d)[\])]?")
+_GRIDS = ((3, 3), (3, 4), (4, 4))
+
 _NUMBERED = re.compile(r"(.*?)[\s_.]?[\[(]?(\d{1,2})[\])]?")
 
 
@@ -101,7 +126,26 @@ def vectors(names: Sequence[str], free: Sequence[int]) -> list[tuple[str, tuple[
         )
         if begins and len(numbers) > 2 and stem != "column":
             grown.append((stem, tuple(members[n] for n in numbers)))
-    return grown
+    return grown + _grids(names, free)
+
+
+def _grids(names: Sequence[str], free: Sequence[int]) -> list[tuple[str, tuple[int, ...]]]:
+    """Elements of a matrix that are named by row and column, from 0 or 1: `T00` to `T33`."""
+    found: dict[str, dict[tuple[int, int], int]] = {}
+    for column in free:
+        match = _ROW_AND_COLUMN.fullmatch(names[column])
+        if match:
+            found.setdefault(match[1], {})[int(match[2]), int(match[3])] = column
+    whole = {
+        tuple((row + begin, at + begin) for row in range(rows) for at in range(columns))
+        for rows, columns in _GRIDS
+        for begin in (0, 1)
+    }
+    return [
+        (stem, tuple(members[place] for place in sorted(members)))
+        for stem, members in found.items()
+        if tuple(sorted(members)) in whole
+    ]
 
 
 def elements_of_vectors(names: Sequence[str]) -> frozenset[int]:

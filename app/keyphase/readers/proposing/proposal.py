@@ -18,6 +18,7 @@ from keyphase.readers.proposing.frames import other_transforms
 from keyphase.readers.proposing.guess import Guess
 from keyphase.readers.proposing.layout import Layout, layout_of
 from keyphase.readers.proposing.roles import guesses_of
+from keyphase.readers.proposing.sides import sides_of
 from keyphase.readers.proposing.times import (
     RESTARTS,
     clock_guess,
@@ -179,7 +180,7 @@ def _of_table(looked: Looked, layout: Layout) -> Proposal:
     time = time_of_numbers(told, rows, free) or stamps_of(looked.texts)
     taken = (*taken, *(time.columns if time else ()))
     found = tuple(guesses_of(told, looked.values, taken))
-    sides = _sides_of(looked, found, taken)
+    sides = sides_of(looked, found, taken)
     others = tuple(looked.names[i] for i in looked.clocks() if i not in taken)
     guesses = ((time,) if time else ()) + next(iter(sides.values()), found)
     gaps = tuple(section_of(g) for g in guesses if g.role != "time" and looked.has_gaps(g.columns))
@@ -197,22 +198,6 @@ def _of_table(looked: Looked, layout: Layout) -> Proposal:
     )
 
 
-def _sides_of(
-    looked: Looked, found: Sequence[Guess], taken: Sequence[int]
-) -> dict[str, tuple[Guess, ...]]:
-    """What belongs to the left and the right tool, where the table has a place of each."""
-    if not any(guess.is_one_of_several for guess in found):
-        return {}
-    sides: dict[str, tuple[Guess, ...]] = {}
-    for side, other in (("left", "right"), ("right", "left")):
-        theirs = [i for i, name in enumerate(looked.names) if other in name.lower()]
-        sides[side] = tuple(guesses_of(looked.told, looked.values, (*taken, *theirs)))
-    roles = ("position", "pose")
-    placed = [guess for side in sides.values() for guess in side if guess.role in roles]
-    apart = len(placed) == 2 and not set(placed[0].columns) & set(placed[1].columns)
-    return sides if apart and not any(one.is_one_of_several for one in placed) else {}
-
-
 def _of_arrays(looked: Looked) -> Proposal:
     """Of arrays each of which may have its own clock; that of the place is the main one."""
     preset = _preset_of(looked.names)
@@ -220,7 +205,7 @@ def _of_arrays(looked: Looked) -> Proposal:
     passed_over = other_transforms(looked.names, looked.values, looked.remarks)
     taken = (*clocks, *passed_over)
     found = tuple(guesses_of(looked.told, looked.values, taken))
-    sides = _sides_of(looked, found, taken)
+    sides = sides_of(looked, found, taken)
     placed = next(iter(sides.values()), found)
     leading = next((g for r in ("pose", "position", "joints") for g in placed if g.role == r), None)
     main = looked.clock_of(leading, clocks) if leading else next(iter(clocks), None)

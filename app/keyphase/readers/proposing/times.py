@@ -20,6 +20,8 @@ from keyphase.readers.proposing.naming import (
 RESTARTS = "time starts again"
 """Detail of a time that falls back where another demonstration begins."""
 
+_NEAR_BEGIN = 0.1
+
 _MIN_RATE_HZ, _MAX_RATE_HZ = 2.0, 5000.0
 _TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 _SINCE_1970_S = 1e9
@@ -89,9 +91,18 @@ def _restarting(names: Sequence[str], values: Array, free: Sequence[int]) -> Gue
         if TIME.search(names[column]) and 0 < falls <= len(seen) // 20 and np.ptp(seen) > 0:
             unit, step = _unit_and_step(names[column], seen)
             why = f"steps of {step:.6g}: {unit or '?'}, which makes {_rate(step, unit)}"
+            if not _starts_over(seen):
+                back = f"the clock was set back {falls} times: read it in pieces, or mend it"
+                return Guess("time", (column,), unit, "", (why, back))
             told = f"it falls back {falls} times: a demonstration begins there"
             return Guess("time", (column,), unit, RESTARTS, (why, told))
     return None
+
+
+def _starts_over(seen: Array) -> bool:
+    """Whether time falls to near where it began, as of another demonstration, each time."""
+    after = np.flatnonzero(np.diff(seen) < 0) + 1
+    return bool((seen[after] <= seen[0] + _NEAR_BEGIN * (seen[: after[0]].max() - seen[0])).all())
 
 
 def _rises(values: Array) -> bool:
