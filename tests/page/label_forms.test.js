@@ -12,12 +12,13 @@ const DOWN = {
   short: ["Move down 86 mm until contact", "Move until contact", "Move…"],
 };
 
-test("a proposed name loses its measure, its verb, its direction, and at last all but a word", () => {
+test("a proposed name loses its measure, its verb, its direction, its end, and at last all but a word", () => {
   assert.deepEqual(formsOf({ ...DOWN, proposed: true }), [
     "Move down 86 mm until contact",
     "Move down until contact",
     "Down until contact",
     "Move until contact",
+    "Down",
     "Move…",
   ]);
 });

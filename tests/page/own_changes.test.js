@@ -65,3 +65,14 @@ test("another recording has nothing pending", () => {
   assert.equal(timeIn(store.state), 3);
   assert.deepEqual(store.state.held, {});
 });
+
+test("what was selected before something else does not come back with its answer", () => {
+  const store = plainStore();
+  const own = createOwnChanges(store);
+  store.state.selected = 5;
+  own.selecting(4);
+  own.selecting(5);
+  assert.equal(own.selectedNow(4), 5);
+  assert.equal(own.selectedNow(5), 5);
+  assert.equal(own.selectedNow(2), 2, "a click in the scene, or another page that is followed");
+});

@@ -225,16 +225,21 @@ def test_only_what_is_in_view_is_drawn(page: PageClient, framed: Frame) -> None:
     whole = len(framed.node("/path/pieces").batched_positions)
     recording = _document(page)["id"]
     page.send("in_view", recording="another", from_s=1.0, to_s=2.0)
+    explained = len(framed.node("/gaussians/ellipsoids").batched_positions)
     page.send("in_view", recording=recording, from_s=1.0, to_s=2.0)
     page.send("seek", time_s=1.0)
     page.wait_for("playhead", lambda m: m["time_s"] == 1.0)
     part = len(framed.node("/path/pieces").batched_positions)
+    assert len(framed.node("/gaussians/ellipsoids").batched_positions) < explained
+    assert "/forces/arrows" not in framed.nodes
     page.send("in_view", recording=recording, from_s=-1.0, to_s=1e9)
     page.send("seek", time_s=2.0)
     page.wait_for("playhead", lambda m: m["time_s"] == 2.0)
 
     assert 0 < part < whole
     assert len(framed.node("/path/pieces").batched_positions) == whole
+    assert len(framed.node("/gaussians/ellipsoids").batched_positions) == explained
+    assert "/forces/arrows" in framed.nodes
 
 
 def test_the_ground_of_what_stands_in_place_of_a_recording_has_the_theme(framed: Frame) -> None:

@@ -100,6 +100,8 @@ def test_other_answers_give_another_recording(log):
 def test_one_recipe_serves_all_tables_of_the_folder(log):
     for number in (4, 5):
         log.with_name(f"lauf_{number}.csv").write_bytes(german_log(500))
+    log.with_name("requirements.txt").write_text("numpy==2.1\nscipy==1.14\n")
+    log.with_name("weather.csv").write_text("day,rain,sun\n1,0.5,3\n2,0.1,7\n3,0.0,9\n")
     importing = Importing()
     waiting = importing.ask_about(log)
     answers = replace(waiting.table.proposed, frame="tool", sign=-1)

@@ -16,7 +16,7 @@ from keyphase.web.scene.dressing import Dressing
 from keyphase.web.scene.palette import DARK, LIGHT, Theme
 from keyphase.web.scene.recording.floor import Floor
 from keyphase.web.scene.recording.ground_shadow import GroundShadow
-from keyphase.web.scene.recording.marks import draw_forces, draw_gaussians
+from keyphase.web.scene.recording.marks import EVER, draw_forces, draw_gaussians
 from keyphase.web.scene.recording.path import ScenePath
 from keyphase.web.scene.recording.path_geometry import MIN_SIZE_M, Path, path_of
 from keyphase.web.scene.recording.tail import Tail
@@ -112,11 +112,12 @@ class Stage:
             self._client.flush()
 
     def show_range(self, recording: str, from_s: float, to_s: float) -> None:
-        """Draw what of the path of a recording lies in this time."""
+        """Draw what of a recording lies in this time, its path with what explains it."""
         self._in_view = recording, from_s, to_s
         if self._standing is not None:
             with self._client.atomic():
-                self._limit(self._standing)
+                if self._limit(self._standing):
+                    self._draw_marks(self._standing)
             self._client.flush()
 
     def show_playhead(self, playhead: Playhead) -> None:
@@ -181,8 +182,7 @@ class Stage:
             standing = replace(standing, shown=shown) if standing else self._build(shown)
             self._standing = standing
             standing.tube.color(shown.labeling)
-            draw_gaussians(self._client, shown.labeling, standing.path)
-            self._draw_forces(standing)
+            self._draw_marks(standing)
         self._client.flush()
 
     def _build(self, shown: DeskState) -> _Standing:
@@ -208,9 +208,14 @@ class Stage:
             self._camera.look(standing.view, demonstration)
         return standing
 
-    def _limit(self, standing: _Standing) -> None:
-        if self._in_view is not None and self._in_view[0] == standing.shown.recording.id:
-            standing.tube.limit(*self._in_view[1:])
+    def _limit(self, standing: _Standing) -> bool:
+        return standing.tube.limit(*self._range_of(standing))
+
+    def _range_of(self, standing: _Standing) -> tuple[float, float]:
+        """From when to when the recording is drawn."""
+        if self._in_view is None or self._in_view[0] != standing.shown.recording.id:
+            return EVER
+        return self._in_view[1:]
 
     def _place_parts(self) -> None:
         for part in _OWN:
@@ -226,9 +231,20 @@ class Stage:
             middle_m, size_m = self._covered_floor
             self._floor.draw(self._theme, middle_m, size_m, Placement())
 
+    def _draw_marks(self, standing: _Standing) -> None:
+        in_view = self._range_of(standing)
+        draw_gaussians(self._client, standing.shown.labeling, standing.path, in_view)
+        self._draw_forces(standing)
+
     def _draw_forces(self, standing: _Standing) -> None:
-        labeling = standing.shown.labeling
-        draw_forces(self._client, labeling, standing.path, self._theme, self._selected)
+        draw_forces(
+            self._client,
+            standing.shown.labeling,
+            standing.path,
+            self._theme,
+            self._selected,
+            self._range_of(standing),
+        )
 
 
 def _seen_of(shown: DeskState) -> tuple[object, ...]:

@@ -10,8 +10,8 @@ from keyphase.errors import KeyphaseError, RequestError
 from keyphase.files.parts import split_part
 from keyphase.files.writing import write_whole
 from keyphase.readers import FOLDER_RECIPE, RECIPE_SUFFIX, find_recordings
-from keyphase.readers.finding import undescribed_alike
 from keyphase.readers.proposing.answers import Answers
+from keyphase.workbench.importing.alike_tables import alike_tables
 from keyphase.workbench.importing.unknown_table import Tried, UnknownTable
 from keyphase.workbench.uploads import Upload
 
@@ -125,6 +125,7 @@ class Importing:
 
     def _confirm_folder(self, waiting: Waiting, recipe: str) -> tuple[Path, ...]:
         """The recipe of the folder; what waits from the same folder and fits is taken in, too."""
+        alike = alike_tables(waiting.table, waiting.folder)
         _write_recipe(waiting.folder / FOLDER_RECIPE, recipe)
         named = list(_recordings_in(self._named(waiting, recipe)))
         self._forget(waiting.id)
@@ -136,8 +137,8 @@ class Importing:
             except KeyphaseError:
                 continue
             self._forget(one.id)
-        there = (found.path for found in find_recordings([waiting.folder]))
-        return tuple(dict.fromkeys((*named, *(p for p in there if p.parent == waiting.folder))))
+        there = (one for path in alike for one in _recordings_in(path))
+        return tuple(dict.fromkeys((*named, *there)))
 
     def _named(self, waiting: Waiting, recipe: str) -> Path:
         if waiting.upload is None:
@@ -145,7 +146,7 @@ class Importing:
         return waiting.upload.finish(waiting.table.recipe(recipe))
 
     def _wait(self, table: UnknownTable, folder: Path, upload: Upload | None) -> Waiting:
-        there = [path for path in undescribed_alike(table.path, folder) if path != table.path]
+        there = alike_tables(table, folder)
         with self._lock:
             sent = [one for one in self._waiting.values() if one.upload and one.folder == folder]
             waiting = Waiting(

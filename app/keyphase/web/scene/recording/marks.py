@@ -1,6 +1,6 @@
 """What explains the path in the scene: Gaussians, forces at contact changes."""
 
-from math import hypot
+from math import hypot, inf
 
 import numpy as np
 import trimesh
@@ -19,10 +19,19 @@ from keyphase.web.scene.recording.path_geometry import (
 )
 from keyphase.workbench.showing.force_steps import force_step
 
+EVER = (-inf, inf)
+"""From when to when [s]: all of a recording."""
 
-def draw_gaussians(client: viser.ClientHandle, labeling: Labeling, path: Path) -> None:
+
+def draw_gaussians(
+    client: viser.ClientHandle,
+    labeling: Labeling,
+    path: Path,
+    in_view: tuple[float, float] = EVER,
+) -> None:
     """Ellipsoids of one standard deviation in position, in the colour of their segment."""
-    gaussians = heaviest(labeling.segmentation.gaussians)
+    found = labeling.segmentation.gaussians
+    gaussians = heaviest([g for g in found if in_view[0] <= g.mean_time_s <= in_view[1]])
     if not gaussians:
         client.scene.remove_by_name("/gaussians/ellipsoids")
         return
@@ -57,10 +66,12 @@ def draw_forces(
     path: Path,
     theme: Theme,
     selected: int | None = None,
+    in_view: tuple[float, float] = EVER,
 ) -> None:
     """An arrow at each contact change: the change of force, the greatest a third of the path.
 
-    With a segment selected only those at its ends; of very many the greatest only.
+    With a segment selected only those at its ends; of very many the greatest only. What is in view
+    changes no arrow's length.
     """
     found = [(one, force_step(one, labeling)) for one in labeling.boundaries]
     steps = [(hypot(*step), one, step) for one, step in found if step is not None]
@@ -69,7 +80,8 @@ def draw_forces(
     pointed = [
         arrow(_position_m(labeling, one.time_s), step, scale, 6 * path.radius_m)
         for _, one, step in steps
-        if selected is None or _ends(one, labeling, selected)
+        if in_view[0] <= one.time_s <= in_view[1]
+        and (selected is None or _ends(one, labeling, selected))
     ]
     arrows = np.array([points for points in pointed if points is not None])
     if len(arrows) == 0:

@@ -69,11 +69,11 @@ class ScenePath:
             self._selected = segment
             self._emphasize()
 
-    def limit(self, from_s: float, to_s: float) -> None:
-        """Draw what was passed in this time only."""
+    def limit(self, from_s: float, to_s: float) -> bool:
+        """Draw what was passed in this time only; whether that is anything else than before."""
         in_view = (self._path.time_s >= from_s) & (self._path.time_s <= to_s)
         if np.array_equal(in_view, self._in_view):
-            return
+            return False
         self._in_view = in_view
         self._client.scene.remove_by_name("/path/pieces")
         self._client.scene.remove_by_name("/path/joints")
@@ -82,6 +82,7 @@ class ScenePath:
         if self._tube is not None:
             self._tube.paint(self._color_of_piece)
         self._emphasize()
+        return True
 
     def _emphasize(self) -> None:
         """What is selected as it is, the rest faint."""

@@ -65,7 +65,11 @@ export function createActions(store, send, latency, own) {
     actions,
     createPlaybackActions(store, share),
     createBoundaryActions(store, edit, actions),
-    createSegmentActions(store, { edit, onSegment, selectedSegment, share }, actions),
+    createSegmentActions(
+      store,
+      { edit, onSegment, selectedSegment, share, selecting: own.selecting },
+      actions,
+    ),
     createPlanActions(store, { edit, onSegment }),
     createDoubtActions(store, actions),
     createViewActions(store),

@@ -8,10 +8,15 @@ import { reveal } from "./reveal.js";
  * @param {{edit: (change: import("../model/types.js").Edit) => void,
  *   onSegment: (action: (segment: import("../model/types.js").Segment, index: number) => void,
  *     index?: number) => void,
- *   selectedSegment: () => {index: number}|null, share: import("../model/types.js").Send}} given how things are asked for and shown
+ *   selectedSegment: () => {index: number}|null, share: import("../model/types.js").Send,
+ *   selecting: (index: number|null) => void}} given how things are asked for and shown
  * @param {any} others actions these build on
  */
-export function createSegmentActions(store, { edit, onSegment, selectedSegment, share }, others) {
+export function createSegmentActions(
+  store,
+  { edit, onSegment, selectedSegment, share, selecting },
+  others,
+) {
   const { state } = store;
   const doc = () => state.document;
   /** Where more than one is chosen: first, last. */
@@ -33,7 +38,7 @@ export function createSegmentActions(store, { edit, onSegment, selectedSegment, 
     select(index) {
       if (!doc()) return;
       store.set({ selected: index, selectedTo: null });
-      share({ type: "select", segment: index });
+      if (share({ type: "select", segment: index })) selecting(index);
     },
     selectNext(direction) {
       if (!doc()) return;

@@ -15,6 +15,9 @@ export function shortName(label) {
   return after === name ? name : after.charAt(0).toUpperCase() + after.slice(1);
 }
 
+/** What is done, and not until when: "Rotate about y until contact" is "Rotate about y". */
+const withoutEnd = (label) => shortName(label).replace(/ until .*$/, "");
+
 /**
  * From the full label to its first word; at last only the segment's number remains, which is not
  * in this list. What a person wrote is cut, never put in other words.
@@ -23,6 +26,8 @@ export function shortName(label) {
 export function formsOf(named) {
   const { label, short } = named;
   const proposed = "proposed" in named && named.proposed;
-  const others = proposed ? [withoutMeasure(label), shortName(label), ...short] : [];
+  const others = proposed
+    ? [withoutMeasure(label), shortName(label), ...short.slice(0, -1), withoutEnd(label)]
+    : [];
   return [...new Set([label, ...others, ...short.slice(-1)])];
 }

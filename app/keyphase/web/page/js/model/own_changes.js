@@ -15,6 +15,9 @@ export function createOwnChanges(store) {
   /** @type {Map<string, number>} the event with which a parameter was let go */
   let letGo = new Map();
 
+  /** @type {(number|null)[]} what was selected here and not told back yet, the last one last */
+  let selected = [];
+
   const show = (pending) => store.set({ pending, document: withPending(told, pending) });
 
   /** Parameters up to an event are the document's again. */
@@ -29,11 +32,24 @@ export function createOwnChanges(store) {
 
   function forget() {
     letGo = new Map();
+    selected = [];
     store.set({ held: {}, ghost: [] });
     show([]);
   }
 
   return {
+    /** The person selected a segment, or none. @param {number|null} segment */
+    selecting: (segment) => void selected.push(segment),
+    /**
+     * What to show as selected, of what the server told: not what was selected here before
+     * something else was, which is on its way.
+     * @param {number|null} segment
+     */
+    selectedNow(segment) {
+      const at = selected.indexOf(segment);
+      selected = at < 0 ? [] : selected.slice(at + 1);
+      return selected.length ? state.selected : segment;
+    },
     /** The person made an edit. @param {number} event @param {import("./types.js").Edit} edit */
     edited: (event, edit) => show([...state.pending, { event, edit }]),
     /** The person moved a parameter, and holds it still or has let it go. */

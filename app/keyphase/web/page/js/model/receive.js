@@ -58,14 +58,15 @@ export function createReceiver(
     document(message) {
       const before = state.document;
       const other = before?.id !== message.id;
+      const selected = other ? message.selected : own.selectedNow(message.selected);
       store.set({
         recording: message.id,
         method: message.parameters.variant,
-        selected: message.selected,
+        selected,
         saving: false,
         readOnly: state.lookingOnly || Boolean(message.locked),
         labels: message.labels,
-        ...(message.selected === state.selected ? {} : { selectedTo: null }),
+        ...(selected === state.selected ? {} : { selectedTo: null }),
         ...(other ? { ...fresh(message), ...withoutResults(state) } : followed(state, message)),
       });
       own.arrived(message, message.cause?.client === client ? message.cause.event : null);
@@ -74,7 +75,8 @@ export function createReceiver(
     },
     ghost: (message) => store.set({ ghost: message.boundaries }),
     playhead: (message) => playback.receive(message),
-    selection({ segment }) {
+    selection({ segment: told }) {
+      const segment = own.selectedNow(told);
       if (segment !== state.selected) store.set({ selected: segment, selectedTo: null });
     },
     others: ({ pages }) => store.set({ others: pages }),
