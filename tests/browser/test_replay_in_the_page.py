@@ -49,10 +49,15 @@ def test_it_runs_to_success_and_shows_every_outcome(page: KeyphasePage) -> None:
     assert chips(page) == ["reached", "contact", "contact"]
     assert page.page.locator("#replay-timeline [data-end]").count() == 3
     assert "Success" in page.text("#replay-plan .plan-verdict")
+    page.resize(1024, 576)
+    assert page.box("#scene").height >= 160
+    page.resize(1920, 1080)
 
 
 def test_escape_stops_it(page: KeyphasePage) -> None:
+    assert page.state("tab") == "segment"
     begin(page)
+    assert page.state("tab") == "replay"
     page.until("keyphase.state.replay.current === 1")
     page.press("Escape")
     phase(page, "over")
@@ -117,7 +122,7 @@ def test_the_result_stays_until_it_is_closed(page: KeyphasePage) -> None:
 def test_its_recording_is_opened_from_the_result(page: KeyphasePage) -> None:
     begin(page)
     phase(page, "over")
-    page.page.get_by_role("button", name="Open its recording").click()
+    page.page.locator("#replay-transport").get_by_role("button", name="Open its recording").click()
     page.until("keyphase.state.document.name.includes('_replay')")
     assert len(page.state("recordings")["items"]) == 2
 

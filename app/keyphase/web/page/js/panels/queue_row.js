@@ -3,13 +3,11 @@
 import { segmentFill } from "../lib/colors.js";
 import { el, svg } from "../lib/dom.js";
 import { plural } from "../lib/format.js";
-import { asksForALook, cutName, namesOf } from "../model/recordings/recording_list.js";
+import { asksForALook, namesOf } from "../model/recordings/recording_list.js";
+import { nameInTwo } from "./name_in_two.js";
 
 const MOST_PIECES = 90;
 const MOST_PAGES = 3;
-/** A longer name may be cut, but for so many letters at its end. */
-const WHOLE = 12;
-const END = 7;
 
 /** The id of a recording's row in the page. @param {{id: string}} item */
 export const rowId = ({ id }) => `recording-${id}`;
@@ -36,7 +34,7 @@ export function drawRow(item, { on, picked, common, open, menu }) {
       on: { click: open, contextmenu: menu },
     },
     stateMark(state),
-    el("span", { class: "queue-name" }, ...inTwo(cutName(name, common))),
+    el("span", { class: "queue-name", dir: "auto" }, ...nameInTwo(name, common)),
     el(
       "span",
       { class: "queue-pages" },
@@ -50,17 +48,6 @@ export function drawRow(item, { on, picked, common, open, menu }) {
       ? el("span", { class: "queue-error", text: "cannot be read" })
       : el("span", { class: "queue-strip", "aria-hidden": "true" }, ...strip(item)),
   );
-}
-
-/** Its end, which tells it from others, stays whole where the rest is cut. @param {string} name */
-function inTwo(name) {
-  if (name.length <= WHOLE) return [el("span", { class: "name-start", text: name })];
-  const part = (look, text) => el("span", { class: look, text, "aria-hidden": "true" });
-  return [
-    el("span", { class: "unseen", text: name }),
-    part("name-start", name.slice(0, -END)),
-    part("name-end", name.slice(-END)),
-  ];
 }
 
 /**

@@ -5,6 +5,17 @@ import { byId } from "../lib/dom.js";
 const LEAST_SCENE_PX = 160;
 const LEAST_TIMELINE_PX = 130;
 const STEP_PX = 24;
+/** What else stands below one another: those of the recording, or those of its replay. */
+const BESIDE = [
+  "header",
+  "banners",
+  "splitter",
+  "transport",
+  "replay-transport",
+  "plan",
+  "replay-plan",
+  "status",
+];
 /** While a workcell is open the scene is what one works in. */
 const WHILE_RECORDING_PX = 240;
 
@@ -18,10 +29,7 @@ export function createSplitter(store, naturalHeight) {
   let chosen = null;
 
   function limit(height) {
-    const others = ["header", "banners", "splitter", "transport", "plan", "status"].reduce(
-      (sum, id) => sum + byId(id).offsetHeight,
-      0,
-    );
+    const others = BESIDE.reduce((sum, id) => sum + byId(id).offsetHeight, 0);
     return Math.round(
       Math.min(
         Math.max(height, LEAST_TIMELINE_PX),
@@ -72,7 +80,16 @@ export function createSplitter(store, naturalHeight) {
     apply();
   });
   store.on(
-    ["recording", "folded", "hidden", "small", "comparison", "cameras", "camerasShown"],
+    [
+      "recording",
+      "folded",
+      "hidden",
+      "small",
+      "comparison",
+      "cameras",
+      "camerasShown",
+      "replayShown",
+    ],
     apply,
   );
 }

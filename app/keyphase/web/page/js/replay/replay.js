@@ -44,12 +44,15 @@ export function createReplay(store, actions) {
   createReplayHud(store);
   paceScene(store);
   const status = byId("replay-status");
-  store.on(["replay"], ({ replay, replayShown }) => {
+  // What can be done with a replay stands in its tab; closed, what was there before it is back.
+  let tabBefore = store.state.tab;
+  store.on(["replay"], ({ replay, replayShown, tab }) => {
     const shown = replay !== null;
     if (shown === replayShown) return;
     document.documentElement.dataset.mode = shown ? "replay" : "";
     for (const id of PLACES) byId(`replay-${id}`).hidden = !shown;
-    store.set({ replayShown: shown });
+    store.set({ replayShown: shown, tab: shown ? "replay" : tab === "replay" ? tabBefore : tab });
+    tabBefore = tab;
   });
   store.later(["replay"], ({ replay }) => {
     if (replay)

@@ -1,0 +1,25 @@
+/** The name of a recording where room is short: what tells it from others is seen. */
+
+import { el } from "../lib/dom.js";
+import { cutName } from "../model/recordings/recording_list.js";
+
+/** A longer name may be cut, but for so many letters at its end. */
+const WHOLE = 12;
+const END = 7;
+
+/**
+ * Its end stays whole where the rest is cut. What holds it decides by the name's own letters
+ * (dir="auto") at which side it begins.
+ * @param {string} whole
+ * @param {number} common how much of its beginning all share
+ */
+export function nameInTwo(whole, common) {
+  const name = cutName(whole, common);
+  if (name.length <= WHOLE) return [el("span", { class: "name-start", text: name })];
+  const part = (look, text) => el("span", { class: look, text, "aria-hidden": "true" });
+  return [
+    el("span", { class: "unseen", text: name }),
+    part("name-start", name.slice(0, -END)),
+    part("name-end", name.slice(-END)),
+  ];
+}
