@@ -12,11 +12,8 @@ import { reveal } from "./reveal.js";
  *   selecting: (index: number|null) => void}} given how things are asked for and shown
  * @param {any} others actions these build on
  */
-export function createSegmentActions(
-  store,
-  { edit, onSegment, selectedSegment, share, selecting },
-  others,
-) {
+export function createSegmentActions(store, given, others) {
+  const { edit, onSegment, selectedSegment, share, selecting } = given;
   const { state } = store;
   const doc = () => state.document;
   /** Where more than one is chosen: first, last. */
