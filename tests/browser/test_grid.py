@@ -57,7 +57,7 @@ def page(tmp_path: Path, serve: Serve, visit: Visit) -> KeyphasePage:
 
 def _names(page: KeyphasePage, name: str) -> list[str]:
     """What stands on the strip of a recording, or on the last of two."""
-    row = page.page.locator(".grid-row", has=page.page.locator(f".grid-name:text-is('{name}')"))
+    row = page.page.locator(".grid-row", has=page.page.locator(f".grid-name :text-is('{name}')"))
     found = row.locator(".grid-strip").last.locator("i:not(.dropped)").all_inner_texts()
     return [text.strip() for text in found]
 

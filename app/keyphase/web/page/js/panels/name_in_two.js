@@ -11,9 +11,9 @@ const END = 7;
  * Its end stays whole where the rest is cut. What holds it decides by the name's own letters
  * (dir="auto") at which side it begins.
  * @param {string} whole
- * @param {number} common how much of its beginning all share
+ * @param {number} [common] how much of its beginning all share, of which the middle is left out
  */
-export function nameInTwo(whole, common) {
+export function nameInTwo(whole, common = 0) {
   const name = cutName(whole, common);
   if (name.length <= WHOLE) return [el("span", { class: "name-start", text: name })];
   const part = (look, text) => el("span", { class: look, text, "aria-hidden": "true" });

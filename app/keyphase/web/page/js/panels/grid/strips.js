@@ -11,7 +11,7 @@ import {
   laidOut,
   phaseNames,
 } from "../../model/recordings/grid.js";
-import { commonBeginning, namesOf } from "../../model/recordings/recording_list.js";
+import { namesOf } from "../../model/recordings/recording_list.js";
 import { nameInTwo } from "../name_in_two.js";
 import { stateMark } from "../queue_row.js";
 
@@ -38,8 +38,7 @@ export function drawRows(grid, how, width) {
   const names = phaseNames(grid);
   const places = laidOut(grid, how.align);
   const changing = how.change ? effectOf(grid, how.change, how.includeDone).changing : [];
-  const common = commonBeginning(grid.rows.map(({ name }) => name));
-  const given = { grid, names, how, width, common };
+  const given = { grid, names, how, width };
   return inOrder(grid.rows).map((row) =>
     drawRow(row, places.get(row.id) ?? null, changing.includes(row), given),
   );
@@ -49,7 +48,7 @@ export function drawRows(grid, how, width) {
  * @param {Line} row
  * @param {Piece[]|null} pieces
  * @param {boolean} changes
- * @param {{grid: Grid, names: string[], how: How, width: number, common: number}} given
+ * @param {{grid: Grid, names: string[], how: How, width: number}} given
  */
 function drawRow(row, pieces, changes, given) {
   const { change, current, open } = given.how;
@@ -67,11 +66,7 @@ function drawRow(row, pieces, changes, given) {
     },
     el("span", { class: "unseen", text: spoken(row, changes ? change : null) }),
     el("span", { "aria-hidden": "true" }, stateMark(row.state)),
-    el(
-      "span",
-      { class: "grid-name", dir: "auto", "aria-hidden": "true" },
-      ...nameInTwo(row.name, given.common),
-    ),
+    el("span", { class: "grid-name", dir: "auto", "aria-hidden": "true" }, ...nameInTwo(row.name)),
     standing(row),
     el(
       "div",
