@@ -120,6 +120,17 @@ def test_the_command_says_what_is_lost_before_it_writes(tmp_path, capsys):
     assert capsys.readouterr().out.endswith(f"{tmp_path / 'out' / 'run.segments.csv'}\n")
 
 
+def test_without_a_folder_the_command_writes_beside_the_segment_files(tmp_path, monkeypatch):
+    write_segment_file(saved(tmp_path), tmp_path / f"run{SUFFIX}")
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    monkeypatch.chdir(elsewhere)
+    with pytest.raises(SystemExit):
+        main(["export", str(tmp_path / f"run{SUFFIX}"), "--to", "csv"])
+    assert (tmp_path / "run.segments.csv").exists()
+    assert list(elsewhere.iterdir()) == []
+
+
 def test_an_unknown_format_is_refused_with_those_there_are(tmp_path):
     with pytest.raises(ExportError, match="among json, csv"):
         planned_export([item(tmp_path)], "word", tmp_path)

@@ -20,8 +20,8 @@ class ExportSegments:
     """Segment files, or folders of them."""
     to: str | None = None
     """The format; without, all formats are listed."""
-    output: Path = Path()
-    """Folder to write into."""
+    output: Path | None = None
+    """Folder to write into; without, that of the segment files."""
     recipe: Path | None = None
     """How the recordings are read, where their own or their folder's recipe is not it (TOML)."""
     trim_idle: bool = False
@@ -40,7 +40,7 @@ class ExportSegments:
         from keyphase.writers import Options, planned_export
 
         options = Options(self.trim_idle, "replace" if self.replace else "ask")
-        planned = planned_export(self._items(), self.to, self.output, options)
+        planned = planned_export(self._items(), self.to, self._folder(), options)
         if planned.not_carried:
             print(f"{planned.writer.title} does not carry:")
         for one in planned.not_carried:
@@ -54,6 +54,17 @@ class ExportSegments:
         for written in planned.write():
             print(*written, sep="\n")
         return 0
+
+    def _folder(self) -> Path:
+        """Where to write: never just where somebody happens to stand."""
+        if self.output is not None:
+            return self.output
+        folders = {one if one.is_dir() else one.parent for one in self.segments}
+        if len(folders) > 1:
+            raise KeyphaseError(
+                "The segment files lie in several folders; say where to write with --output FOLDER."
+            )
+        return folders.pop()
 
     def _items(self) -> "list[SegmentedRecording]":
         from keyphase.writers import SegmentedRecording, found_segment_files
