@@ -39,7 +39,7 @@ def refuse_not_increasing(time_s: Array, where: Callable[[int], str]) -> None:
         )
     back = time_s[stuck] - time_s[stuck + 1]
     if not (back > 0).any():
-        raise DemonstrationError(f"{came}let a recipe drop the rows that are repeated.")
+        raise DemonstrationError(f"{came}let a recipe drop what is repeated ([rows] repeated).")
     at = where(int(stuck[np.argmax(back > 0)]) + 1).rpartition(": ")[2]
     raise DemonstrationError(
         f"{came}the clock was set back by {back[back > 0][0]:.3g} s at {at}: read what is before "
