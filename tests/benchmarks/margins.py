@@ -1,6 +1,6 @@
 """How far the world may differ until a plan fails: right segmentations beside wrong ones.
 
-    python tests/benchmarks/margins.py setup1 setup2 [RECORDING…] [--axes higher lower]
+    python tests/benchmarks/margins.py setup1 setup2 [RECORDING…] [--axes higher lower] [--plans …]
 
 A set-up is its bundled recording, segmented as it is proposed, beside the same boundaries 0.4 s
 late, as many boundaries evenly spaced, and the first two skills as one. Any other recording is
@@ -60,8 +60,13 @@ def wrong(
     }
 
 
-def margin_for(name: str, axes: Sequence[str] | None) -> tuple[Demonstration, Margin]:
-    """The margins of a set-up by name, or of a recording by its path."""
+def margin_for(
+    name: str, axes: Sequence[str] | None, only: Sequence[str] | None = None
+) -> tuple[Demonstration, Margin]:
+    """The margins of a set-up by name, or of a recording by its path; of all plans or `only` some.
+
+    Their names are those in the table.
+    """
     bundled = name in workcell_names()
     demonstration = read(shipped("data") / f"{name}.npz" if bundled else Path(name))
     cell = cell_for(demonstration, name if bundled else "recording")
@@ -72,6 +77,7 @@ def margin_for(name: str, axes: Sequence[str] | None) -> tuple[Demonstration, Ma
     if bundled:
         for what, stretches in wrong(segmenter, segments).items():
             plans[what] = skills_of(met, stretches)
+    plans = {what: skills for what, skills in plans.items() if not only or what in only}
     known = [axis.name for axis in axes_of(cell)]
     return met, margin_of(cell, met, plans, axes=[a for a in axes or known if a in known])
 
@@ -95,11 +101,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("recordings", nargs="+")
     parser.add_argument("--axes", nargs="*")
+    parser.add_argument("--plans", nargs="*")
     asked = parser.parse_args()
     for name in asked.recordings:
         begun = time.monotonic()
         try:
-            _, margin = margin_for(name, asked.axes)
+            _, margin = margin_for(name, asked.axes, asked.plans)
         except KeyphaseError as error:
             print(f"{name}: {error}\n", flush=True)
             continue

@@ -118,4 +118,4 @@ def test_a_housing_with_play_is_squared_before_it_is_carried_along(turn_deg, til
     world = Disturbance(part_turn_rad=turn, tilt_rad=tilt, part_offset_m=(0.003, 0.002))
     result, simulation = replayed("setup2", plan("setup2"), world)
     assert result.succeeded, result.outcome()
-    assert np.degrees(lie_of(simulation, FITS).angle_rad) < 2.0
+    assert np.degrees(lie_of(simulation, FITS).angle_rad) < 0.6

@@ -53,10 +53,16 @@ def test_the_sides_are_those_of_the_tool_first_along_the_way_it_is_carried() -> 
 
 
 def test_of_the_bundled_recordings_only_what_carries_is_squared() -> None:
-    squared = {}
+    """It is put down at a slant there, and pressed square to the place."""
+    squared, skills = {}, ()
     for name in ("setup1", "setup2"):
         demonstration = read(shipped("data") / f"{name}.npz")
         kept = [one for one in segment(demonstration).segments if not one.idle]
-        squared[name] = [s.squaring is not None for s in skills_of(demonstration, kept)]
+        skills = skills_of(demonstration, kept)
+        squared[name] = [s.squaring is not None for s in skills]
     assert not any(squared["setup1"])
     assert squared["setup2"] == [False, True, False, False]
+    press, squaring = skills[1].press, skills[1].squaring
+    assert press is not None
+    assert squaring is not None
+    assert press.direction == pytest.approx(squaring.normal)

@@ -94,7 +94,8 @@ def with_contacts(demonstration: Demonstration, skills: Sequence[Skill]) -> tupl
 def _squared(skill: Skill, following: Sequence[Skill]) -> Skill:
     """The skill with a squaring, if it puts a part on what a later one carries along.
 
-    A seat that is told by its depth has no play.
+    A seat that is told by its depth has no play. What is put down at a slant is then pressed
+    square to the place: shaken, it would creep along with whatever it lies on.
     """
     if skill.press is None or skill.search is not None or skill.kept:
         return skill
@@ -104,7 +105,7 @@ def _squared(skill: Skill, following: Sequence[Skill]) -> Skill:
         if carrying:
             way = later.end_position_m - later.primitive.start_position_m
             at = squaring_at(carrying[0], skill.end_orientation_wxyz, way)
-            return replace(skill, squaring=at)
+            return replace(skill, squaring=at, press=replace(skill.press, direction=carrying[0]))
         if not alike:
             break
     return skill

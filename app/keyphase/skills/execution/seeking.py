@@ -23,15 +23,16 @@ A seat that lies aside or is turned, and a held part that sits tilted, align the
 TURNING = 0.3
 """The same in rotation: a tool that turns more easily tips over the edge that it touches first."""
 
-SEATING_S = 1.5
+SEATING_S = 2.0
 """How long a part is pressed into a seat: a tilted one goes in at one edge first."""
 
 ROCKING_RAD = np.radians(1.0)
 ROCKING_HZ = 2.0
 """Meanwhile the tool rocks all around, so that a part that is wedged comes free and goes in."""
 
-CALM_S = 0.15
-"""Before the end the tool is still; it begins and ends to rock within `FADED_S`."""
+CALM_S = 0.65
+"""Before the end the tool is still, so that the part comes to lie flat, for which its damping takes
+some tenths of a second; it begins and ends to rock within `FADED_S`."""
 
 FADED_S = 0.2
 
