@@ -123,6 +123,7 @@ def test_a_mesh_without_a_surface_is_refused_by_name(urdf, tmp_path):
         ('lower="-1"', 'lower="3"', r"has \[3, 2\]; swap"),
         ('lower="-1"', 'lower="2"', "must leave it a range"),
         ('upper="2"', 'upper="nan"', "numbers for upper"),
+        (' velocity="3"', "", "but velocity is missing; add what the robot's data sheet says"),
         ('xyz="0 1 0"', 'xyz="0 0 0"', "axis is zero"),
         ('<limit lower="-1" upper="2" velocity="3" effort="4"/>', "", "must have a <limit>"),
         ("</joint>", '<mimic joint="none"/></joint>', "mimics 'none'"),

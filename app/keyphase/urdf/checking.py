@@ -144,6 +144,13 @@ def _refuse_bad_joint(path: Path, joint: ElementTree.Element, links: set[str]) -
                 f"{path}: joint '{name}' must connect two links of the robot, but its {end} is "
                 f"'{_end(joint, end)}'; add that link or correct the name."
             )
+    limit = joint.find("limit")
+    missing = [] if limit is None else [k for k in ("velocity", "effort") if limit.get(k) is None]
+    if missing:
+        raise RobotError(
+            f"{path}: joint '{name}' must have a <limit> with velocity and effort, but "
+            f"{' and '.join(missing)} is missing; add what the robot's data sheet says."
+        )
     if kind in ("revolute", "prismatic"):
         _refuse_bad_range(path, joint)
     axis = joint.find("axis")
