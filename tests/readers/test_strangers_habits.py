@@ -20,6 +20,8 @@ from scipy.spatial.transform import Rotation
 from keyphase.errors import DemonstrationError
 from keyphase.readers import parse_recipe, read
 from keyphase.readers.finding import parts_of
+from keyphase.readers.proposing.answered import recipe_text
+from keyphase.readers.proposing.answers import answers_to
 from keyphase.readers.proposing.proposal import propose
 
 ROWS, RATE_HZ = 60, 125
@@ -320,3 +322,15 @@ def test_a_clock_that_was_set_back_is_told_and_is_no_second_demonstration(tmp_pa
     assert "# the clock was set back 1 times" in proposal
     with pytest.raises(DemonstrationError, match=r"set back by 0\.092 s at line 40, "):
         read(path, parse_recipe(proposal, "proposed"))
+
+
+def test_rows_with_the_time_of_the_row_before_are_proposed_to_be_dropped(tmp_path: Path) -> None:
+    repeated = np.column_stack([TIME, POSITION])[[0, 1, 1, *range(2, ROWS)]]
+    path = table("twice.csv", ["t,x,y,z"], repeated)(tmp_path)
+    proposal = propose(path)
+    for text in (
+        proposal.recipe_text(),
+        recipe_text(answers_to(proposal), proposal.names),
+    ):
+        np.testing.assert_allclose(read(path, parse_recipe(text, "r")).time_s, TIME, atol=1e-6)
+    assert "# 1 of the rows looked at" in proposal.recipe_text()

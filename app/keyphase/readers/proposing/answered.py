@@ -29,8 +29,14 @@ def recipe_text(answers: Answers, names: tuple[str, ...]) -> str:
         sections = [_table(answers, names), _time(answers, names)]
         sections += _tools(answers, names)
         sections += _asked(answers)
-        sections += [["[rows]", f"empty = {toml('leave_out')}"]] if answers.leave_out_empty else []
+        sections += [_rows(answers)]
     return "\n\n".join("\n".join(lines) for lines in sections if lines) + "\n"
+
+
+def _rows(answers: Answers) -> list[str]:
+    lines = ['empty = "leave_out"'] if answers.leave_out_empty else []
+    lines += ['repeated = "drop"'] if answers.drop_repeated else []
+    return ["[rows]", *lines] if lines else []
 
 
 def _asked(answers: Answers) -> list[list[str]]:

@@ -61,7 +61,7 @@ class Answers:
     time_format           of a time in words, as in a recipe
     clocks                the column with the time of a section, where that is not the time itself
     sides                 to which of two tools each column belongs, "" to both; none where one is
-    lines_after_header, restarts, leave_out_empty  as in a recipe
+    lines_after_header, restarts, leave_out_empty, drop_repeated  as in a recipe
     urdf, tool_frame      of the robot, where joints say where the tool is
     torque_sign           of joint torques, where a preset reads them
     preset                what reads the recording but for what that leaves open
@@ -88,6 +88,7 @@ class Answers:
     lines_after_header: int = 0
     restarts: bool = False
     leave_out_empty: bool = False
+    drop_repeated: bool = False
     urdf: str = ""
     tool_frame: str = ""
     torque_sign: Literal[0, 1, -1] = 0
@@ -193,6 +194,7 @@ def answers_to(proposal: Proposal) -> Answers:
         sides=tuple(sides) if proposal.sides else (),
         restarts=stamp == RESTARTS and proposal.split is None,
         leave_out_empty=bool(proposal.gaps),
+        drop_repeated=proposal.repeats > 0,
         preset=proposal.preset[0] if proposal.preset else "",
     )
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from keyphase.demonstration import Array
 from keyphase.errors import DemonstrationError
 from keyphase.files.parts import split_part
 from keyphase.files.reading import DEFAULT_LIMIT_BYTES, read_whole
@@ -15,7 +16,7 @@ from keyphase.readers.formats.reader import split_side
 from keyphase.readers.proposing.columns import Looked, looked_at_arrays, looked_at_table
 from keyphase.readers.proposing.conventions import UNNAMED
 from keyphase.readers.proposing.frames import other_transforms
-from keyphase.readers.proposing.guess import Guess
+from keyphase.readers.proposing.guess import Guess, measured_rows
 from keyphase.readers.proposing.layout import Layout, layout_of
 from keyphase.readers.proposing.roles import guesses_of
 from keyphase.readers.proposing.sides import sides_of
@@ -31,6 +32,7 @@ from keyphase.readers.proposing.written import (
     maybe_clock_lines,
     maybe_wrench_lines,
     preset_lines,
+    rows_lines,
     section_of,
     table_lines,
     toml,
@@ -63,6 +65,7 @@ class Proposal:
     sides   what belongs to the left and the right of two tools; else none
     others  further columns that rise like a time
     rows    the first rows as text, "" where a stream has none; of arrays alone
+    repeats how many of the rows looked at have the time of the row before
     """
 
     layout: Layout | None
@@ -77,6 +80,7 @@ class Proposal:
     sides: dict[str, tuple[Guess, ...]] = field(default_factory=dict)
     others: tuple[str, ...] = ()
     rows: tuple[tuple[str, ...], ...] = ()
+    repeats: int = 0
 
     def recipe_text(self) -> str:
         """The recipe as TOML, the evidence as comments; what is open stands as a comment, too."""
@@ -92,9 +96,7 @@ class Proposal:
         for side, guesses in self.sides.items():
             lines += ["", "[[demonstration]]", f"name = {toml(side)}"]
             lines += self._sections(guesses, "demonstration.", f"{side}.")
-        if self.gaps:
-            told = f"# {', '.join(self.gaps)}: not in all rows is there a number"
-            lines += ["", told, "[rows]", f"empty = {toml('leave_out')}"]
+        lines += rows_lines(self.gaps, self.repeats)
         lines += unread_lines(self.unread)
         return "\n".join([*lines, *self._maybe_wrench()]) + "\n"
 
@@ -195,7 +197,16 @@ def _of_table(looked: Looked, layout: Layout) -> Proposal:
         gaps=gaps,
         sides=sides,
         others=others,
+        repeats=0 if gaps else _repeats(time, rows),
     )
+
+
+def _repeats(time: Guess | None, rows: Array) -> int:
+    """Of a time in one column of numbers; none where most repeat: then it is no clock."""
+    if time is None or len(time.columns) != 1 or not np.isfinite(rows[:, time.columns[0]]).any():
+        return 0
+    repeats = int((np.diff(measured_rows(rows, time.columns)[:, 0]) == 0).sum())
+    return repeats if 2 * repeats < len(rows) else 0
 
 
 def _of_arrays(looked: Looked) -> Proposal:

@@ -31,6 +31,17 @@ def table_lines(
     return ["[table]", *lines] if lines else []
 
 
+def rows_lines(gaps: Sequence[str], repeats: int) -> list[str]:
+    """What is done about rows that are not as they should be, and why."""
+    lines: list[str] = []
+    if gaps:
+        lines += [f"# {', '.join(gaps)}: not in all rows is there a number", 'empty = "leave_out"']
+    if repeats:
+        lines += [f"# {repeats} of the rows looked at have the time of the row before"]
+        lines += ['repeated = "drop"']
+    return ["", "[rows]", *lines] if lines else []
+
+
 def _layout_lines(layout: Layout) -> list[str]:
     form, evidence = layout.form, layout.evidence
     values = {

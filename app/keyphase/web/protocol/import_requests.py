@@ -49,6 +49,7 @@ class TableAnswers(Struct, frozen=True, forbid_unknown_fields=True):
     lines_after_header: Annotated[int, Meta(ge=0, le=100_000)] = 0
     restarts: bool = False
     leave_out_empty: bool = False
+    drop_repeated: bool = False
     urdf: Id = ""
     tool_frame: Name = ""
     torque_sign: Literal[0, 1, -1] = 0

@@ -37,6 +37,7 @@ export interface TableAnswers {
   lines_after_header: number;
   restarts: boolean;
   leave_out_empty: boolean;
+  drop_repeated: boolean;
   urdf: string;
   tool_frame: string;
   torque_sign: -1 | 0 | 1;
