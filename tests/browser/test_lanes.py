@@ -29,6 +29,9 @@ def test_the_other_arm_and_the_events_are_lanes(look_at: LookAt, tmp_path: Path)
     lane.first.wait_for()
     assert page.page.locator(".event-mark").count() == 3
     assert page.row("channel/button").height > 0
+    # Neither arm felt a force: nothing is said of contacts.
+    assert "contact" not in page.text(".readout:has-text('motion')")
+    assert page.page.get_by_role("checkbox", name="Contact forces").count() == 0
     page.picture("lanes")
     page.page.get_by_role("button", name="right", exact=True).click()
     page.until("keyphase.state.document?.name === 'run#right'")

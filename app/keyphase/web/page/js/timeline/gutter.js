@@ -93,9 +93,10 @@ export function createReadout(body, curves) {
   );
   body.append(el("div", { class: "readout" }, ...rows), letters);
   return {
-    /** @param {string[]} texts one per curve */
+    /** @param {(string|null)[]} texts one per curve; null: there is no such curve */
     show(texts) {
       texts.forEach((text, k) => {
+        rows[k].hidden = text === null;
         if (values[k].textContent !== text) values[k].textContent = text;
       });
     },

@@ -15,6 +15,9 @@ const PARTS = [
   ["shadows", "Shadows", "Slow where there is no graphics card."],
 ];
 
+/** What has to be recorded for a part, which has no switch else. @type {Object<string, string>} */
+const NEEDS = { forces: "force" };
+
 /**
  * @param {import("../../lib/store.js").Store} store
  * @param {any} actions
@@ -24,8 +27,10 @@ export function createShownParts(store, actions) {
     what,
     ...toggle(title, hint, (visible) => actions.show(what, visible)),
   }));
-  store.later(["shown", "lookingOnly"], ({ shown, lookingOnly }) => {
+  store.later(["shown", "lookingOnly", "document"], ({ shown, lookingOnly, document: doc }) => {
     for (const one of toggles) {
+      const needed = NEEDS[one.what];
+      one.node.hidden = Boolean(doc && needed && !doc.channels.includes(needed));
       one.show(shown[one.what] ?? false);
       one.disable(lookingOnly);
     }

@@ -82,8 +82,12 @@ export function createEvidenceTrack({ plot, marks, gutter, texts }, _store, acti
       );
     },
     read(state, time) {
-      const series = curvesOf(state, "evidence")?.series;
-      readout.show(pairOf(series ?? []).map((one) => shareText(valueAt(one, time))));
+      const series = curvesOf(state, "evidence")?.series ?? [];
+      // Where no force was recorded there is nothing to say of contacts.
+      const isThere = ({ key }) => !series.length || series.some((one) => one.key === key);
+      readout.show(
+        pairOf(series).map((one) => (isThere(one) ? shareText(valueAt(one, time)) : null)),
+      );
     },
     recolor() {
       colors = colorsOf(pens);
