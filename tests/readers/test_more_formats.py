@@ -17,7 +17,7 @@ import pyarrow.parquet as pq
 import pytest
 import scipy.io
 from google.protobuf import descriptor_pb2, descriptor_pool, message_factory
-from mcap.writer import Writer
+from mcap.writer import CompressionType, Writer
 from rosbags.rosbag2 import StoragePlugin
 from rosbags.rosbag2 import Writer as BagWriter
 from rosbags.typesys import Stores, get_typestore
@@ -294,3 +294,18 @@ def test_a_word_for_each_step_of_an_archive_is_read_as_events(tmp_path: Path) ->
         "grasp",
         "insert",
     ]
+
+
+def test_bytes_of_an_mcap_that_changed_since_it_was_written_are_refused(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    with path.open("wb") as stream:
+        writer = Writer(stream, compression=CompressionType.NONE)
+        writer.start(profile="", library="cell")
+        channel = writer.register_channel("/tool", "json", 0)
+        for row in range(ROWS):
+            data = b'{"x": 0.25, "y": 0.5, "z": 1.0}'
+            writer.add_message(channel, BEGIN_NS + row * 10**7, data, 0)
+        writer.finish()
+    path.write_bytes(path.read_bytes().replace(b"0.25", b"0.75", 1))
+    with pytest.raises(DemonstrationError, match="bytes were changed or lost"):
+        read(path)

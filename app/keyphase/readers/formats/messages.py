@@ -35,7 +35,8 @@ def plain_messages(
     reading = package("mcap.reader", EXTRA, path)
     decoders: dict[int, Callable[[bytes], Plain] | None] = {}
     with path.open("rb") as stream:
-        for schema, channel, message in reading.make_reader(stream).iter_messages():
+        reader = reading.make_reader(stream, validate_crcs=True)
+        for schema, channel, message in reader.iter_messages():
             if channel.id not in decoders:
                 decoders[channel.id] = _decoder(channel.message_encoding, schema, path)
                 if decoders[channel.id] is None:
