@@ -99,7 +99,7 @@ def test_unsure_boundaries_are_visited_least_certain_first(editor: KeyphasePage)
     )
     editor.press("n")
     assert editor.state("current") == 1
-    assert editor.page.locator("#why").is_visible()
+    editor.page.locator("#why").wait_for()
     editor.press("n")
     assert editor.state("current") == 0
     editor.press("Shift+N")
