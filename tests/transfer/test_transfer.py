@@ -1,5 +1,6 @@
 """What was taught on one recording arrives on others of its task, and only there."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,11 +11,12 @@ from keyphase.demonstration import Demonstration
 from keyphase.errors import LabelingError
 from keyphase.labeling.label import label
 from keyphase.segmentation import segment
+from keyphase.segmentation.segmentation import Segmentation
 from keyphase.simulation import record
 from keyphase.transfer.alignment import align
 from keyphase.transfer.as_edit import as_edit
 from keyphase.transfer.evidence_places import Place, Places
-from keyphase.transfer.own_boundaries import is_better
+from keyphase.transfer.own_boundaries import ProposedBoundary, is_better
 from keyphase.transfer.placing import Teacher
 from keyphase.transfer.proposing import propose, usual_cost_of
 from keyphase.transfer.signals import signals_of
@@ -166,6 +168,13 @@ def test_of_three_one_that_was_marked_elsewhere_decides_nothing(
     np.testing.assert_allclose(at, [b.time_s for b in alone.boundaries], atol=0.02)
 
 
+def _better(
+    teachers: list[Teacher], proposed: Sequence[ProposedBoundary], own: Segmentation
+) -> bool:
+    """Where all that were aligned fit well."""
+    return is_better(teachers, teachers, proposed, own)
+
+
 def test_a_program_of_which_three_of_four_were_kept_is_not_believed_yet(
     first: Taught, second: Demonstration
 ) -> None:
@@ -174,7 +183,7 @@ def test_a_program_of_which_three_of_four_were_kept_is_not_believed_yet(
     ends = first.ends_s
     three = replace(first, found_s=(*ends[:-1], ends[-1] + 0.3))
     assert len(ends) == 4
-    assert not is_better([teacher(three, second)], proposed, own)
+    assert not _better([teacher(three, second)], proposed, own)
 
 
 def test_a_little_early_in_a_fast_recording_is_early_in_a_slow_one(
@@ -185,7 +194,7 @@ def test_a_little_early_in_a_fast_recording_is_early_in_a_slow_one(
     own = replace(slower, boundaries=slower.boundaries[: len(proposed)])
     early = replace(first, found_s=tuple(end_s + 0.05 for end_s in first.ends_s))
     assert len(own.boundaries) == len(proposed)
-    assert not is_better([teacher(early, slower.demonstration)], proposed, own)
+    assert not _better([teacher(early, slower.demonstration)], proposed, own)
 
 
 def test_what_is_done_without_a_gripper_is_another_task(
@@ -205,9 +214,20 @@ def test_the_program_is_believed_where_persons_left_its_boundaries_where_they_we
     kept = replace(first, found_s=first.ends_s)
     elsewhere = replace(first, found_s=tuple(end_s + 0.5 for end_s in first.ends_s))
     early = replace(first, found_s=tuple(end_s + 0.15 for end_s in first.ends_s))
-    assert is_better([teacher(kept, second)], proposed, own)
-    assert not is_better([teacher(elsewhere, second)], proposed, own)
-    assert not is_better([teacher(early, second)], proposed, own)
+    assert _better([teacher(kept, second)], proposed, own)
+    assert not _better([teacher(elsewhere, second)], proposed, own)
+    assert not _better([teacher(early, second)], proposed, own)
+
+
+def test_one_who_marks_without_care_is_no_sign_that_elsewhere_is_meant(
+    first: Taught, second: Demonstration
+) -> None:
+    own = segment(second)
+    proposed = propose([first], second).boundaries
+    kept = teacher(replace(first, found_s=first.ends_s), second)
+    careless = teacher(replace(first, found_s=tuple(t + 0.15 for t in first.ends_s)), second)
+    assert not is_better([careless], [careless], proposed, own)
+    assert is_better([careless], [careless, kept, kept], proposed, own)
 
 
 def test_another_number_than_proposed_is_believed_of_a_program_that_found_what_persons_meant(

@@ -49,7 +49,7 @@ class BoundaryMethod(Protocol):
     """Finds the boundaries of a demonstration, in any order."""
 
     def __call__(
-        self, demonstration: "Demonstration", parameters: "Parameters"
+        self, demonstration: "Demonstration", parameters: "Parameters", /
     ) -> Iterable[FoundBoundary]:
         """Raises KeyphaseError for a demonstration it cannot work on."""
         ...

@@ -41,13 +41,17 @@ class ProposedBoundary:
 
 
 def is_better(
-    teachers: Sequence[Teacher], proposed: Sequence[ProposedBoundary], segmentation: Segmentation
+    teachers: Sequence[Teacher],
+    aligned: Sequence[Teacher],
+    proposed: Sequence[ProposedBoundary],
+    segmentation: Segmentation,
 ) -> bool:
     """Whether the program's own boundaries are to be taken rather than those proposed.
 
     They are where persons kept nearly all of them and added hardly any, and it now finds another
     number than is proposed: something is missing or doubled. Where it finds as many, only if the
-    persons had left them where they were, in the tempo of this recording.
+    persons had left them where they were, in the tempo of this recording: all that were `aligned`
+    say so, since one who marks without care is no sign that places elsewhere are meant.
     """
     if _trust([one.taught for one in teachers]) < TRUSTED:
         return False
@@ -55,7 +59,7 @@ def is_better(
         return True
     offsets = [
         abs(offset) * one.alignment.tempo
-        for one in teachers
+        for one in aligned
         for offset in _offsets_s(one.taught)
         if offset is not None
     ]

@@ -94,7 +94,7 @@ def propose(
     boundaries = _boundaries(same, signals, places)
     fitting = [one for one in aligned if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
     own = None
-    if segmentation is not None and is_better(fitting, boundaries, segmentation):
+    if segmentation is not None and is_better(fitting, aligned, boundaries, segmentation):
         own = with_own(fitting, boundaries, segmentation)
     boundaries = boundaries if own is None else own
     phases = _phases(best, alignment, boundaries, demonstration, joined=own is None)
