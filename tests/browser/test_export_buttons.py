@@ -41,7 +41,7 @@ def test_any_format_is_written_from_one_dialog_that_says_what_it_loses(
         page.settle()
         page.picture(f"exporting_{'dark' if dark else 'light'}")
     dialog.get_by_role("button", name="Write", exact=True).click()
-    dialog.get_by_text(str(folder / "setup1.eaf")).first.wait_for()
+    dialog.get_by_text(f"Written to {folder / 'setup1.eaf'}").wait_for()
     found: dict[str, object] = {}
     exec(dialog.locator(".lines").inner_text(), found)
     assert found["document"]
@@ -50,7 +50,7 @@ def test_any_format_is_written_from_one_dialog_that_says_what_it_loses(
     _choose(page, "skills")
     dialog.get_by_role("button", name="Write", exact=True).click()
     page.page.get_by_role("button", name="Keep both").click()
-    dialog.get_by_text("setup1_2.skills.json").first.wait_for()
+    dialog.get_by_text(f"Written to {folder / 'setup1_2.skills.json'}").wait_for()
     assert (folder / "setup1.skills.json").read_text() == "{}"
 
     _choose(page, "robomimic")
