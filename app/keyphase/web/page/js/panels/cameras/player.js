@@ -9,6 +9,10 @@ const LOST_S = 0.3;
 const MOST_TRIES = 3;
 /** A picture of the same frame is not always told anew. */
 const UNTOLD_MS = 500;
+/** As it stops, a running picture may be this many frames past the last one that was told. */
+const MAY_BE_PAST = 2;
+/** Any other picture is told; one that takes longer is asked for again. */
+const ASKED_AGAIN_MS = 5000;
 
 /**
  * @param {import("../../model/footage/frames.js").Camera} camera
@@ -29,6 +33,8 @@ export function createPlayer(camera, told, broke, seeks) {
   });
   let wanted = /** @type {number|null} */ (null);
   let shown = /** @type {number|null} */ (null);
+  /** The last frame that the browser told of; before it tells of any, the first is on the screen. */
+  let presented = 0;
   let isSeeking = false;
   let tries = 0;
   let patience = 0;
@@ -37,7 +43,7 @@ export function createPlayer(camera, told, broke, seeks) {
 
   function see(mediaTime) {
     clearTimeout(patience);
-    shown = frameShown(camera, mediaTime);
+    shown = presented = frameShown(camera, mediaTime);
     video.dataset.frame = String(shown);
     told(shown);
   }
@@ -46,6 +52,8 @@ export function createPlayer(camera, told, broke, seeks) {
     isSeeking = true;
     seeks(true);
     const target = wanted;
+    const isUnknown = shown === null;
+    const ask = () => (video.currentTime = seekTime(camera, target));
     const over = new AbortController();
     const next = (mediaTime) => {
       over.abort();
@@ -62,13 +70,17 @@ export function createPlayer(camera, told, broke, seeks) {
       () => {
         // Of the seek before this one, told late.
         if (video.seeking) return;
+        clearTimeout(patience);
         // The very frame that is on the screen already is not presented once more.
-        patience = setTimeout(() => next(seekTime(camera, target) - 0.5 / camera.fps), UNTOLD_MS);
+        const isPerhapsSeen = isUnknown && Math.abs(target - presented) <= MAY_BE_PAST;
+        patience = isPerhapsSeen
+          ? setTimeout(() => next(seekTime(camera, target) - 0.5 / camera.fps), UNTOLD_MS)
+          : setTimeout(ask, ASKED_AGAIN_MS);
       },
       { signal: over.signal },
     );
     leave = () => over.abort();
-    video.currentTime = seekTime(camera, target);
+    ask();
   }
   function leaveSeeking() {
     leave();
