@@ -68,6 +68,20 @@ def test_a_recording_that_is_done_gets_the_others_parameters_only_where_the_box_
     two.until(f"{states} === 'touched,touched'")
 
 
+def test_a_recording_that_is_changed_after_it_was_done_says_so_until_it_is_done_again(
+    editor: KeyphasePage,
+) -> None:
+    badge, row = editor.page.locator("#badge"), editor.page.locator(".queue-row svg.state")
+    editor.change(lambda: editor.press("Shift+K"))
+    assert badge.inner_text() == "done · 1 edit"
+    editor.change(lambda: editor.page.evaluate("() => keyphase.actions.label('reach', 0)"))
+    assert badge.inner_text() == "changed since done · 2 edits"
+    row.and_(editor.page.get_by_label("changed since done")).wait_for()
+    editor.change(lambda: editor.press("Shift+K"))
+    assert badge.inner_text().startswith("done")
+    row.and_(editor.page.get_by_label("done", exact=True)).wait_for()
+
+
 def test_edits_of_a_recording_that_was_renamed_are_offered_and_taken_over(
     tmp_path: Path, folder: Path, look_at: LookAt
 ) -> None:

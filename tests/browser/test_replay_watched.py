@@ -21,6 +21,20 @@ SIDEWAYS, PULLED_M = np.array([0.0, 1.0, 0.0]), 0.15
 ASIDE_MM = 6.0
 HELD_S = 0.6
 
+_WATCH_NAMES = """() => {
+  window.heights = {};
+  const look = () => {
+    for (const name of document.querySelectorAll("#names .name"))
+      if (name.checkVisibility({ visibilityProperty: true }))
+        (window.heights[name.textContent[0]] ??= []).push(name.getBoundingClientRect().y);
+    requestAnimationFrame(look);
+  };
+  look();
+}"""
+"""At which heights of the page each name stands, frame by frame."""
+
+NEAR_PX = 20
+
 _OFF_MM = "keyphase.state.samples.columns.get('off')[keyphase.state.samples.count - 1]"
 _NOW_S = "keyphase.state.samples.time[keyphase.state.samples.count - 1]"
 
@@ -101,11 +115,16 @@ def test_skills_and_force_are_named_in_the_scene_and_outcomes_told_in_the_panel(
     server: PageServer, page: KeyphasePage
 ) -> None:
     server.workbench.views[-1].replay.configure(lambda settings: replace(settings, speed=4.0))
+    page.wait_for_scene()
+    page.page.evaluate(_WATCH_NAMES)
     for ended in range(1, 4):
         button(page, "Step").click()
         page.until(f"keyphase.state.replay?.current === {ended}")
         phase(page, "paused")
     page.wait_for_scene()
+    heights = page.page.evaluate("() => window.heights")
+    assert {"1", "3", "5"} <= set(heights)
+    assert all(max(heights[one]) - min(heights[one]) < NEAR_PX for one in "135"), heights
     *skills, force = page.page.locator("#names .name").all_text_contents()
     assert skills == [
         "1 Move forward",

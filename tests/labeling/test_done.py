@@ -24,6 +24,7 @@ from keyphase.labeling.edits import (
     edit_as_json,
     edit_from_json,
 )
+from keyphase.labeling.finished import changed_since_done
 from keyphase.labeling.frozen import end_condition_as_json
 from keyphase.labeling.segment_file import write_segment_file
 from keyphase.labeling.storage.journal import Journal
@@ -117,6 +118,7 @@ def test_an_edit_after_done_lies_over_what_was_frozen_and_says_so():
     assert labels(seen) == ["reach", "new", "new", "part 4", "part 5"]
     assert seen.done
     assert seen.changed_since_done
+    assert changed_since_done(person.document.history)
 
 
 def test_done_once_more_keeps_what_is_seen_by_then():
@@ -125,6 +127,7 @@ def test_done_once_more_keeps_what_is_seen_by_then():
     seen = person.sees(segmentation((1.0, 5.0)))
     assert times(seen) == [2.0, 6.0, 8.0]
     assert not seen.changed_since_done
+    assert not changed_since_done(person.document.history)
 
 
 def test_opened_again_all_edits_lie_over_the_present_result():

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 
-import { formsOf, shortName } from "../../app/keyphase/web/page/js/model/label_forms.js";
+import { formsOf, measureless, shorter } from "../../app/keyphase/web/page/js/model/label_forms.js";
 import { documentOf } from "./documents.js";
 
 const DOWN = {
@@ -28,7 +28,12 @@ test("what a person wrote is cut, and never put in other words", () => {
   assert.deepEqual(forms, ["Move down 86 mm until contact", "Move…"]);
 });
 
-test("a person's name keeps its first letter", () => {
-  assert.equal(shortName("reach"), "reach");
-  assert.equal(shortName("Move down 86 mm until contact"), "Down until contact");
+test("a person's name keeps its measure, its verb and its first letter", () => {
+  for (const label of ["reach", "slide left, 12 mm", "Move to the box"]) {
+    const named = { label, proposed: false };
+    assert.deepEqual([measureless(named), shorter(named)], [label, label]);
+  }
+  const proposed = { ...DOWN, proposed: true };
+  assert.equal(measureless(proposed), "Move down until contact");
+  assert.equal(shorter(proposed), "Down until contact");
 });

@@ -26,6 +26,7 @@ class Recording:
     marked                             what is said of single segments
     stretches                          its segments with names; empty until they are known
     differences                        how often another person's segments differ, if there are any
+    changed_since_done                 segments were changed after it was done
     error                              why it cannot be opened
     """
 
@@ -40,6 +41,7 @@ class Recording:
     marked: tuple[Assessment, ...] = ()
     stretches: tuple[Stretch, ...] = ()
     differences: int | None = None
+    changed_since_done: bool = False
 
     @property
     def name(self) -> str:
@@ -62,7 +64,12 @@ def recording_at(path: Path) -> Recording:
     state = "done" if said.done else "touched" if said.touched else "automatic"
     seen = frozen_stretches(said.frozen) if said.frozen else ()
     return replace(
-        line, state=state, assessment=said.assessment, marked=said.marked, stretches=seen
+        line,
+        state=state,
+        changed_since_done=said.changed_since_done,
+        assessment=said.assessment,
+        marked=said.marked,
+        stretches=seen,
     )
 
 

@@ -10,7 +10,7 @@ from keyphase.labeling.edits import Done, DropPhase, RenamePhase
 from keyphase.labeling.edits.base import BaseEdit
 from keyphase.labeling.edits.beside.assess import assessment_of
 from keyphase.labeling.edits.beside.assess_segment import marked
-from keyphase.labeling.finished import is_done, needs_freezing
+from keyphase.labeling.finished import changed_since_done, is_done, needs_freezing
 from keyphase.labeling.frozen import Frozen
 from keyphase.labeling.history import History
 from keyphase.labeling.storage.readings import longest_journal
@@ -26,10 +26,13 @@ class JournalSummary:
     marked      what is said of single segments
     together    steps that were made in other recordings of the folder, too, in force or taken back
     frozen      what was seen when it was done, where nothing was edited since
+
+    changed_since_done  segments were changed after it was done
     """
 
     touched: bool
     done: bool
+    changed_since_done: bool = False
     unfrozen: bool = False
     assessment: Assessment = NOTHING_SAID
     marked: tuple[Assessment, ...] = ()
@@ -56,6 +59,7 @@ def summarize(recording: Path) -> JournalSummary:
     return JournalSummary(
         bool(state.history.done),
         done,
+        changed_since_done(state.history),
         unfrozen,
         assessment_of(made),
         marked(made),

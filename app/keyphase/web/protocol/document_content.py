@@ -73,6 +73,7 @@ def document_message(state: DeskState) -> say.DocumentMessage:
         saved_at=state.saved_at,
         greatest_step_N=greatest_step(state.labeling),
         state=state.state,
+        changed_since_done=state.kept_labeling.changed_since_done,
         locked=state.locked and printable(state.locked),
         changed=state.changed,
         elsewhere=_elsewhere(state),

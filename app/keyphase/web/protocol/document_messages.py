@@ -186,6 +186,7 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     gaussians     how many the movement is described by; none without a mixture
     candidates    where boundaries could be, and what became of each
     greatest_step_N  the change of force that the longest arrow of the scene stands for
+    changed_since_done  segments were changed after it was done
     locked        why nothing can be changed; null where it can
     changed       the file, or the recipe it is read with, is no longer the one that was labeled
     elsewhere     the same bytes were labeled under another name; null where nothing is known
@@ -229,6 +230,7 @@ class DocumentMessage(Struct, frozen=True, tag_field="type", tag="document"):
     saved_at: str | None
     greatest_step_N: float | None
     state: State
+    changed_since_done: bool
     locked: str | None
     changed: bool
     elsewhere: ElsewhereMessage | None

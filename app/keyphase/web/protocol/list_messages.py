@@ -52,6 +52,7 @@ class RecordingLine(Struct, frozen=True):
     differences                         how often another person's segments differ; null where
                                         there are none to compare with
     marked                              what is said of single segments
+    changed_since_done                  segments were changed after it was done
     """
 
     id: str
@@ -69,6 +70,7 @@ class RecordingLine(Struct, frozen=True):
     assessment: Assessment = NOTHING_SAID
     differences: int | None = None
     marked: tuple[Assessment, ...] = ()
+    changed_since_done: bool = False
 
 
 class Recordings(Struct, frozen=True, tag_field="type", tag="recordings"):
@@ -259,6 +261,7 @@ def _line(
         recording.assessment,
         recording.differences,
         recording.marked,
+        recording.changed_since_done,
     )
 
 

@@ -47,6 +47,7 @@ class ForceArrowMessage(Struct, frozen=True):
 class SkillMessage(Struct, frozen=True):
     """One skill of a replay.
 
+    proposed        its name is the program's, and no person's
     middle_m        where it is named
     demonstrated_s  (from, to) in the recording
     met_s           when a contact was met
@@ -55,6 +56,7 @@ class SkillMessage(Struct, frozen=True):
     segment: int | None
     color: int | None
     label: str
+    proposed: bool
     short: tuple[str, str, str]
     middle_m: Point
     until: str
@@ -206,6 +208,7 @@ def _skill(
         segment=one.segment,
         color=one.color,
         label=skill.label,
+        proposed=one.proposed,
         short=short_labels(skill.label),
         middle_m=_point(middle_of_skill(running.plan, skill)),
         until=until(skill),

@@ -69,6 +69,7 @@ class DeskState:
         return replace(
             self.recording,
             state=self.state,
+            changed_since_done=self.kept_labeling.changed_since_done,
             confidence=least_confidence(self.kept_labeling),
             unsure=unsure_count(self.kept_labeling),
             strip=strip(self.kept_labeling),

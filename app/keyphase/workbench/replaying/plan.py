@@ -16,15 +16,17 @@ from keyphase.workbench.replaying.settings import EndBy
 class PlannedSkill:
     """One skill of the plan; connecting moves have neither entry nor segment.
 
-    entry    index in the plan
-    segment  index of its segment
-    color    number of the segment's colour
+    entry     index in the plan
+    segment   index of its segment
+    color     number of the segment's colour
+    proposed  its name is the program's, and no person's
     """
 
     skill: Skill
     entry: int | None = None
     segment: int | None = None
     color: int | None = None
+    proposed: bool = True
 
     @property
     def name(self) -> str:
@@ -71,6 +73,7 @@ def plan_of(labeling: Labeling, end_by: EndBy = "contact", cell: Cell | None = N
             planned.append(PlannedSkill(skill))
             continue
         number, entry = next(entries)
-        color = labeling.segments[entry.segment].color
-        planned.append(PlannedSkill(skill, number, entry.segment, color))
+        segment = labeling.segments[entry.segment]
+        one = PlannedSkill(skill, number, entry.segment, segment.color, segment.proposed)
+        planned.append(one)
     return ReplayPlan(demonstration, tuple(planned))

@@ -25,6 +25,7 @@ class PushGizmo:
         self._push, self._tool_m = push, tool_m
         self._pulled_to_m: Array | None = None
         self._scene, self._name = client.scene, f"{name}_spring"
+        self._spring: tuple[viser.LineSegmentsHandle, viser.LabelHandle] | None = None
         self._gizmo = client.scene.add_transform_controls(
             name, scale=GIZMO_M, disable_rotations=True, depth_test=False, position=tool_m
         )
@@ -56,19 +57,27 @@ class PushGizmo:
             self._draw_spring(self._tool_m, self._pulled_to_m, float(np.linalg.norm(force)))
 
     def _draw_spring(self, from_m: Array, to_m: Array, force_N: float) -> None:
-        """A line from the tool to the hand, with how hard it pulls."""
-        self._scene.add_line_segments(
-            self._name, np.array([[from_m, to_m]]), _SPRING, thickness=_THICK_M
-        )
-        self._scene.add_label(
-            f"{self._name}/force",
-            f"{force_N:.0f} N",
-            position=0.5 * (from_m + to_m),
-            anchor="bottom-center",
-        )
+        """A line from the tool to the hand, with how hard it pulls.
+
+        A page needs a moment to write a label: one made anew at every step would never be seen.
+        """
+        ends = np.array([[from_m, to_m]], dtype=np.float32)
+        middle_m, text = 0.5 * (from_m + to_m), f"{force_N:.0f} N"
+        if self._spring is None:
+            self._spring = (
+                self._scene.add_line_segments(self._name, ends, _SPRING, thickness=_THICK_M),
+                self._scene.add_label(
+                    f"{self._name}/force", text, position=middle_m, anchor="bottom-center"
+                ),
+            )
+            return
+        line, label = self._spring
+        line.points, label.position = ends, middle_m
+        if label.text != text:
+            label.text = text
 
     def _let_go(self) -> None:
         if self._pulled_to_m is not None:
-            self._pulled_to_m = None
+            self._pulled_to_m = self._spring = None
             self._scene.remove_by_name(self._name)
             self._push(np.zeros(3))

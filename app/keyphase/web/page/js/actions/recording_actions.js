@@ -20,13 +20,14 @@ export function createRecordingActions(store, send, actions) {
   const { state } = store;
   const doc = () => state.document;
   const own = {
+    /** Done, also as it is after changes, or not after all. */
+    toggleDone: () => own.setDone(doc().state !== "done" || doc().changed_since_done),
     /** Says that a recording is done, or not after all. */
     setDone(done) {
       if (doc() && !state.readOnly) send({ type: "done", done });
     },
     /** Asks how a recording is read that cannot be read as it is. */
     describe: (recording) => !state.readOnly && send({ type: "describe", recording }),
-    toggleDone: () => own.setDone(doc().state !== "done"),
     doneAndOn() {
       if (state.readOnly) return;
       const undecided = unsureBoundaries(doc()).length;

@@ -11,6 +11,7 @@ import type { Assessment } from "./list_messages";
  * - gaussians: how many the movement is described by; none without a mixture
  * - candidates: where boundaries could be, and what became of each
  * - greatest_step_N: the change of force that the longest arrow of the scene stands for
+ * - changed_since_done: segments were changed after it was done
  * - locked: why nothing can be changed; null where it can
  * - changed: the file, or the recipe it is read with, is no longer the one that was labeled
  * - elsewhere: the same bytes were labeled under another name; null where nothing is known
@@ -55,6 +56,7 @@ export interface DocumentMessage {
   saved_at: string | null;
   greatest_step_N: number | null;
   state: "automatic" | "done" | "touched";
+  changed_since_done: boolean;
   locked: string | null;
   changed: boolean;
   elsewhere: ElsewhereMessage | null;

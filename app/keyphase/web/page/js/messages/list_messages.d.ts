@@ -29,6 +29,7 @@ export interface Recordings {
  * is outlier                             it fits none of the finished ones differences
  * how often another person's segments differ; null where                                     there
  * are none to compare with marked                              what is said of single segments
+ * changed_since_done                  segments were changed after it was done
  * - folder: name of the folder it lies in
  * - strip: its segments in small; `color` null: idle or dropped
  * - unsure: how many boundaries a person should look at
@@ -50,6 +51,7 @@ export interface RecordingLine {
   assessment: Assessment;
   differences: number | null;
   marked: Assessment[];
+  changed_since_done: boolean;
 }
 
 /** One segment in a strip: its share of the duration, its colour; None: idle or dropped. */

@@ -35,6 +35,7 @@ export interface ForceArrowMessage {
 
 /**
  * One skill of a replay.
+ * - proposed: its name is the program's, and no person's
  * - middle_m: where it is named
  * - demonstrated_s: (from, to) in the recording
  * - met_s: when a contact was met
@@ -43,6 +44,7 @@ export interface SkillMessage {
   segment: number | null;
   color: number | null;
   label: string;
+  proposed: boolean;
   short: [string, string, string];
   middle_m: [number, number, number];
   until: string;

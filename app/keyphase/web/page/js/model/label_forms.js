@@ -2,16 +2,23 @@
 
 const MEASURE = /\s*[−-]?\b\d+(\.\d+)?\s?(mm|cm|m|deg|°)(?!\w)/g;
 
+/** @typedef {{label: string, proposed: boolean}} Named */
+
 /** "Move down 86 mm until contact" is "Move down until contact". @param {string} label */
-export function withoutMeasure(label) {
+function withoutMeasure(label) {
   return label.replace(MEASURE, "").trim() || label;
 }
 
+/** Without its measure where the program gave the name. @param {Named} named */
+export const measureless = ({ label, proposed }) => (proposed ? withoutMeasure(label) : label);
+
+/** Shorter where the program gave the name. @param {Named} named */
+export const shorter = ({ label, proposed }) => (proposed ? shortName(label) : label);
+
 /** Without measures and the leading "Move": "Down until contact". @param {string} label */
-export function shortName(label) {
+function shortName(label) {
   const name = withoutMeasure(label);
   const after = name.replace(/^Move (?=\S)/, "");
-  // What did not begin with it is left as a person wrote it.
   return after === name ? name : after.charAt(0).toUpperCase() + after.slice(1);
 }
 
@@ -24,8 +31,7 @@ const withoutEnd = (label) => shortName(label).replace(/ until .*$/, "");
  * @param {import("./types.js").Segment|import("./types.js").Skill} named
  */
 export function formsOf(named) {
-  const { label, short } = named;
-  const proposed = "proposed" in named && named.proposed;
+  const { label, short, proposed } = named;
   const others = proposed
     ? [withoutMeasure(label), shortName(label), ...short.slice(0, -1), withoutEnd(label)]
     : [];

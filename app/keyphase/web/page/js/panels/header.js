@@ -2,6 +2,7 @@
 
 import { byId, icon } from "../lib/dom.js";
 import { plural, time as timeText } from "../lib/format.js";
+import { stateOf } from "../model/recordings/recording_list.js";
 
 /**
  * @param {import("../lib/store.js").Store} store
@@ -28,16 +29,15 @@ export function createHeader(store, actions, dialogs) {
     setUndo(redo, doc?.redo, "Redo", "Ctrl Shift Z", readOnly);
     byId("undo-name").textContent = doc?.undo ?? "";
   });
-  byId("badge").addEventListener("click", () =>
-    actions.setDone(store.state.document.state !== "done"),
-  );
+  byId("badge").addEventListener("click", actions.toggleDone);
   store.later(["document"], ({ document: doc }) => {
     const badge = byId("badge");
     badge.hidden = !doc;
     if (!doc) return;
-    badge.className = `badge ${{ done: "done", automatic: "plain" }[doc.state] ?? ""}`;
-    badge.textContent = doc.edits ? `${doc.state} · ${plural(doc.edits, "edit")}` : doc.state;
-    badge.title = doc.state === "done" ? "Not done after all" : "Done with this recording (K)";
+    const state = stateOf(doc);
+    badge.className = `badge ${{ done: "done", automatic: "plain" }[state] ?? ""}`;
+    badge.textContent = doc.edits ? `${state} · ${plural(doc.edits, "edit")}` : state;
+    badge.title = state === "done" ? "Not done after all" : "Done with it as it is now (K)";
   });
   store.later(["document", "connected", "saving", "readOnly"], drawSaved);
   store.later(["dark"], ({ dark }) => byId("theme").replaceChildren(icon(dark ? "moon" : "sun")));

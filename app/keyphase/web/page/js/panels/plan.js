@@ -5,7 +5,7 @@ import { byId, el, icon, redraw } from "../lib/dom.js";
 import { plural } from "../lib/format.js";
 import { DOUBT, howItEnds } from "../model/end_condition.js";
 import { planStands } from "../model/held.js";
-import { shortName } from "../model/label_forms.js";
+import { shorter } from "../model/label_forms.js";
 import { attachChipKeys } from "./plan_keys.js";
 
 const CLICK_PX = 4;
@@ -96,7 +96,7 @@ function drawChip(entry, k, doc, selected, { small }) {
   const contact = segment.end_condition.kind === "contact";
   const doubted = segment.end_condition.agrees === false;
   const how = repeated ? "repeated" : howItEnds(segment.end_condition);
-  const short = segment.proposed ? shortName(segment.label) : segment.label;
+  const short = shorter(segment);
   const name = small && doc.plan.length > 4 ? short.split(" ")[0] : short;
   return el(
     "div",

@@ -3,7 +3,7 @@
 import { segmentFill } from "../lib/colors.js";
 import { el, svg } from "../lib/dom.js";
 import { plural } from "../lib/format.js";
-import { asksForALook, namesOf } from "../model/recordings/recording_list.js";
+import { asksForALook, namesOf, stateOf } from "../model/recordings/recording_list.js";
 import { nameInTwo } from "./name_in_two.js";
 
 const MOST_PIECES = 90;
@@ -18,7 +18,7 @@ export const rowId = ({ id }) => `recording-${id}`;
  *   `common`: how much of its name all share
  */
 export function drawRow(item, { on, picked, common, open, menu }) {
-  const { confidence, state, error, name } = item;
+  const { confidence, error, name } = item;
   const low = asksForALook(item);
   const sure = confidence === null ? "" : confidence.toFixed(2);
   const others = item.pages;
@@ -33,7 +33,7 @@ export function drawRow(item, { on, picked, common, open, menu }) {
       title: error ?? `${name}${sure && `: confidence of its least certain boundary ${sure}`}`,
       on: { click: open, contextmenu: menu },
     },
-    stateMark(state),
+    stateMark(stateOf(item)),
     el("span", { class: "queue-name", dir: "auto" }, ...nameInTwo(name, common)),
     el(
       "span",
@@ -143,8 +143,8 @@ function strip({ strip: pieces }) {
 }
 
 /**
- * Dotted ring automatic, half ring touched, tick done.
- * @param {import("../model/types.js").Recording["state"]} state
+ * Dotted ring automatic, half ring touched, tick done, a blue one changed since.
+ * @param {ReturnType<typeof stateOf>} state
  */
 export function stateMark(state) {
   const mark = svg("svg", {
@@ -155,9 +155,10 @@ export function stateMark(state) {
     role: "img",
     "aria-label": state,
   });
-  if (state === "done") {
+  const done = { done: "var(--good)", "changed since done": "var(--accent)" }[state];
+  if (done) {
     mark.append(
-      svg("circle", { cx: 7, cy: 7, r: 6, style: { fill: "var(--good)" } }),
+      svg("circle", { cx: 7, cy: 7, r: 6, style: { fill: done } }),
       svg("path", {
         d: "m4.2 7.2 2 2 3.7-4",
         "stroke-width": 1.5,

@@ -3,7 +3,7 @@
 import { segmentFill } from "../lib/colors.js";
 import { byId, el, icon } from "../lib/dom.js";
 import { duration } from "../lib/format.js";
-import { shortName } from "../model/label_forms.js";
+import { shorter } from "../model/label_forms.js";
 import { placeText, slotsOf } from "./schedule.js";
 import { nowOf } from "./timeline.js";
 
@@ -77,7 +77,7 @@ function chip(slot) {
       style: { background: segmentFill(skill) },
       text: skill.segment + 1,
     }),
-    el("div", { class: "chip-text" }, el("b", { text: shortName(skill.label) }), how(slot)),
+    el("div", { class: "chip-text" }, el("b", { text: shorter(skill) }), how(slot)),
   );
 }
 

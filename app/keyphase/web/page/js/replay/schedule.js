@@ -56,8 +56,9 @@ export function outcomeText({ outcome, peak_N: peak }) {
 export function placeText(replay) {
   const { skills, current, phase } = replay;
   const count = skills.filter(({ segment }) => segment !== null).length;
+  // One that was stopped has not come to its end.
   const ended = skills.filter(
-    ({ segment, outcome }) => segment !== null && outcome !== null,
+    ({ segment, outcome }) => segment !== null && outcome !== null && outcome !== "stopped",
   ).length;
   if (phase === "over" || current === null) return `${ended} of ${count} skills ended`;
   const place = skills.slice(0, current + 1).filter(({ segment }) => segment !== null).length;

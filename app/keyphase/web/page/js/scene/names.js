@@ -5,7 +5,7 @@
  */
 
 import { segmentFill } from "../lib/colors.js";
-import { sceneFrames, viserIn } from "./viser_client.js";
+import { isPlaced, sceneFrames, viserIn } from "./viser_client.js";
 import { byId, el, svg } from "../lib/dom.js";
 import { time as timeText } from "../lib/format.js";
 import { glyphIcon } from "../timeline/glyphs.js";
@@ -57,7 +57,8 @@ export function createNames(store, actions, inside) {
   function place() {
     const viser = viserIn(inside());
     const node = store.state.replay ? REPLAY_NODE : NODE;
-    layer.hidden = !viser?.nodeRefFromName[node]?.visible || !names.length;
+    const about = viser?.nodeRefFromName[node];
+    layer.hidden = !about?.visible || !isPlaced(about) || !names.length;
     if (layer.hidden) return;
     const project = projection(viser, node);
     const seen = names.map(({ at, plate }) => ({

@@ -2,7 +2,7 @@
 
 import { segmentFill } from "../lib/colors.js";
 import { el } from "../lib/dom.js";
-import { withoutMeasure } from "../model/label_forms.js";
+import { measureless } from "../model/label_forms.js";
 
 /** With more skills than this only the one that runs is named. */
 const MOST = 6;
@@ -31,7 +31,7 @@ export function skillNames({ skills, current }) {
       title: label,
       isSelected: index === running,
       mark: el("i", { style: { background: color } }),
-      text: `${segment + 1} ${withoutMeasure(label)}`,
+      text: `${segment + 1} ${measureless(skills[index])}`,
     };
   });
 }

@@ -33,6 +33,13 @@ export function hideBareGround(inside) {
   });
 }
 
+/**
+ * Whether a node was drawn; before, it has no place yet. All that was is turned, so that z is up.
+ * @param {{matrixWorld: Matrix}} node
+ */
+export const isPlaced = ({ matrixWorld: { elements } }) =>
+  elements.some((value, k) => value !== (k % 5 ? 0 : 1));
+
 /** How many messages the client has yet to draw. @param {Window} inside */
 export function waitingMessages(inside) {
   return /** @type {any} */ (inside).__viserMutable?.messageQueue?.length ?? 0;

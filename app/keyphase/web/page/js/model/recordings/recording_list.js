@@ -8,6 +8,13 @@
 /** Whether a recording asks for a look. @param {Recording} item */
 export const asksForALook = ({ unsure, state }) => unsure > 0 && state !== "done";
 
+/**
+ * How far one is with a recording, in words.
+ * @param {Recording|import("../types.js").Doc} of
+ */
+export const stateOf = ({ state, changed_since_done: changed }) =>
+  changed ? /** @type {const} */ ("changed since done") : state;
+
 /** So much of a common beginning is worth cutting, and so much of it stays. */
 const WORTH_CUTTING = 8;
 const STAYS = 3;

@@ -1,5 +1,7 @@
 /** What the menus offer for what was clicked: a segment, a boundary, a recording, another way. */
 
+import { stateOf } from "../../model/recordings/recording_list.js";
+
 /** @typedef {import("./menu.js").Item} Item */
 
 /** What the server's own comparisons are called here. */
@@ -130,7 +132,7 @@ function planItems(doc, index, actions, off) {
 export function recordingItems(store, actions, item) {
   const { recording, document: doc, readOnly: off, following, picked } = store.state;
   const isOpen = item.id === recording && doc;
-  const done = item.state === "done";
+  const done = stateOf(item) === "done";
   const others = item.pages ?? [];
   return [
     { heading: item.name },
@@ -141,7 +143,7 @@ export function recordingItems(store, actions, item) {
             text: done ? "Not done after all" : "Done",
             key: "Shift K",
             off,
-            run: () => actions.setDone(!done),
+            run: actions.toggleDone,
           },
           { text: "Export the segment file", key: "Ctrl S", run: () => actions.exportAs("json") },
           { text: "Cut to what is in view", off, run: actions.cutToView },

@@ -1,7 +1,7 @@
 /** What became of each skill of a replay: how it ended, how long it took, its largest force. */
 
 import { el } from "../../lib/dom.js";
-import { shortName } from "../../model/label_forms.js";
+import { shorter } from "../../model/label_forms.js";
 import { button, row } from "./fields.js";
 
 const GOOD = ["reached", "contact"];
@@ -52,8 +52,7 @@ function rowOf({ current, phase }, skill, index) {
   const kind = running ? "now" : GOOD.includes(skill.outcome) ? "good" : "bad";
   const took = skill.end_s === null ? "" : `${(skill.end_s - skill.start_s).toFixed(2)} s`;
   const peak = skill.peak_N === null ? "" : `${skill.peak_N.toFixed(1)} N`;
-  const name =
-    skill.segment === null ? "connect" : `${skill.segment + 1} ${shortName(skill.label)}`;
+  const name = skill.segment === null ? "connect" : `${skill.segment + 1} ${shorter(skill)}`;
   return [
     el(
       "tr",
