@@ -50,8 +50,11 @@ def test_name_a_segment(editor: KeyphasePage) -> None:
     editor.press("l")
     editor.page.locator("#rename input").wait_for()
     editor.page.keyboard.type("Reach")
-    editor.change(lambda: editor.press("Enter"))
+    editor.change(lambda: editor.press("Tab"))
     assert editor.labels()[0] == "Reach"
+    assert editor.state("renaming") == 2, "Tab goes on to the next that is kept"
+    editor.press("Escape")
+    assert editor.page.locator("#plan .chip").first.inner_text().split("\n")[1] == "Reach"
     editor.press("]")
     editor.press("]")
     editor.change(lambda: editor.press("Enter"))

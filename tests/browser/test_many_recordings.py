@@ -41,6 +41,8 @@ def test_a_name_once_given_is_a_number_key_in_the_next_recording(two: KeyphasePa
 
     assert two.labels()[1] == "Reach"
     assert two.document["segments"][1]["color"] == color
+    segments = two.document["segments"]
+    assert two.state("selected") == next(k for k in range(2, 9) if segments[k]["kept"])
 
 
 def test_a_name_is_completed_and_can_be_taken_out_of_the_vocabulary(two: KeyphasePage) -> None:
@@ -119,12 +121,17 @@ def test_a_recording_is_done_and_the_next_one_opens(two: KeyphasePage) -> None:
     two.until("keyphase.state.recordings.items[0].state === 'done'")
     told = two.text("#notices")
     assert f"Done with {unsure} boundary unsure (Ctrl Z). Next: synthetic_setup1." in told
+    notice, scene = two.box(".notice"), two.box("#scene")
+    assert scene.y <= notice.y < notice.y + notice.height <= scene.y + scene.height
     two.change(lambda: two.page.locator("#badge").click())
     two.until("keyphase.state.recordings.items[1].state === 'done'")
     assert two.page.locator(".queue-row svg[aria-label=done]").count() == 2
 
     two.change(lambda: two.press("Shift+K"))
     two.until("keyphase.state.recordings.items[1].state === 'touched'")
+    two.press("PageUp")
+    two.until("keyphase.state.document.name === 'setup1'")
+    assert two.text("#notices") == ""
 
 
 def test_the_least_certain_recording_opens(two: KeyphasePage) -> None:
