@@ -42,6 +42,17 @@ def _formats(page: KeyphasePage) -> None:
     page.page.locator("#exporting[open]").wait_for()
 
 
+def _done(page: KeyphasePage) -> None:
+    page.change(lambda: page.press("Shift+K"))
+
+
+def _stopped_replay(page: KeyphasePage) -> None:
+    page.press("p")
+    page.until("keyphase.state.replay?.current === 1")
+    page.press("Escape")
+    page.until("keyphase.state.replay.phase === 'over'")
+
+
 STATES: dict[str, tuple[Callable[[KeyphasePage], None], str]] = {
     "as opened": (lambda page: page.settle(), "body"),
     "a segment selected": (_select, "body"),
@@ -55,6 +66,8 @@ STATES: dict[str, tuple[Callable[[KeyphasePage], None], str]] = {
     "replay": (_tab("Replay"), "#panel"),
     "export": (_tab("Export"), "#panel"),
     "formats to export": (_formats, "#exporting"),
+    "done": (_done, "body"),
+    "a replay that was stopped": (_stopped_replay, "body"),
 }
 """How each is reached, and the part of the page that differs from the first."""
 
@@ -76,6 +89,14 @@ def test_axe_finds_nothing_in_any_state(
         for _ in range(2):
             page.press("Escape")
     assert {name: faults for name, faults in found.items() if faults} == {}
+
+
+def test_axe_finds_nothing_where_no_recording_is_open(serve: Serve, visit: Visit) -> None:
+    page = visit(serve(), scene=False)
+    page.page.locator("#empty").wait_for()
+    page.settle()
+    page.page.evaluate(AXE.read_text())
+    assert page.page.evaluate(_FOUND, "body") == []
 
 
 def test_segments_and_boundaries_are_lists_that_arrows_walk(timeline: KeyphasePage) -> None:
