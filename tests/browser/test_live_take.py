@@ -19,6 +19,11 @@ def test_the_timeline_shows_the_take_while_it_is_recorded_and_it_is_cut_afterwar
     assert "Recording setup1" in live.inner_text()
     assert live.locator("polyline").first.get_attribute("points")
     page.picture("live_take")
+    row = live.locator(".take-row").first.bounding_box()
+    last = live.locator(".take-names").first.locator("span").last.bounding_box()
+    assert row
+    assert last
+    assert last["y"] + last["height"] <= row["y"] + row["height"], "z is cut off"
 
     live.get_by_role("button", name="Stop").click()
     page.wait_for_document()

@@ -1,6 +1,5 @@
 """The spring of the gizmo by which the tool of a replay is pushed."""
 
-import asyncio
 from types import SimpleNamespace
 from unittest.mock import Mock
 
@@ -15,7 +14,8 @@ def test_the_label_of_a_spring_is_made_once_and_goes_along() -> None:
     gizmo = PushGizmo(Mock(scene=scene), "/push", np.zeros(3), lambda _: None)
     dragged = scene.add_transform_controls.return_value.on_update.call_args.args[0]
     hand = SimpleNamespace(position=(0.0, 0.15, 0.0))
-    asyncio.run(dragged(SimpleNamespace(phase="update", target=hand)))
+    with pytest.raises(StopIteration):  # it waits for nothing
+        dragged(SimpleNamespace(phase="update", target=hand)).send(None)
     assert scene.add_label.call_args.args[1] == "30 N"
     gizmo.follow(np.array([0.0, 0.05, 0.0]))
     assert scene.add_label.call_count == scene.add_line_segments.call_count == 1
