@@ -131,7 +131,7 @@ def test_a_recording_is_done_and_the_next_one_opens(two: KeyphasePage) -> None:
     two.until("keyphase.state.recordings.items[1].state === 'touched'")
     two.press("PageUp")
     two.until("keyphase.state.document.name === 'setup1'")
-    assert two.text("#notices") == ""
+    two.until("!document.querySelector('.notice')")
 
 
 def test_the_least_certain_recording_opens(two: KeyphasePage) -> None:
