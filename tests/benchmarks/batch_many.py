@@ -66,10 +66,9 @@ def recordings(folder: Path, count: int) -> Path:
 
 
 def efficiency(folder: Path, count: int) -> bool:
-    """How much of two cores is work: a fifth of them on one core, all of them on two."""
+    """How much of two cores is work: all of them on one core, and on two."""
     data = recordings(folder / "data", count)
-    part = recordings(folder / "part", max(count // 5, 1))
-    one = segmented(part, folder / "one", jobs=1) / max(count // 5, 1)
+    one = segmented(data, folder / "one", jobs=1) / count
     two = segmented(data, folder / "two", jobs=2) / count
     found = one / (2 * two)
     print(f"{1e3 * one:.0f} ms each on one core, {1e3 * two:.0f} ms on two: {found:.0%} efficiency")
