@@ -55,9 +55,10 @@ def segment_all(
     tasks = shard_of(_found(paths, output, recipe), shard)
     chosen = checked_for_variant(parameters or Parameters())
     manifest = Manifest(output, settings_hash(chosen, recipe, csv))
-    kept = (task for task in tasks if manifest.holds(task) and not again)
+    kept = () if again else (task for task in tasks if manifest.holds(task))
     became: dict[Written, Written | Refusal] = {task: _before(task) for task in kept}
-    todo, tell = [t for t in tasks if t not in became], progress or (lambda _done, _total: None)
+    todo = [task for task in tasks if task not in became]
+    tell = progress or (lambda _done, _total: None)
     tell(len(became), len(tasks))
     with running_on(backend, address):
         work = _in_groups if backend == "ray" else _results

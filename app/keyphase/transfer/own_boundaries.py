@@ -48,10 +48,11 @@ def is_better(
 ) -> bool:
     """Whether the program's own boundaries are to be taken rather than those proposed.
 
-    They are where persons kept nearly all of them and added hardly any, and it now finds another
-    number than is proposed: something is missing or doubled. Where it finds as many, only if the
-    persons had left them where they were, in the tempo of this recording: all that were `aligned`
-    say so, since one who marks without care is no sign that places elsewhere are meant.
+    They are where persons kept nearly all of them and added hardly any, as those `teachers` say who
+    fit, and it now finds another number than is proposed: something is missing or doubled. Where it
+    finds as many, only if the persons had left them where they were, in the tempo of this
+    recording: all that were `aligned` say so, since one who marks without care is no sign that
+    places elsewhere are meant.
     """
     if _trust([one.taught for one in teachers]) < TRUSTED:
         return False

@@ -14,13 +14,14 @@ from keyphase.segmentation.evidence.speed import Speed
 from keyphase.segmentation.evidence.state_view import StateView
 from keyphase.segmentation.evidence.windows import Sides, Windows
 
-_BESIDE_S = (0.15, 0.3)
-_BACK = 0.5
-_SLOW = 0.05
+_BESIDE_S, _BACK, _SLOW = (0.15, 0.3), 0.5, 0.05
+"""A turn: so long before and after it the velocities oppose each other by so much; less than this
+part of the recording's own speed is rest."""
 _GAP_S, _LENGTH_S = 0.04, 0.16
-_NEXT_S = 4.0
-_NEAR_S = 0.2
-_TOUCHING_S = 0.5
+"""The step of the force at a turn is between two stretches of this length, so far from it."""
+_NEXT_S, _NEAR_S, _TOUCHING_S = 4.0, 0.2, 0.5
+"""The turn that takes it back comes by then; a candidate belongs to a turn so near; contact lasts
+so long on both sides."""
 _CLEAR = 0.4
 """Likeness of two steps below which chance is enough."""
 
