@@ -125,8 +125,20 @@ def test_a_recording_that_stands_turned_to_the_robot_is_turned_back(
         force_N=shown.force_N @ matrix,
     )
     alignment = align(first.signals, signals_of(turned))
-    assert alignment.turned_rad == pytest.approx(-0.7, abs=0.02)
+    assert alignment.standing.turned_rad == pytest.approx(-0.7, abs=0.02)
     assert alignment.cost < 0.1
+
+
+def test_a_recording_that_began_at_another_place_is_moved_back(
+    shown: Demonstration, first: Taught
+) -> None:
+    # The tool comes within a second from 0.2 m aside of where the finished one begins.
+    aside = np.clip(1.0 - (shown.time_s - shown.start_s), 0.0, None)[:, None] * [0.2, 0.0, 0.0]
+    alignment = align(
+        first.signals, signals_of(replace(shown, position_m=shown.position_m + aside))
+    )
+    assert alignment.standing.moved[0] > 0.5
+    assert alignment.cost < 0.3
 
 
 def test_a_boundary_keeps_its_distance_from_the_evidence_it_belongs_to(

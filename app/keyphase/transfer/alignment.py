@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
-from keyphase.transfer.signals import Signals, in_common
+from keyphase.transfer.signals import AS_IT_STANDS, Signals, Standing, in_common
 
 BAND = 0.25
 _MIN_BAND = 50
@@ -30,14 +30,14 @@ class Alignment:
     from_s, to_s  (K,) pairs of moments, neither ever falling
     residual      (K,) how far apart the signals are there
     cost          their mean: how badly the recordings fit together
-    turned_rad    by how much the second was turned about the vertical to fit
+    standing      how the second was turned and moved to fit
     """
 
     from_s: Array
     to_s: Array
     residual: Array
     cost: float
-    turned_rad: float = 0.0
+    standing: Standing = AS_IT_STANDS
 
     @property
     def tempo(self) -> float:
@@ -59,31 +59,42 @@ class Alignment:
 def align(first: Signals, second: Signals) -> Alignment:
     """The cheapest warping of two recordings by the signals both have.
 
-    A second that fits badly may stand turned about the vertical to the robot: it is turned as the
-    places aligned so far say, and aligned again, where that fits better.
+    A second that fits badly may stand turned about the vertical to the robot, or have begun at
+    another place: it is turned and moved as the moments aligned so far say, and aligned again,
+    where that fits better.
     """
-    best = _aligned(first, second, 0.0)
+    best = _aligned(first, second, AS_IT_STANDS)
     for _ in range(_MAX_TURNS):
         if best.cost < _FITS_WELL:
             break
-        turned_rad = _turned_between(first, second, best)
-        if abs(turned_rad) > MAX_TURNED_RAD or abs(turned_rad - best.turned_rad) < _SAME_TURN_RAD:
+        again = [_aligned(first, second, one) for one in _standings(first, second, best)]
+        better = min(again, key=lambda one: one.cost, default=best)
+        if better.cost >= best.cost:
             break
-        again = _aligned(first, second, turned_rad)
-        if again.cost >= best.cost:
-            break
-        best = again
+        best = better
     return best
 
 
-def _aligned(first: Signals, second: Signals, turned_rad: float) -> Alignment:
-    ours, others = in_common(first, second, turned_rad)
+def _standings(first: Signals, second: Signals, best: Alignment) -> list[Standing]:
+    """How the second may stand by the moments aligned so far: turned, moved, or both."""
+    before = best.standing
+    angles = [before.turned_rad]
+    turned_rad = _turned_between(first, second, best)
+    if abs(turned_rad) <= MAX_TURNED_RAD and abs(turned_rad - angles[0]) >= _SAME_TURN_RAD:
+        angles.append(turned_rad)
+    moved = [Standing(angle, _moved_between(first, second, best, angle)) for angle in angles]
+    turned = [Standing(angle, before.moved) for angle in angles[1:]]
+    return [*turned, *moved]
+
+
+def _aligned(first: Signals, second: Signals, standing: Standing) -> Alignment:
+    ours, others = in_common(first, second, standing)
     distance = _distances(ours.values, others.values)
     total = _accumulated(distance)
     rows, columns = _path(total)
     residual = distance[rows, columns]
     cost = float(residual.mean())
-    return Alignment(first.time_s[rows], second.time_s[columns], residual, cost, turned_rad)
+    return Alignment(first.time_s[rows], second.time_s[columns], residual, cost, standing)
 
 
 def _turned_between(first: Signals, second: Signals, alignment: Alignment) -> float:
@@ -95,6 +106,16 @@ def _turned_between(first: Signals, second: Signals, alignment: Alignment) -> fl
         dot += float((a[:, :2] * b[:, :2]).sum())
         cross += float((b[:, 0] * a[:, 1] - b[:, 1] * a[:, 0]).sum())
     return float(np.arctan2(cross, dot))
+
+
+def _moved_between(
+    first: Signals, second: Signals, alignment: Alignment, turned_rad: float
+) -> tuple[float, float, float]:
+    """What most places of the second, turned, have to be moved by to lie on the first's."""
+    a = first.only(["place"]).between(alignment.from_s)
+    b = second.only(["place"]).turned(turned_rad).between(alignment.to_s)
+    x, y, z = np.median(a - b, axis=0).tolist()
+    return x, y, z
 
 
 def _distances(a: Array, b: Array) -> Array:

@@ -9,8 +9,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from keyphase.segmentation.segmentation import Boundary, Segmentation
+from keyphase.transfer.meant_places import REACH_S, meant_elsewhere_s, offsets_s
 from keyphase.transfer.placing import MIN_GAP_S, Teacher
 from keyphase.transfer.taught import Taught
+from keyphase.transfer.weighed import weighed
 
 TRUSTED = 0.6
 """From this probability on that a boundary of the program is right, and that it finds a right one,
@@ -18,13 +20,10 @@ its own are taken. Of n boundaries with k right it is (k + 1) / (n + 3): one rig
 supposed before anything is known, so that three of four are not enough and four are."""
 
 CLOSE_S = 0.09
-"""Persons whose boundaries typically lie farther than this from the program's mean other places."""
+"""Persons who mean boundaries farther than this from the program's mean other places."""
 
 SAME_S = 0.2
 """A boundary of the program this near to the evidence of a proposed one is the same."""
-
-REACH_S = 0.4
-"""Farther from the program's boundary a person's is another one, and not that one moved."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +39,19 @@ class ProposedBoundary:
     evidence_s: float | None = None
 
 
+def own_where_better(
+    teachers: Sequence[Teacher],
+    aligned: Sequence[Teacher],
+    proposed: Sequence[ProposedBoundary],
+    segmentation: Segmentation,
+) -> tuple[ProposedBoundary, ...] | None:
+    """The program's own boundaries, weighed and moved, where they are to be taken; else None."""
+    stand = replace(segmentation, boundaries=weighed(segmentation.boundaries, teachers))
+    if not is_better(teachers, aligned, proposed, stand):
+        return None
+    return with_own(teachers, proposed, stand)
+
+
 def is_better(
     teachers: Sequence[Teacher],
     aligned: Sequence[Teacher],
@@ -50,21 +62,13 @@ def is_better(
 
     They are where persons kept nearly all of them and added hardly any, as those `teachers` say who
     fit, and it now finds another number than is proposed: something is missing or doubled. Where it
-    finds as many, only if the persons had left them where they were, in the tempo of this
-    recording: all that were `aligned` say so, since one who marks without care is no sign that
-    places elsewhere are meant.
+    finds as many, only if persons mean no other places, as all that were `aligned` say.
     """
     if _trust([one.taught for one in teachers]) < TRUSTED:
         return False
     if len(segmentation.boundaries) != len(proposed):
         return True
-    offsets = [
-        abs(offset) * one.alignment.tempo
-        for one in aligned
-        for offset in _offsets_s(one.taught)
-        if offset is not None
-    ]
-    return bool(offsets) and float(np.median(offsets)) < CLOSE_S
+    return meant_elsewhere_s(aligned) < CLOSE_S
 
 
 def _trust(taught: Sequence[Taught]) -> float:
@@ -118,18 +122,8 @@ def _moved_by(own: Boundary, teachers: Sequence[Teacher]) -> float:
     offsets = [
         offset
         for teacher in teachers
-        for end_s, offset in zip(teacher.taught.ends_s, _offsets_s(teacher.taught), strict=True)
+        for end_s, offset in zip(teacher.taught.ends_s, offsets_s(teacher.taught), strict=True)
         if offset is not None and abs(teacher.alignment.at(end_s) - own.time_s) <= REACH_S
     ]
     count = len(offsets)
     return (count - 1) / (count + 1) * float(np.mean(offsets)) if count else 0.0
-
-
-def _offsets_s(taught: Taught) -> list[float | None]:
-    """How far each taught boundary lies from the program's; None where it found none there."""
-    found = np.array(taught.found_s or [np.inf])
-    nearest = [float(found[np.abs(found - end_s).argmin()]) for end_s in taught.ends_s]
-    return [
-        end_s - at if abs(end_s - at) <= REACH_S else None
-        for end_s, at in zip(taught.ends_s, nearest, strict=True)
-    ]

@@ -173,7 +173,7 @@ def _phase_costs(
     first = np.array([option.time_s for option in before])
     last = np.array([option.time_s for option in after])
     lasting = last[None] - first[:, None]
-    theirs, mine = in_common(teacher.taught.signals, signals, teacher.alignment.turned_rad)
+    theirs, mine = in_common(teacher.taught.signals, signals, teacher.alignment.standing)
     begin, finish = _taught_edges(teacher, wanted, number)
     shares = np.linspace(0.0, 1.0, _POINTS)
     example = theirs.between(np.array(begin + shares * (finish - begin)))

@@ -16,7 +16,7 @@ from keyphase.errors import LabelingError
 from keyphase.segmentation.segmentation import Segmentation
 from keyphase.transfer.alignment import Alignment, align
 from keyphase.transfer.evidence_places import NO_PLACES, Places, places_of
-from keyphase.transfer.own_boundaries import ProposedBoundary, is_better, with_own
+from keyphase.transfer.own_boundaries import ProposedBoundary, own_where_better
 from keyphase.transfer.placing import Teacher, placed_ends
 from keyphase.transfer.signals import Signals, signals_of
 from keyphase.transfer.taught import Taught
@@ -93,9 +93,7 @@ def propose(
     same = [one for one in same if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
     boundaries = _boundaries(same, signals, places)
     fitting = [one for one in aligned if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
-    own = None
-    if segmentation is not None and is_better(fitting, aligned, boundaries, segmentation):
-        own = with_own(fitting, boundaries, segmentation)
+    own = segmentation and own_where_better(fitting, aligned, boundaries, segmentation)
     boundaries = boundaries if own is None else own
     phases = _phases(best, alignment, boundaries, demonstration, joined=own is None)
     inner = {phase.end_s for phase in phases[:-1]}

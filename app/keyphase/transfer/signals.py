@@ -61,6 +61,15 @@ class Signals:
                 values[:, x + 1] = sine * self.values[:, x] + cosine * self.values[:, x + 1]
         return replace(self, values=values)
 
+    def moved(self, by: Sequence[float]) -> "Signals":
+        """The same with every place moved by this (3,), in parts of the extent."""
+        if "place" not in self.kinds:
+            return self
+        values = self.values.copy()
+        x = self.kinds.index("place")
+        values[:, x : x + 3] += by
+        return replace(self, values=values)
+
     def with_gripper(self) -> "Signals":
         """With a gripper that stands still where there is none."""
         if GRIPPER in self.kinds:
@@ -74,8 +83,24 @@ class Signals:
         return Signals(self.time_s, self.values[:, chosen], tuple(self.kinds[i] for i in chosen))
 
 
-def in_common(first: Signals, second: Signals, turned_rad: float = 0.0) -> tuple[Signals, Signals]:
-    """Both with the kinds that both have, the second turned about the vertical.
+@dataclass(frozen=True)
+class Standing:
+    """How a recording has to be turned about the vertical, and then moved, to lie on another.
+
+    moved  (3,) of its places relative to the start, in parts of its extent: it began elsewhere
+    """
+
+    turned_rad: float = 0.0
+    moved: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+
+AS_IT_STANDS = Standing()
+
+
+def in_common(
+    first: Signals, second: Signals, standing: Standing = AS_IT_STANDS
+) -> tuple[Signals, Signals]:
+    """Both with the kinds that both have, the second turned about the vertical and moved.
 
     A gripper that only one has stands still in the other: what is done with one and without one is
     not the same task.
@@ -83,7 +108,7 @@ def in_common(first: Signals, second: Signals, turned_rad: float = 0.0) -> tuple
     if (GRIPPER in first.kinds) != (GRIPPER in second.kinds):
         first, second = first.with_gripper(), second.with_gripper()
     shared = [kind for kind in dict.fromkeys(first.kinds) if kind in second.kinds]
-    return first.only(shared), second.only(shared).turned(turned_rad)
+    return first.only(shared), second.only(shared).turned(standing.turned_rad).moved(standing.moved)
 
 
 def signals_of(demonstration: Demonstration) -> Signals:

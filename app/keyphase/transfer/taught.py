@@ -12,11 +12,13 @@ from keyphase.errors import LabelingError
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file import SegmentFile
 from keyphase.segmentation import Parameters, Segmentation, segment
-from keyphase.transfer.evidence_places import Place, Places, places_of
+from keyphase.transfer.evidence_places import Place, PlaceKind, Places, places_of
 from keyphase.transfer.signals import Signals, signals_of
 
 AGREE_S = 0.25
 """Boundaries of a person and of the program this near are one."""
+
+_AROUND_S = np.linspace(0.05, 0.4, 8)
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +77,15 @@ class Taught:
             for i, place in enumerate(found)
         )
 
+    @cached_property
+    def kinds(self) -> tuple[str, ...]:
+        """What happens at each boundary: its evidence, of motion whether it begins or stops."""
+        found = zip(self.ends_s, self.anchors, strict=True)
+        return tuple(
+            "none" if place is None else kind_of(place.kind, end_s, self.signals)
+            for end_s, place in found
+        )
+
     def _is_nearest(self, number: int, place: Place, found: Sequence[Place | None]) -> bool:
         sharing = [i for i, other in enumerate(found) if other == place]
         return number == min(sharing, key=lambda i: abs(self.ends_s[i] - place.time_s))
@@ -112,6 +123,15 @@ def taught_from(segmentation: Segmentation, phases: tuple[Phase, ...]) -> Taught
         tuple(boundary.time_s for boundary in own.boundaries),
         demonstration.source,
     )
+
+
+def kind_of(kind: PlaceKind, time_s: float, signals: Signals) -> str:
+    """The kind of a boundary; where the motion changes, whether it begins or stops there."""
+    if kind != "motion":
+        return kind
+    speed = signals.only(["speed"])
+    faster = speed.between(time_s + _AROUND_S).mean() > speed.between(time_s - _AROUND_S).mean()
+    return "begins" if faster else "stops"
 
 
 class _Named(Protocol):
