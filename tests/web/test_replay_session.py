@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from framing import frame
 from talking import Message, PageClient, StartServer
 
 from keyphase.files.shipped import shipped
@@ -143,6 +144,23 @@ def test_its_recording_joins_the_list_and_is_opened(replaying: PageClient, tmp_p
     opened = replaying.wait_for("document", lambda m: "_replay" in m["name"])
     assert opened["channels"] == ["position", "orientation", "force", "torque", "joints"]
     assert read(tmp_path / "setup1_replay_01.npz").metadata["operator"] == "replay"
+
+
+def test_in_a_world_made_from_the_recording_its_path_is_drawn_without_a_robot(
+    page: PageClient,
+) -> None:
+    with frame(page.server, page.page) as framed:
+        assert framed.node("/robot").visible
+        page.send("replay", do="run", speed=FAST)
+        over(page)
+        assert any(name.startswith("/replay/done/") for name in framed.nodes)
+        assert not framed.node("/robot").visible
+        page.send("export", kind="page")
+        assert Path(page.wait_for("saved")["path"]).stat().st_size > 100_000
+        page.send("replay", do="leave")
+        page.wait_for("replay_closed")
+        assert framed.node("/robot").visible
+    assert not [m for m in page.heard if m["type"] == "notice" and m["level"] == "error"]
 
 
 def test_closed_it_is_shown_no_more(replaying: PageClient) -> None:

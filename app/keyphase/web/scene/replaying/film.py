@@ -7,6 +7,7 @@ from keyphase.robot.pose import Placement
 from keyphase.robot.yumi import yumi
 from keyphase.simulation.replay.result import Frame, ReplayResult, ReplayState
 from keyphase.simulation.replay.shared_page import with_summary
+from keyphase.simulation.simulation import Simulation
 from keyphase.skills.execution.executor import STEP_S
 from keyphase.web.scene.camera import Camera, LastCamera
 from keyphase.web.scene.dressing import Dressing
@@ -36,12 +37,15 @@ def film_of(server: viser.ViserServer, running: Running, shadow: GroundShadow | 
     view = viewpoint_with_robot(middle, SEEN_M, Placement())
     Camera(client, LastCamera()).point(view.position_m, view.look_at_m, None)
     robot = yumi()
-    figure = RobotFigure(client, robot, "/robot")
+    # In a world made from a recording no YuMi runs.
+    has_yumi = isinstance(running.run.replay.simulation, Simulation)
+    figure = RobotFigure(client, robot, "/robot") if has_yumi else None
     drawn = put_up(client, running)
     drawn.label()
     for frame in result.frames:
         state = state_at(result, frame.time_s)
-        figure.pose(robot, np.asarray(state.sample.joints_rad))
+        if figure is not None:
+            figure.pose(robot, np.asarray(state.sample.joints_rad))
         drawn.draw(state, parts_in(result, frame))
         film.insert_sleep(FRAME_S)
     page = film.as_html(dark_mode=False)

@@ -95,9 +95,9 @@ class ReplayScene:
         """Clear the scene, then put the workcell and the plan into it."""
         with self._client.atomic():
             self._remove_drawn()
-            self._yumi.take()
-            self._shown = put_up(self._client, running)
             simulation = running.run.replay.simulation
+            self._yumi.take(runs=isinstance(simulation, Simulation))
+            self._shown = put_up(self._client, running)
             if isinstance(simulation, Simulation):
                 self._yumi.pose(simulation.posture_rad)
             self._stage.cover(middle_of(running), SEEN_M, running)
