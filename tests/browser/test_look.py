@@ -86,8 +86,12 @@ def test_no_text_is_under_11_px_or_squeezed(
 
 
 def test_a_small_window_leaves_room_for_the_scene(editor: KeyphasePage, resize: Resize) -> None:
+    """At least so much, or about as much as the timeline has in a window of little height."""
     resize((1280, 720))
     assert editor.box("#viser").height >= LEAST_SCENE_PX, editor.text("#banners")
+    for size in ((1024, 576), (800, 600)):
+        resize(size)
+        assert editor.box("#viser").height >= 0.95 * editor.box("#timeline").height
 
 
 def test_beside_the_evidence_the_error_is_folded_and_draws_no_line_that_decides(

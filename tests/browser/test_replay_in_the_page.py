@@ -49,6 +49,7 @@ def test_it_runs_to_success_and_shows_every_outcome(page: KeyphasePage) -> None:
     assert chips(page) == ["reached", "contact", "contact"]
     assert page.page.locator("#replay-timeline [data-end]").count() == 3
     assert "Success" in page.text("#replay-plan .plan-verdict")
+    assert page.text("#replay-how") == "succeeded · 3 of 3 skills ended"
     page.resize(1024, 576)
     assert page.box("#scene").height >= 160
     page.resize(1920, 1080)

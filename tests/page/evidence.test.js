@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
   apart,
+  foundText,
   heightOf,
   linesOf,
   lineValue,
@@ -69,4 +70,12 @@ test("tags never lie over each other nor outside the track", () => {
   assert.deepEqual(apart([40, 40], 17, [9, 91]), [40, 57]);
   assert.deepEqual(apart([90, 88], 17, [9, 91]), [91, 74]);
   assert.deepEqual(apart([0], 17, [9, 91]), [9]);
+});
+
+test("a line tells how far it can go, and where nothing more comes of lowering it", () => {
+  const counts = /** @type {any} */ ({ steps: [0.0008, 0.6], counts: [5, 4, 2] });
+  assert.equal(foundText(counts, 0.3), "4 found, the same from .0008 to 0.60");
+  assert.equal(foundText(counts, 0.0004), "5 found, no more below; the same up to .0008");
+  const never = /** @type {any} */ ({ steps: [], counts: [4] });
+  assert.equal(foundText(never, 0.3), "4 found wherever the line lies");
 });

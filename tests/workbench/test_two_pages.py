@@ -56,7 +56,28 @@ def test_an_export_of_one_while_another_is_opened_is_of_the_one(
     assert [path.name for path in tmp_path.glob("*.segments.json")] == ["a.segments.json"]
 
 
-def test_undo_takes_back_no_other_pages_step(workbench: Workbench) -> None:
+def test_undo_of_another_pages_step_is_told_to_both(workbench: Workbench) -> None:
+    one, two = TalkingPage(workbench, "one"), TalkingPage(workbench, "two")
+    before = one.document()["revision"]
+    two.say("edit", two.document(), edit={"kind": "add", "time_s": 0.4})
+    one.wait_for(lambda: one.told["document"]["revision"] > before)
+    one.say("undo", one.document(), event=9)
+    for page in (one, two):
+        page.wait_for(lambda page=page: "notice" in page.told)
+
+    again = "; Ctrl Shift Z makes it again."
+    assert one.told["notice"]["text"] == f"Took back “Add boundary at 0.40 s” of page 2{again}"
+    assert two.told["notice"]["text"] == f"Page 1 took back your “Add boundary at 0.40 s”{again}"
+
+    two.say("redo", two.document())
+    two.wait_for(lambda: two.told["document"]["edits"] == 1)
+    del two.told["notice"]
+    two.say("undo", two.document())
+    two.wait_for(lambda: two.told["document"]["edits"] == 0)
+    assert "notice" not in two.told
+
+
+def test_undo_takes_back_nothing_that_was_not_seen(workbench: Workbench) -> None:
     one, two = TalkingPage(workbench, "one"), TalkingPage(workbench, "two")
     seen = one.document()
     two.say("edit", two.document(), edit={"kind": "add", "time_s": 0.4})

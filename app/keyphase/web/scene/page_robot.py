@@ -37,7 +37,8 @@ Later = Callable[[Callable[[], None]], None]
 class PageRobot:
     """The robot of one page. All but what is said to work elsewhere runs in the drawing thread.
 
-    `on_stand` is called when the robot stands elsewhere than before, or has appeared or gone.
+    `on_stand` is called when the robot stands elsewhere than before, or has appeared or gone;
+    `on_found` when it is known how it moves, or that this cannot be known.
     """
 
     def __init__(
@@ -47,13 +48,15 @@ class PageRobot:
         view: View,
         later: Later,
         on_stand: Callable[[], None],
+        on_found: Callable[[], None],
     ) -> None:
         self.figure = RobotFigure(client, shared.arms[0].robot, ROOT)
         self.figure.visible = False
         self._client, self._shared, self._telling = client, shared, view.telling
-        self._later, self._on_stand = later, on_stand
+        self._later, self._on_stand, self._on_found = later, on_stand, on_found
         self._task: Task | None = None
         self._path: JointPath | None = None
+        self._sought = False
         self._arm = shared.arms[0]
         self._own = True
         self._playhead = Playhead()
@@ -68,6 +71,11 @@ class PageRobot:
         if task is None or task.placement is None or not self._wanted or not self._own:
             return None
         return task.placement.inverse() if self._path is not None else None
+
+    @property
+    def is_awaited(self) -> bool:
+        """Whether the recording's own robot is to be seen, and is not there yet."""
+        return self._sought and self._path is None and self._own and self._wanted
 
     def close(self) -> None:
         """Want nothing worked out any more."""
@@ -84,6 +92,7 @@ class PageRobot:
     def clear(self) -> None:
         """Follow nothing: another recording is on its way."""
         self._task = self._path = None
+        self._sought = False
         self._draw()
 
     def show_playhead(self, playhead: Playhead) -> None:
@@ -165,6 +174,7 @@ class PageRobot:
 
     def _begin(self, task: Task) -> None:
         self._task, self._path = task, self._shared.paths.known(task)
+        self._sought = True
         self._stand(task)
         self._shared.joints.submit(lambda: self._work_out(task), f"robot of {id(self)}")
         self._on_stand()
@@ -189,6 +199,10 @@ class PageRobot:
             path = self._shared.paths.path(placed, lambda: self._task is task, self._telling)
         except OvertakenError:
             return
+        except Exception as error:
+            self._telling.report(error)
+            self._later(lambda: self._give_up(task))
+            return
         self._later(lambda: self._found(task, placed, path))
 
     def _found(self, task: Task, placed: Task, path: JointPath) -> None:
@@ -199,6 +213,12 @@ class PageRobot:
         self._task, self._path = placed, path
         self._stand(placed)
         self._on_stand()
+        self._on_found()
+
+    def _give_up(self, task: Task) -> None:
+        if self._task is task:
+            self._sought = False
+            self._on_found()
 
     # -- drawing
 

@@ -23,6 +23,7 @@ from keyphase.web.scene.replaying.replay_scene import ReplayScene
 from keyphase.web.scene.replaying.workcell_scene import WorkcellScene
 from keyphase.web.scene.shared import Shared
 from keyphase.web.scene.stage import Stage
+from keyphase.web.scene.standing_mark import StandingMark
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.exporting.beside import InTheWay
 from keyphase.workbench.leading.status import LeadThroughStatus
@@ -177,7 +178,10 @@ class PageScene(Watcher):
     def _build(self) -> None:
         client, shared, view = self.client, self._shared, self._view
         with client.atomic():
-            self.robot = PageRobot(client, shared, view, self._later, self._stand_anew)
+            self._mark = StandingMark(client)
+            self.robot = PageRobot(
+                client, shared, view, self._later, self._stand_anew, self._settle
+            )
             self.stage = Stage(
                 client, self._camera, view.select_at, lambda: self.robot.base, shared.shadow
             )
@@ -192,6 +196,7 @@ class PageScene(Watcher):
 
     def _clear(self) -> None:
         with self.client.atomic():
+            self._mark.clear()
             self.robot.clear()
             self.parts.clear()
             self.spread.clear()
@@ -199,10 +204,19 @@ class PageScene(Watcher):
 
     def _show_document(self, shown: DeskState) -> None:
         """The path first: it is there at once, the robot when its joints are known."""
-        self.stage.show_document(shown)
-        self.robot.show_document(shown)
-        self.parts.show_document(shown)
-        self.spread.show_document(shown)
+        self._mark.begin(shown.recording.id)
+        try:
+            self.stage.show_document(shown)
+            self.robot.show_document(shown)
+            self.parts.show_document(shown)
+            self.spread.show_document(shown)
+        finally:
+            self._settle()
+
+    def _settle(self) -> None:
+        """Tell the page that all is drawn, or that no more of it can be."""
+        if not self.robot.is_awaited:
+            self._mark.put()
 
     def _show_robot(self, choice: RobotChoice) -> None:
         self.robot.use_arm(choice.arm)
@@ -230,6 +244,7 @@ class PageScene(Watcher):
         self.robot.show_parts(hidden)
         self.stage.show_parts(hidden)
         self.spread.show_parts(hidden)
+        self._settle()
 
 
 REPLAY_DRAWN_EVERY_S = 0.048

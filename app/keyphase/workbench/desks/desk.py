@@ -14,6 +14,7 @@ from keyphase.labeling.history import FolderChange
 from keyphase.labeling.storage.written_files import IfThere
 from keyphase.segmentation import Parameters
 from keyphase.workbench.desks.asked import Asked
+from keyphase.workbench.desks.authors import Authors
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.desks.differences import differs, told_of
 from keyphase.workbench.desks.member import Member
@@ -61,6 +62,7 @@ class Desk:
         self._members_lock = threading.Lock()
         self._members: tuple[Member, ...] = ()
         self._revisions = Revisions()
+        self._authors = Authors()
         self._open: OpenRecording | None = None
         self._wanted: Parameters | None = None
         self._let_go = False
@@ -112,7 +114,13 @@ class Desk:
 
     def undo(self, asked: Asked, told: ToldOfFolder = _nobody) -> threading.Event:
         """Take the last step back; `told` where it was about the whole folder."""
-        return self._change_seen(lambda opened: told(opened.undo()), asked)
+
+        def act(opened: OpenRecording) -> None:
+            step = opened.document.history.last_done
+            told(opened.undo())
+            self._authors.tell_undone(step, asked.page, self._members)
+
+        return self._change_seen(act, asked)
 
     def redo(self, asked: Asked, told: ToldOfFolder = _nobody) -> threading.Event:
         """Make the next step again, likewise."""
@@ -201,6 +209,7 @@ class Desk:
             return
         self._open = opened
         state = opened.state_at(next(self._numbers))
+        self._authors.note(opened.document.history, None)
         with self._lock:
             self.state = state
             self._revisions.add(state, None)
@@ -267,6 +276,7 @@ class Desk:
     def _publish(self, opened: OpenRecording, asked: Asked | None) -> None:
         cause = asked.cause if asked else None
         state = opened.state_at(next(self._numbers), cause)
+        self._authors.note(opened.document.history, asked.page if asked else None)
         with self._lock:
             self.state = state
             self._revisions.add(state, asked.page if asked else None)

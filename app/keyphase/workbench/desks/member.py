@@ -3,13 +3,24 @@
 from typing import TYPE_CHECKING, Protocol
 
 from keyphase.workbench.desks.desk_state import DeskState
+from keyphase.workbench.telling import Level
 
 if TYPE_CHECKING:
     from keyphase.workbench.desks.desk import Desk
 
 
 class Member(Protocol):
-    """Who looks at a desk. Told in the desk's thread, under its lock: not to be kept waiting."""
+    """Who looks at a desk. Told in the desk's thread, under its lock: not to be kept waiting.
+
+    id, number  the page's id, and what other pages call it by
+    """
+
+    id: str
+    number: int
+
+    def tell(self, level: Level, text: str) -> None:
+        """A line of text for this page alone."""
+        ...
 
     def desk_opened(self, desk: "Desk", state: DeskState) -> None:
         """It is open, or was already when the member joined."""

@@ -72,6 +72,24 @@ export function stretchAt({ steps }, line) {
   return [steps[below - 1] ?? PROBABILITY.low, steps[below] ?? PROBABILITY.high];
 }
 
+/** Two digits, and near the ends of the way four: "0.35", ".0007". @param {number} value */
+export const probabilityText = (value) =>
+  value < 0.01 || value > 0.99 ? value.toFixed(4).slice(1) : value.toFixed(2);
+
+/**
+ * How many are found with the line here, and how far it could go for that; where nothing more would
+ * come of it further down, that is said.
+ * @param {Counts} counts
+ * @param {number} line
+ */
+export function foundText(counts, line) {
+  const found = `${countAt(counts, line)} found`;
+  const [low, high] = stretchAt(counts, line).map(probabilityText);
+  if (!counts.steps.length) return `${found} wherever the line lies`;
+  if (stepsBelow(counts.steps, line)) return `${found}, the same from ${low} to ${high}`;
+  return `${found}, no more below; the same up to ${high}`;
+}
+
 const stepsBelow = (steps, line) => steps.filter((step) => step < line).length;
 
 /** What else holds boundaries back, in words. @type {Object<string, string>} */

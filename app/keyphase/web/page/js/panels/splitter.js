@@ -3,6 +3,8 @@
 import { byId } from "../lib/dom.js";
 
 const LEAST_SCENE_PX = 160;
+/** Unless a person wants less, the scene has so much, or half of what both share in a low window. */
+const FAIR_SCENE_PX = 250;
 const LEAST_TIMELINE_PX = 130;
 const STEP_PX = 24;
 /** What else stands below one another: those of the recording, or those of its replay. */
@@ -27,25 +29,32 @@ export function createSplitter(store, naturalHeight) {
   const bar = byId("splitter");
   /** @type {number|null} the height a person chose; null follows the rows */
   let chosen = null;
+  let isOpen = false;
 
-  function limit(height) {
-    const others = BESIDE.reduce((sum, id) => sum + byId(id).offsetHeight, 0);
+  /** What scene and timeline share. */
+  const room = () => innerHeight - BESIDE.reduce((sum, id) => sum + byId(id).offsetHeight, 0);
+
+  function limit(height, leastScene = LEAST_SCENE_PX) {
     return Math.round(
       Math.min(
         Math.max(height, LEAST_TIMELINE_PX),
-        Math.max(LEAST_TIMELINE_PX, innerHeight - others - LEAST_SCENE_PX),
+        Math.max(LEAST_TIMELINE_PX, room() - leastScene),
       ),
     );
   }
 
-  let isOpen = false;
-  const wanted = () => (isOpen ? Math.min(naturalHeight(), WHILE_RECORDING_PX) : naturalHeight());
+  /** As high as a person chose, or as its rows are where that leaves the scene its share. */
+  function heightNow() {
+    if (chosen !== null) return limit(chosen);
+    const fair = Math.max(LEAST_SCENE_PX, Math.min(FAIR_SCENE_PX, room() / 2));
+    return limit(isOpen ? Math.min(naturalHeight(), WHILE_RECORDING_PX) : naturalHeight(), fair);
+  }
 
   function apply() {
-    const height = limit(chosen ?? wanted());
-    document.documentElement.style.setProperty("--timeline-height", `${height}px`);
-    bar.setAttribute("aria-valuenow", String(height));
-    store.set({ paneHeight: height });
+    const now = heightNow();
+    document.documentElement.style.setProperty("--timeline-height", `${now}px`);
+    bar.setAttribute("aria-valuenow", String(now));
+    store.set({ paneHeight: now });
   }
 
   function choose(height) {
@@ -71,7 +80,7 @@ export function createSplitter(store, naturalHeight) {
     const step = { ArrowUp: STEP_PX, ArrowDown: -STEP_PX }[event.key];
     if (!step) return;
     event.preventDefault();
-    choose((chosen ?? wanted()) + step);
+    choose(heightNow() + step);
   });
   addEventListener("resize", apply);
   store.on(["record"], ({ record }) => {

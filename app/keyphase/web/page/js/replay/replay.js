@@ -5,7 +5,7 @@ import { byId, el, svg } from "../lib/dom.js";
 import { createScenePace } from "../scene/scene_pace.js";
 import { createReplayPlan } from "./plan.js";
 import { withRows } from "./samples.js";
-import { placeText } from "./schedule.js";
+import { endText, placeText } from "./schedule.js";
 import { createReplayTimeline } from "./timeline.js";
 import { createReplayTransport } from "./transport.js";
 
@@ -94,7 +94,7 @@ function createReplayHud(store) {
     what.replaceChildren(...(replay ? [el("b", { text: "● Replay" }), ` ${replay.words}`] : []));
   });
   store.on(["replay", "samples"], ({ replay, samples }) => {
-    how.textContent = replay ? [placeText(replay), ...pace(replay, samples)].join(" · ") : "";
+    how.textContent = replay ? said(replay, samples).join(" · ") : "";
   });
   byId("replay-legend").append(
     el("span", {}, line("var(--idle)", 2), "demonstration"),
@@ -114,12 +114,16 @@ function createReplayHud(store) {
 }
 
 /**
+ * How far and how fast it is; once it is over, first how it ended.
  * @param {import("../model/types.js").Replay} replay
  * @param {import("./samples.js").Samples|null} samples
  */
-function pace({ phase, held }, samples) {
-  if (phase !== "running") return [phase];
+function said(replay, samples) {
+  const { phase, held } = replay;
+  if (phase === "over") return [endText(replay), placeText(replay)];
+  if (phase !== "running") return [placeText(replay), phase];
   return [
+    placeText(replay),
     ...(samples?.factor ? [`${samples.factor.toFixed(2)}× real time`] : []),
     ...(held ? ["held"] : []),
   ];

@@ -66,3 +66,13 @@ export function placeText(replay) {
     ? `connecting to skill ${place + 1} of ${count}`
     : `skill ${place} of ${count}`;
 }
+
+/**
+ * How a replay that is over ended, in a word or two; the whole of it stands beside its plan.
+ * @param {import("../model/types.js").Replay} replay
+ */
+export function endText({ succeeded, outcome }) {
+  if (succeeded) return "succeeded";
+  if (outcome === null) return "stopped before it moved";
+  return outcome.startsWith("stopped by you") ? "stopped by you" : "failed";
+}

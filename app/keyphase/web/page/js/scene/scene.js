@@ -2,9 +2,12 @@
 
 import { hideBareGround, isDressed, sceneFrames } from "./viser_client.js";
 import { createCalmScene } from "./calm_scene.js";
+import { createDrawingNote } from "./drawing_note.js";
 import { byId, el, svg } from "../lib/dom.js";
 import { moment } from "../lib/format.js";
 
+const NO_3D =
+  "This browser cannot draw in 3D (WebGL is off or missing). The timeline and all else work without.";
 /** How often we look whether viser has drawn the first of ours. */
 const LOOK_MS = 100;
 
@@ -34,6 +37,8 @@ export function createScene(store, page) {
     calm.watch(inside);
     showOnceDressed(frame);
   });
+  createDrawingNote(store, () => frame.contentWindow);
+  if (!drawsIn3D()) byId("drawing").textContent = NO_3D;
   frame.src = `/viser/${page}/`;
 
   const hud = byId("hud");
@@ -55,6 +60,8 @@ function seen({ clock, document: doc, record }) {
   const hasFrame = doc.channels.includes("orientation");
   return ["At ", el("b", { text: moment(clock) }), hasFrame ? " · tool frame" : ""];
 }
+
+const drawsIn3D = () => Boolean(document.createElement("canvas").getContext("webgl2"));
 
 /** @param {Window} inside @param {() => void} look */
 function lookBeforeEachFrame(inside, look) {

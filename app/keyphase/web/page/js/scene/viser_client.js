@@ -23,6 +23,10 @@ export function isDressed(inside) {
   return Boolean(viserIn(inside)?.nodeRefFromName["/lights/sun"]);
 }
 
+/** Whether all of a recording is drawn, or cannot be (`web/scene/standing_mark.py`). */
+export const isStanding = (inside, recording) =>
+  Boolean(viserIn(inside)?.nodeRefFromName[`/standing/${recording}`]);
+
 /**
  * Shows the picture of the ground once it is there: a picture that is still being decoded is drawn
  * white, which in the dark blinds for as long as the scene takes to draw its next frame.

@@ -122,7 +122,8 @@ export function slider({ title, hint, share, value, unit = "", low, high, step, 
 }
 
 /** Four figures: what a slider can place and a person can read; of small ones as many as have room. */
-const rounded = (value) => Number(value.toPrecision(Math.abs(value) < 0.1 ? 3 : 4));
+const rounded = (value) => Number(value.toPrecision(figures(Math.abs(value))));
+const figures = (size) => (size < 0.001 ? 1 : size < 0.01 ? 2 : size < 0.1 ? 3 : 4);
 
 /**
  * One of several.

@@ -2,7 +2,7 @@
 
 import { originColor } from "../../lib/colors.js";
 import { svg } from "../../lib/dom.js";
-import { apart } from "../../model/evidence.js";
+import { apart, probabilityText } from "../../model/evidence.js";
 
 const TAG_PX = 17;
 const NOTCH_PX = 4;
@@ -67,10 +67,6 @@ function tag({ parameter, title, value }, color, width, level, tagY, small) {
     svg("path", {
       d: `M${left} ${crisp(level)}L${left + 6} ${tagY - 8}h${wide - 1}a2 2 0 0 1 2 2v12a2 2 0 0 1-2 2h${1 - wide}z`,
     }),
-    svg("text", { x: left + 8, y: tagY + 3.6, text: valueText(value) }),
+    svg("text", { x: left + 8, y: tagY + 3.6, text: probabilityText(value) }),
   );
 }
-
-/** Two digits, and near the ends of the way four: "0.35", ".0007". */
-const valueText = (value) =>
-  value < 0.01 || value > 0.99 ? value.toFixed(4).slice(1) : value.toFixed(2);

@@ -6,7 +6,7 @@
 
 import { originColor } from "../../lib/colors.js";
 import { svg } from "../../lib/dom.js";
-import { countAt, countsOf, stretchAt } from "../../model/evidence.js";
+import { countAt, countsOf, foundText, stretchAt } from "../../model/evidence.js";
 
 const WIDE_PX = 110;
 const AIR_PX = 8;
@@ -56,7 +56,7 @@ export function drawProfile(lines, state, scale, y) {
       }),
       svg("circle", { cx: x(now), cy: level, r: 3.5, style: { fill: color } }),
       ...told(
-        `${now} found, the same from ${low.toFixed(2)} to ${high.toFixed(2)}`,
+        foundText(counts, line.value),
         scale.width - WIDE_PX - 8,
         level - y(1) > TEXT_PX ? level - 6 : level + 15,
       ),
