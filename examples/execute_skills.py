@@ -1,7 +1,7 @@
 """Execute a skill file (version 2) on any robot, with numpy and json alone: copy and adapt.
 
 plan = Plan("setup1.skills.json", sensed)          sensed = position (3,), orientation w x y z (4,),
-while plan.stage != "over":                                 velocity (6,), force on the tool (3,)
+while not plan.over:                                        velocity (6,), force on the tool (3,)
     robot.follow(*plan.reference)                  position, orientation, velocity (6,) for 4 ms
     plan.step(sensed)                              plan.outcomes says how each skill ended
 
@@ -9,23 +9,17 @@ Who measures the gripper's opening, in the demonstration's unit, gives it as a f
 """
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 
-REST = np.zeros(6)
+REST, UNTURNED = np.zeros(6), np.array([1.0, 0.0, 0.0, 0.0])
 
 
-class Values(dict):
-    """An object of the file: its values by name, lists of numbers as arrays."""
-
-    __getattr__ = dict.__getitem__
-
-
-def values(pairs):
-    def is_numbers(v):
-        return isinstance(v, list) and not any(isinstance(each, dict) for each in v)
-
-    return Values((k, np.array(v) if is_numbers(v) else v) for k, v in pairs)
+def named(values):
+    """An object of the file: its values by name, lists as arrays."""
+    arrays = {k: np.array(v) if isinstance(v, list) else v for k, v in values.items()}
+    return SimpleNamespace(**arrays)
 
 
 def times(a, b):
@@ -33,23 +27,28 @@ def times(a, b):
     return np.array([w * x - v @ u, *(w * u + x * v + np.cross(v, u))])
 
 
-def turn(to, origin, shortest=True):
-    """Rotation vector from one orientation to another."""
-    q = times(to, origin * [1, -1, -1, -1])
+def gap(to, origin, shortest=True):
+    """From one pose (position, orientation) to another: metres and a rotation vector."""
+    q = times(to[1], origin[1] * [1, -1, -1, -1])
     q = -q if shortest and q[0] < 0 else q
     sine = np.linalg.norm(q[1:])
-    return 2 * np.arctan2(sine, q[0]) / (sine + 1e-300) * q[1:]
+    return np.r_[to[0] - origin[0], 2 * np.arctan2(sine, q[0]) / (sine + 1e-300) * q[1:]]
 
 
-def turned(q, v):
-    half = np.linalg.norm(v) / 2
-    q = times(np.array([np.cos(half), *(np.sin(half) / (2 * half + 1e-300) * v)]), q)
-    return q / np.linalg.norm(q)
+def moved(pose, way):
+    """A pose moved by such a gap."""
+    half = np.linalg.norm(way[3:]) / 2
+    q = times(np.r_[np.cos(half), np.sin(half) / (2 * half + 1e-300) * way[3:]], pose[1])
+    return pose[0] + way[:3], q / np.linalg.norm(q)
 
 
-def within(v, reach):
-    far = np.linalg.norm(v) > reach
-    return (v * reach / np.linalg.norm(v) if far else v), far
+def alike(q, other):
+    """The sign of a quaternion that is nearer to another one."""
+    return q if q @ other >= 0 else -q
+
+
+def beside(v, d):
+    return v - v @ d * d
 
 
 def at_share(rows, share):
@@ -62,92 +61,74 @@ def at_share(rows, share):
 class Plan:
     def __init__(self, file, sensed):
         with open(file, encoding="utf-8") as text:
-            self.file = json.load(text, object_pairs_hook=values)
-        self.n, self.h, self.k = self.file.execution, self.file.execution.step_s, self.file.gains
+            self.file = json.load(text, object_hook=named)
+        self.n, self.h = self.file.execution, self.file.execution.step_s
+        self.shift, self.rotated, self.outcomes, self.over = np.zeros(3), UNTURNED, [], False
         self.sense(*sensed)
-        self.shift, self.outcomes, self.rotated = np.zeros(3), [], np.array([1.0, 0, 0, 0])
-        self.reference = self.at, self.q, REST
-        self.begin(REST)
-        self.reference = self.follow()
-
-    def sense(self, position, orientation, velocity, force, opening=None):
-        self.at, self.q, self.v = position, orientation, velocity
-        self.force, self.opening = force, opening
+        self.reference = *self.here, REST
+        self.ticks = self.executed()
+        next(self.ticks)
 
     def step(self, sensed):
-        """Take in what was sensed at the end of a tick: the next stage, where this one is over."""
+        """Take in what was sensed at the end of a tick; `reference` is for the next one."""
         self.sense(*sensed)
-        self.time += self.h
-        time, n, s = self.time + 1e-9, self.n, self.s
-        self.touch()
-        if self.stage == "moving":
-            outcome = self.outcome()
-            if outcome == "contact" and s.press:
-                firmly = max(s.press.force_N, self.seat.press_N if self.seat else 0.0)
-                self.pressed = [*self.kept(1.0, self.force), (s.press.direction, firmly)]
-                self.enter("pressing")
-            elif outcome:
-                self.end(outcome, self.velocity)
-        elif self.stage == "pressing":
-            still = np.linalg.norm(self.v[:3]) < n.still_m_s
-            pressed = time >= n.pressed_most_s or (time >= n.pressed_least_s and still)
-            if (time >= n.seating_s if self.seat else pressed) and self.is_in():
-                self.end("contact")
-            elif self.seat and time >= n.seating_s:
-                off, self.yielded, self.moves_from = self.goes_to - self.at, np.zeros(3), self.at
-                self.aside = off - off @ self.seat.normal * self.seat.normal if s.squaring else 0
-                self.enter("searching")
-        elif self.stage == "searching":
-            if self.is_in():
-                self.reference, self.searched = (self.at, self.q, REST), True
-                self.enter("pressing")
-            elif s.search and time >= s.search.duration_s:
-                self.end("timeout")
-        elif self.stage == "loading" and (time >= n.pressed_most_s or self.is_loaded()):
-            self.move(REST)
-        elif self.stage == "resting" and time >= n.rest_s:
-            self.stage = "over"
-        self.reference = self.follow()
+        if self.s.search:
+            self.touch(self.s.press.direction, self.s.search.depth_m)
+        self.over = next(self.ticks, "over") == "over"
 
-    def enter(self, stage):
-        self.stage, self.time, self.still = stage, 0.0, (*self.reference[:2], REST)
+    def sense(self, position, orientation, velocity, force, opening=None):
+        self.here, self.v = (position, orientation), velocity
+        self.force, self.opening = force, opening
 
-    def begin(self, velocity):
-        self.s = s = self.file.skills[len(self.outcomes)]
-        if s.connecting:
-            self.shift, self.rotated = np.zeros(3), np.array([1.0, 0, 0, 0])
-        self.goes_to, self.seat = s.end_position_m + self.shift, s.search or s.squaring
-        self.searched, self.squared, self.places, self.fell = False, 0.0, [], False
+    def executed(self):
+        """All skills, one after the other; yields once the reference for a tick is there."""
+        velocity = REST
+        for skill in self.file.skills:
+            if skill.connecting:
+                self.shift, self.rotated = np.zeros(3), UNTURNED
+            outcome, velocity = yield from self.skill(skill, velocity)
+            self.outcomes.append(outcome)
+            if outcome not in ("reached", "contact"):
+                self.reference, self.pressed = (*self.here, REST), []
+                break
+        yield from self.stay(lambda time: time >= self.n.rest_s)
+
+    def skill(self, s, velocity):
+        """Load the contacts it begins in, move, and make the contact it ends in."""
+        self.s, self.met, self.sought, self.places = s, False, False, []
+        self.fell, self.lost, self.further = False, 0.0, s.guard.further_m if s.guard else 0.0
         self.felt = self.free = -self.force @ s.press.direction if s.search else 0.0
-        self.pressed = self.kept(0.0)
-        self.move(velocity) if self.is_loaded() else self.enter("loading")
-
-    def is_loaded(self):
-        n = self.n
-        least = [max(n.loaded_within * f, n.loaded_within_N) for _, f in self.pressed]
-        missing = [abs(f + self.force @ d) for d, f in self.pressed]
-        return all(m <= most for m, most in zip(missing, least, strict=True))
-
-    def end(self, outcome, velocity=REST):
-        s = self.s
+        self.goes_to, self.pressed = s.end_position_m + self.shift, self.kept(0.0)
+        if not self.is_loaded():
+            most = self.n.pressed_most_s
+            yield from self.stay(lambda time: time >= most or self.is_loaded())
+            velocity = REST
+        if s.precondition and not self.is_ready(s.precondition):
+            return "not ready", REST
+        outcome = yield from self.moving(s.primitive, velocity)
+        velocity, self.pressed = self.velocity, self.kept(1.0, self.force)
+        if outcome == "contact" and s.press:
+            outcome, velocity = (yield from self.made(s.pressing, s.seeking)), REST
         if outcome == "contact" and s.shift_beyond_m is not None:
             d, there = s.travel_direction, s.end_position_m
             d, there = (s.press.direction, s.press.position_m) if s.press else (d, there)
-            missing = (self.at - self.shift - there) @ d
+            missing = (self.here[0] - self.shift - there) @ d
             self.shift = self.shift + d * missing * (abs(missing) > s.shift_beyond_m)
-        if outcome == "contact" and self.seat:
-            self.rotated = times(self.q, s.end_orientation_wxyz * [1, -1, -1, -1])
-            self.shift = self.at - s.press.position_m if self.searched else self.shift
-        self.outcomes.append(outcome)
-        if outcome not in ("reached", "contact"):
-            self.reference, self.pressed = (self.at, self.q, REST), []
-            self.enter("resting")
-        elif len(self.outcomes) == len(self.file.skills):
-            here = self.pressed if self.stage == "pressing" else []
-            self.pressed = here or self.kept(1.0, self.force)
-            self.enter("resting")
-        else:
-            self.begin(velocity)
+        if outcome == "contact" and s.seeking:
+            self.rotated = times(self.here[1], s.end_orientation_wxyz * [1, -1, -1, -1])
+            self.shift = self.here[0] - s.press.position_m if self.sought else self.shift
+        return outcome, velocity
+
+    def is_loaded(self):
+        n, missing = self.n, [(abs(f + self.force @ d), f) for d, f in self.pressed]
+        return all(m <= max(n.loaded_within * f, n.loaded_within_N) for m, f in missing)
+
+    def is_ready(self, needs):
+        q = self.here[1] if needs.orientation_wxyz is None else needs.orientation_wxyz
+        away = gap((needs.position_m + self.shift, q), self.here)
+        near = np.linalg.norm(away[:3]) <= needs.position_tolerance_m
+        near = near and np.linalg.norm(away[3:]) <= needs.rotation_tolerance_rad
+        return near and all(-self.force @ c.direction >= c.least_N for c in needs.contacts)
 
     # What is pressed
 
@@ -159,204 +140,222 @@ class Plan:
             if kept.force_N[near] > 0 and (kept.met or dragged is None or self.touches()):
                 d, force = kept.direction[near], at_share(kept.force_N, share)
                 if kept.carries and dragged is not None:
-                    drags = np.linalg.norm(dragged - dragged @ d * d)
+                    drags = np.linalg.norm(beside(dragged, d))
                     most = (n.gripped_below * self.s.force_limit_N) ** 2 - drags**2
                     grip = drags / kept.carries, n.gripped_firmer * force, max(most, 0) ** 0.5
                     force = max(force, min(grip))
                 pressed.append((d, force))
         return pressed
 
-    def pushed_at(self, share):
+    def pushed(self, share):
         rows = [at_share(kept.pushed_N, share) for kept in self.s.kept if kept.pushed_N is not None]
         return np.sum([np.zeros(3), *rows], axis=0) * self.touches()
 
     def touches(self):
         return np.linalg.norm(self.force) > self.n.touching_N
 
-    def press(self, at, q, v):
+    def press(self, at):
         wanted = at
         for d, force in self.pressed:
-            here = self.at @ d + force / self.k.stiffness_N_m
+            here = self.here[0] @ d + force / self.file.gains.stiffness_N_m
             wanted = wanted + (min(here, at @ d + self.n.followed_beyond_m) - wanted @ d) * d
-        return wanted, q, v
+        return wanted
 
-    # Where a part goes in
+    # Where it stands and presses, and a part is squared or goes in
 
-    def touch(self):
+    def stay(self, over, stage=None):
+        """Stand where the reference is and press, until it is over, as a stage says."""
+        (at, q, _), tick, self.yielded = self.reference, 0, np.zeros(3)
+        while tick == 0 or not over(tick * self.h + 1e-9):
+            there = self.press(at), q
+            self.reference = self.given_way(stage, tick, there) if stage else (*there, REST)
+            tick += 1
+            yield
+
+    def given_way(self, stage, tick, there):
+        """The reference of a stage: moved as the file says, and by what the tool meets."""
+        rows, d = stage.moves, self.s.press.direction
+        now, then = (rows[min(one, len(rows) - 1)] for one in (tick, tick + 1))
+        way = now[:3] + now[3] * self.aside
+        off = gap(there, self.here) + np.r_[way - self.yielded, 0, 0, 0]
+        felt = np.linalg.norm(beside(self.force, d))
+        left = max(stage.aside_left, min(1.0, stage.yields_N / (felt + 1e-9)))
+        lost = (1 - left) * beside(off[:3], d)
+        self.yielded = self.yielded + stage.stays_aside * lost
+        turning = stage.turning_left[int(self.fell)]
+        at, q = moved(self.here, np.r_[off[:3] - lost, turning * off[3:]])
+        velocity = stage.leads * (then[:3] + then[3] * self.aside - way) / self.h
+        return *moved((at, q), np.r_[0, 0, 0, now[4:]]), np.r_[velocity, 0, 0, 0]
+
+    def made(self, press, seek):
+        """Press a contact that was met; a part is squared on it, or its seat is sought, too."""
+        self.met, self.aside = True, np.zeros(3)
+        self.pressed.append((self.s.press.direction, press.force_N))
+
+        def settled(time):
+            still = np.linalg.norm(self.v[:3]) < self.n.still_m_s
+            return time >= (press.least_s if still else press.most_s)
+
+        yield from self.stay(settled, press)
+        while seek and not self.is_in():
+            pressed = self.pressed
+            if self.s.squaring:
+                self.aside = beside(self.goes_to - self.here[0], self.s.squaring.normal)
+                self.reference, self.pressed = (self.here[0], *self.reference[1:]), []
+            yield from self.stay(lambda t: t > len(seek.moves) * self.h or self.is_in(), seek)
+            self.sought = True
+            if not self.is_in():
+                return "timeout"
+            self.reference, self.pressed = (*self.here, REST), pressed
+            yield from self.stay(settled, press)
+        return "contact"
+
+    def touch(self, d, depth):
         """Where the tool first touched what it is to go into, and whether it fell into it."""
-        if not self.s.search:
-            return
-        d, n = self.s.press.direction, self.n
-        self.felt += n.touch_smoothed * (-self.force @ d - self.felt)
-        if self.felt - self.free < n.touch_N and not (self.stage != "moving" and self.places):
+        self.felt += self.n.touch_smoothed * (-self.force @ d - self.felt)
+        self.lost = self.lost + self.h if self.felt - self.free < self.n.touch_N else 0.0
+        forgotten = self.lost > self.n.bounce_s + 1e-9 and not self.met
+        if self.lost and (forgotten or not self.places):
             self.places, self.fell = [], False
             return
-        self.places.append(self.at @ d)
-        recent = self.places[-max(1, round(n.seat_fall_s / self.h)) :]
-        self.fell |= self.at @ d - min(recent) >= n.seat_fall * self.s.search.depth_m
+        self.places.append(self.here[0] @ d)
+        recent = self.places[-max(1, round(self.n.seat_fall_s / self.h)) :]
+        self.fell |= self.places[-1] - min(recent) >= self.n.seat_fall * depth
 
     def is_in(self):
-        if self.s.search:
-            place = self.at @ self.s.press.direction
-            least = self.s.search.depth_m * (1.0 if self.fell else self.n.seat_crept)
-            return place - min(self.places, default=place) >= least
-        return not self.seat or self.squared >= 10 * self.seat.stroke_s
-
-    def seek(self, at, q, v):
-        """A reference that the seat can move and turn; a search goes along the file's moves."""
-        moves, tick, d, n = self.s.moves, round(self.time / self.h), self.s.press.direction, self.n
-        if self.stage == "searching" and self.s.squaring:
-            self.squared = self.time
-            now, then = (moves.aside_m[min(tick + i, len(moves.aside_m) - 1)] for i in (0, 1))
-            now, then = (row[:3] + row[3] * self.aside for row in (now, then))
-            return self.moves_from + now, q, np.r_[(then - now) / self.h, 0, 0, 0]
-        tips = self.s.search and not (self.stage == "pressing" and self.fell)
-        left = n.seat_turning if tips else n.squared_turning
-        q = turned(self.q, left * turn(q, self.q))
-        if self.stage == "pressing":
-            off = at - self.at
-            at = at - (1 - n.seat_giving) * (off - off @ d * d)
-            return at, turned(q, moves.rocked_rad[min(tick, len(moves.rocked_rad) - 1)]), v
-        at = at + moves.aside_m[min(tick, len(moves.aside_m) - 1)][:3] - self.yielded
-        off, felt = (u - u @ d * d for u in (at - self.at, self.force))
-        size, most = np.linalg.norm(felt), n.seat_yields * self.seat.press_N
-        beyond = (1 - most / size) * off if size > most else 0 * off
-        self.yielded = self.yielded + beyond
-        return at - beyond, q, v
+        if not self.s.search:
+            return self.sought
+        least = self.s.search.depth_m * (self.n.seat_fell if self.fell else self.n.seat_crept)
+        return bool(self.places) and self.places[-1] - min(self.places) >= least
 
     # How it moves: a dynamical movement primitive with temporal coupling
 
-    def move(self, velocity):
-        s, p, c, (y, q) = self.s, self.s.primitive, self.s.primitive.constants, (self.at, self.q)
-        q = q if q @ p.start_orientation_wxyz >= 0 else -q
-        self.goal, self.goal_q = p.goal_position_m + self.shift, q
-        if p.oriented:
-            self.goal_q = times(self.rotated, p.goal_orientation_wxyz)
-            self.goal_q = self.goal_q * (1 if self.goal_q @ p.goal_orientation_wxyz >= 0 else -1)
-        left = np.r_[self.goal - y, turn(self.goal_q, q, False)]
-        shown = turn(p.goal_orientation_wxyz, p.start_orientation_wxyz, False)
-        shown = np.r_[p.goal_position_m - p.start_position_m, shown]
+    def moving(self, p, velocity):
+        """Until the skill is over; returns how it ended."""
+        c, start = p.constants, alike(self.here[1], p.start_orientation_wxyz)
+        goal = alike(times(self.rotated, p.goal_orientation_wxyz), p.goal_orientation_wxyz)
+        self.goal = p.goal_position_m + self.shift, goal if p.oriented else start
+        self.y, self.x, self.error = (self.here[0], start), 1.0, REST
+        shown = p.goal_position_m, p.goal_orientation_wxyz
+        shown = gap(shown, (p.start_position_m, p.start_orientation_wxyz), False)
+        left = gap(self.goal, self.y, False)
         self.scale = np.where(p.scaled, left, 1.0)
         self.hold = np.where(p.scaled, 0.0, c.alpha_z * c.beta_z * (left - shown))
-        self.tau0 = self.tau = p.duration_s / 3
-        self.x, self.y, self.yq, self.z, self.error = 1.0, y, q, velocity * self.tau, REST
-        (self.yr, self.qr, _), self.vr = self.reference, velocity
-        self.level, self.first_force, self.armed, self.furthest = None, self.force, False, -np.inf
-        self.over = self.beyond = self.stalled = self.best = self.done = 0.0
-        self.begun_at, self.stands = None, -self.h
-        self.pressed, self.dragged = self.kept(0.0, self.force), self.force
-        self.pushed = self.pushed_at(0.0)
-        self.enter("moving")
-        if not self.is_ready(s.precondition):
-            self.end("not ready")
-
-    def is_ready(self, needs):
-        if not needs:
-            return True
-        away, q = self.at - self.shift - needs.position_m, needs.orientation_wxyz
-        turns = 0.0 if q is None else np.linalg.norm(turn(q, self.q))
-        return (
-            np.linalg.norm(away) <= needs.position_tolerance_m
-            and turns <= needs.rotation_tolerance_rad
-            and all(-self.force @ held.direction >= held.least_N for held in needs.contacts)
-        )
+        self.tau, self.z, self.vr = p.duration_s / 3, velocity * p.duration_s / 3, velocity
+        self.yr, self.dragged, self.pushes = self.reference[:2], self.force, self.pushed(0.0)
+        self.pressed = self.kept(0.0, self.force)
+        self.first_force, self.level, self.armed, self.furthest = self.force, None, False, -np.inf
+        self.risen = self.beyond = self.stalled = self.best = self.done = 0.0
+        self.begun_at, self.stands, outcome = None, -self.h, ""
+        while not outcome:
+            self.reference = self.follow()
+            yield
+            outcome = self.outcome(self.s.end_condition)
+        return outcome
 
     def follow(self):
         """The reference for the next tick."""
-        s, h, n, at, v = self.s, self.h, self.n, self.at, self.v
-        if self.stage != "moving":
-            seeks = self.seat and self.stage in ("pressing", "searching")
-            return self.seek(*self.press(*self.still)) if seeks else self.press(*self.still)
-        c, self.tau = s.primitive.constants, self.slowed(s.guard, s.primitive.constants)
+        s, h, n, at, v, c = self.s, self.h, self.n, self.here[0], self.v, self.s.primitive.constants
+        self.slow(s.guard)
         for d, _ in self.pressed:
-            at = at + (self.y - at) @ d * d
+            at = at + (self.y[0] - at) @ d * d
             v = v + np.r_[(self.vr[:3] - v[:3]) @ d * d, 0, 0, 0]
+        here = at, self.here[1]
         parts = max(1, int(np.ceil(c.alpha_z * h / self.tau / n.largest_step - 1e-9)))
-        accelerations = [self.advance(c, h / parts, at, v) for _ in range(parts)]
+        accelerations = [self.advance(c, h / parts, here, v) for _ in range(parts)]
         self.vr = self.vr + h * accelerations[0]
-        away, far = within(self.yr + h * self.vr[:3] - at, n.reach_m)
-        rotation, wide = within(turn(turned(self.qr, h * self.vr[3:]), self.q), n.reach_rad)
-        self.vr = np.where([far] * 3 + [wide] * 3, v, self.vr)
-        self.yr, self.qr = at + away, turned(self.q, rotation)
-        self.done, self.pressed = -np.log(self.x) / (3 * c.alpha_x), []
-        span = s.demonstrated_s
-        share = span is not None and min(self.done * s.primitive.duration_s / np.ptp(span), 1.0)
-        if len(s.kept) and span is not None:
-            self.dragged = self.dragged + min(h / n.dragged_s, 1) * (self.force - self.dragged)
-            self.pressed = self.kept(share, self.dragged)
-            pushed = self.pushed_at(share) - self.pushed
-            self.pushed = self.pushed + min(h / n.pushed_s, 1) * pushed
-        at, q, self.velocity = self.press(self.yr, self.qr, self.vr)
-        return self.softly(at + self.pushed / self.k.stiffness_N_m, q, self.velocity, share)
+        away = gap(moved(self.yr, h * self.vr), here)
+        far = np.linalg.norm(away[:3]) / n.reach_m, np.linalg.norm(away[3:]) / n.reach_rad
+        far = np.maximum(np.repeat(far, 3), 1.0)
+        self.vr, self.yr = np.where(far > 1, v, self.vr), moved(here, away / far)
+        self.done, self.pressed, self.velocity = -np.log(self.x) / (3 * c.alpha_x), [], self.vr
+        if s.demonstrated_s is None:
+            return *self.yr, self.vr
+        share = min(self.done * s.primitive.duration_s / np.ptp(s.demonstrated_s), 1.0)
+        self.dragged = self.dragged + min(h / n.dragged_s, 1) * (self.force - self.dragged)
+        self.pressed = self.kept(share, self.dragged)
+        self.pushes = self.pushes + min(h / n.pushed_s, 1) * (self.pushed(share) - self.pushes)
+        at = self.press(self.yr[0]) + self.pushes / self.file.gains.stiffness_N_m
+        return self.softly(at, self.yr[1], self.vr, share)
 
-    def slowed(self, guard, c):
-        """The time constant, stretched to the speed that is allowed before the contact."""
+    def slow(self, guard):
+        """Stretch time to the speed that is allowed before the contact."""
         if not guard:
-            return self.tau
-        ahead = (self.goes_to - self.y) @ self.s.travel_direction - guard.stretch_m
+            return
+        ahead = (self.goes_to - self.y[0]) @ self.s.travel_direction - guard.stretch_m
         allowed = np.sqrt(guard.speed_m_s**2 + 2 * self.n.brake_m_s2 * max(ahead, 0.0))
-        tau = self.tau0 * max(1.0, np.linalg.norm(self.z[:3]) / self.tau0 / allowed)
-        change = self.z * (1 / tau - 1 / self.tau) / (1 + c.k_c * self.error @ self.error)
-        self.vr = self.vr + change
-        return tau
+        tau = max(self.s.primitive.duration_s / 3, np.linalg.norm(self.z[:3]) / allowed)
+        if self.done >= 1:
+            step = min(guard.speed_m_s * self.h, self.further)
+            self.goal = self.goal[0] + step * self.s.travel_direction, self.goal[1]
+            self.further -= step
+        slower = 1 + self.s.primitive.constants.k_c * self.error @ self.error
+        self.vr, self.tau = self.vr + self.z * (1 / tau - 1 / self.tau) / slower, tau
 
-    def advance(self, c, h, at, v):
+    def advance(self, c, h, here, v):
         """One step of the primitive; the reference acceleration."""
-        p, left = self.s.primitive, np.r_[self.goal - self.y, turn(self.goal_q, self.yq, False)]
+        p, left, away = self.s.primitive, gap(self.goal, self.y, False), gap(here, self.y)
         psi = np.exp(-0.5 * p.widths * (self.x - p.centres) ** 2)
         force = self.x * (psi @ p.weights / (psi.sum() + 1e-10) * self.scale - self.hold)
-        away = np.r_[at - self.y, turn(self.q, self.yq)]
-        rate = c.alpha_e * (np.r_[np.ones(3), np.full(3, c.rotation_weight_m)] * away - self.error)
+        rate = c.alpha_e * (np.repeat([1.0, c.rotation_weight_m], 3) * away - self.error)
         tau = self.tau * (1 + c.k_c * self.error @ self.error)
         tau_rate = 2 * c.k_c * self.tau * (self.error @ rate)
         z_rate = (c.alpha_z * (c.beta_z * left - self.z) + force) / tau
         acceleration = (z_rate - tau_rate / tau * self.z) / tau
         acceleration = acceleration + c.k_v * (self.z / tau - v) - c.k_p * away
         self.z, self.x = self.z + h * z_rate, self.x * np.exp(-c.alpha_x * h / tau)
-        self.y, self.yq = self.y + h * self.z[:3] / tau, turned(self.yq, h * self.z[3:] / tau)
-        self.error = self.error + h * rate
+        self.y, self.error = moved(self.y, h * self.z / tau), self.error + h * rate
         return acceleration
 
     def softly(self, at, q, v, share):
         """Nearer to the tool, where demonstrations lay apart: less stiff, as well damped."""
-        spread, s = self.s.get("spread"), self.s
-        if not spread:
+        if not hasattr(self.s, "spread"):
             return at, q, v
-        left, across = at_share(spread.stiffness, share), np.eye(3)
-        firm = [d for d, _ in self.pressed]
-        firm += [] if s.travel_direction is None else [s.travel_direction]
-        if firm:
-            _, size, spanned = np.linalg.svd(firm)
-            across -= (kept := spanned[: len(size)][size > 0.01]).T @ kept
+        left, travel = at_share(self.s.spread.stiffness, share), self.s.travel_direction
+        firm = [d for d, _ in self.pressed] + ([] if travel is None else [travel])
+        firm = np.reshape(firm, (-1, 3))
+        across = np.eye(3) - np.linalg.pinv(firm, 0.01) @ firm
         slower = (1 - np.sqrt(left)) * across @ (v - self.v)[:3]
-        return at - (1 - left) * across @ (at - self.at), q, v - np.r_[slower, 0, 0, 0]
+        return at - (1 - left) * across @ (at - self.here[0]), q, v - np.r_[slower, 0, 0, 0]
 
     # When it is over
 
-    def outcome(self):
+    def outcome(self, end):
         """How the skill has ended, if it has."""
-        s, n, end, h, travel = self.s, self.n, self.s.end_condition, self.h, self.s.travel_direction
-        off = self.at - self.goes_to
-        beyond, done = (0.0 if travel is None else off @ travel), min(self.done, 1.0)
+        s, n, done, travel = self.s, self.n, min(self.done, 1.0), self.s.travel_direction
+        off = gap((self.goes_to, s.end_orientation_wxyz), self.here)
+        ahead = 0.0 if travel is None else -off[:3] @ travel
         change, felt = (np.linalg.norm(f) for f in (self.force - self.first_force, self.force))
         unexpected = change > s.force_limit_N and felt > n.fell_away * change
-        self.beyond = self.beyond + h if unexpected else 0.0
-        gripped = not end.get("gripper") or self.has_gripped(end.gripper)
-        self.stalled += h
-        if beyond >= self.furthest + n.progress_m or done >= self.best + n.progress_fraction:
-            self.stalled, self.best, self.furthest = 0.0, done, max(beyond, self.furthest)
-        if end.kind == "contact" and self.is_met(end, beyond):
+        self.beyond = self.beyond + self.h if unexpected else 0.0
+        gripped = not hasattr(end, "gripper") or self.has_gripped(end.gripper)
+        self.stalled += self.h
+        if ahead >= self.furthest + n.progress_m or done >= self.best + n.progress_fraction:
+            self.stalled, self.best, self.furthest = 0.0, done, max(ahead, self.furthest)
+        if end.kind == "contact" and self.is_met(end, ahead, s.arming):
             return "contact"
         if self.beyond >= s.debounce_s - 1e-9:
             return "unexpected contact"
-        if beyond > s.travel_limit_m:
+        if ahead > s.travel_limit_m:
             return "too far"
-        if end.kind == "configuration" and self.done >= 1.0:
-            wide = np.linalg.norm(turn(s.end_orientation_wxyz, self.q)) * s.primitive.oriented
-            near = np.linalg.norm(off) <= end.position_tolerance_m
-            if gripped and near and wide <= end.rotation_tolerance_rad:
+        if end.kind == "configuration" and self.done >= 1.0 and gripped:
+            near = np.linalg.norm(off[:3]) <= end.position_tolerance_m
+            turns = np.linalg.norm(off[3:]) if s.primitive.oriented else 0.0
+            if near and turns <= end.rotation_tolerance_rad:
                 return "reached"
         return "timeout" if self.stalled >= s.timeout_s else ""
+
+    def is_met(self, end, ahead, arming):
+        """Whether the force has risen by the threshold for long enough, near the contact."""
+        along = self.force @ end.direction
+        self.level = self.first_force @ end.direction if self.level is None else self.level
+        late = self.done * self.s.primitive.duration_s >= arming.after_s - 1e-6
+        self.armed = self.armed or (late and ahead >= -arming.within_m)
+        if not self.armed:
+            self.level += min(self.h / arming.level_s, 1.0) * (along - self.level)
+        rises = self.armed and along - self.level > end.threshold_N
+        self.risen = self.risen + self.h if rises else 0.0
+        return self.risen >= arming.debounce_s - 1e-9
 
     def has_gripped(self, grip):
         """Whether the gripper has done its part; of whom nobody measures it, it is not asked."""
@@ -372,15 +371,3 @@ class Plan:
             return opening > grip.opening + grip.tolerance
         stalled = self.stands >= grip.stalled_s and self.begun_at - opening >= grip.tolerance
         return opening <= grip.opening + grip.tolerance or stalled
-
-    def is_met(self, end, beyond):
-        """Whether the force has risen by the threshold for long enough, near the contact."""
-        arming, along = self.s.arming, self.force @ end.direction
-        self.level = self.first_force @ end.direction if self.level is None else self.level
-        late = self.done * self.s.primitive.duration_s >= arming.after_s - 1e-6
-        self.armed = self.armed or (late and beyond >= -arming.within_m)
-        if not self.armed:
-            self.level += min(self.h / arming.level_s, 1.0) * (along - self.level)
-        rises = self.armed and along - self.level > end.threshold_N
-        self.over = self.over + self.h if rises else 0.0
-        return self.over >= arming.debounce_s - 1e-9

@@ -31,7 +31,7 @@ def executed(simulation, file):
         return (*pose, simulation.tool_velocity(), sample.force_N)
 
     plan = example().Plan(file, sensed(simulation.step(simulation.here())))
-    while plan.stage != "over":
+    while not plan.over:
         position, orientation, velocity = plan.reference
         reference = Reference(position, orientation, velocity[:3], velocity[3:])
         sample = simulation.step(reference)

@@ -11,7 +11,7 @@ from keyphase.demonstration import Demonstration
 from keyphase.doubtful_force import doubtful_force, power_share
 from keyphase.errors import SimulationError
 from keyphase.recorded_force import evenly, offset_while_moving
-from keyphase.segmentation.end_condition import ConfigurationEnd, GripperEnd
+from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, GripperEnd
 from keyphase.simulation import Disturbance
 from keyphase.simulation.choosing import cell_for, unfit
 from keyphase.simulation.recorded.cell import RecordedCell
@@ -57,10 +57,9 @@ def test_a_surface_that_is_met_late_is_still_what_it_was_when_it_was_met() -> No
 
 def test_a_plan_that_skips_the_contact_does_not_succeed() -> None:
     stroke = replace(its_plan()[0], end_s=0.5, end_condition=its_plan()[1].end_condition)
-    wrong = [stroke, replace(its_plan()[0], start_s=0.5)]
-    lifted = pressed_slide()
-    lifted = replace(lifted, position_m=lifted.position_m + np.array([0.0, 0.0, 0.0]))
-    result, _ = replayed(lifted, Disturbance(part_height_m=-0.03), wrong)
+    gives_up = ContactEnd((0.0, 0.0, 1.0), 3.0, offset_m=0.02)
+    wrong = [stroke, replace(its_plan()[0], start_s=0.5, end_condition=gives_up)]
+    result, _ = replayed(pressed_slide(), Disturbance(part_height_m=-0.03), wrong)
     assert not result.succeeded
     assert "plan carried out" in result.outcome()
 

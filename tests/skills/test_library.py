@@ -69,7 +69,7 @@ def test_a_contact_skill_knows_its_way_and_its_limits():
     skill = skill_of(lowered(), DOWN)
     assert_allclose(skill.travel_direction, [0.0, 0.0, -1.0], atol=1e-6)
     assert skill.offset_m == 0.02
-    assert skill.travel_limit_m == pytest.approx(0.03)
+    assert skill.travel_limit_m == pytest.approx(0.042)
     assert skill.timeout_s == pytest.approx(2.0 * skill.primitive.duration_s)
     assert skill.demonstrated_s == (0.0, 1.2)
 

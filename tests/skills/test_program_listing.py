@@ -22,7 +22,7 @@ def test_the_program_says_line_by_line_what_happens_and_until_when(skills):
     assert lines[0].startswith("program of lowered: 3 skills, ")
     assert lines[1].startswith("  1  down until contact ")
     assert "until the force along (0.00, 0.00, 1.00) rises by 3.00 N" in lines[1]
-    assert lines[1].endswith("or 30 mm beyond")
+    assert lines[1].endswith("or 42 mm beyond")
     assert lines[2].startswith("  2  → connect to down")
     assert len(lines) == 4
 

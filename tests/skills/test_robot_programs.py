@@ -60,9 +60,9 @@ def test_a_move_until_contact_says_how_fast_where_to_and_until_when():
     assert np.allclose(move.contact.travel, (0.0, 0.0, -1.0), atol=1e-6)
     assert move.contact.threshold_N == 3.0
     assert 0.02 <= move.contact.speed_m_s <= 0.04
-    # From 20 mm before the contact to 30 mm beyond it.
-    assert move.position_m[-1][2] == pytest.approx(0.22, abs=0.003)
-    assert move.contact.search_m == pytest.approx(0.05)
+    # From 30 mm before the contact to 42 mm beyond it.
+    assert move.position_m[-1][2] == pytest.approx(0.23, abs=0.003)
+    assert move.contact.search_m == pytest.approx(0.072)
 
 
 def test_the_corners_stay_near_the_path():

@@ -77,6 +77,14 @@ def test_a_touch_lasts_as_long_as_the_force_does() -> None:
     assert touch.touched_m is None
 
 
+@pytest.mark.parametrize(("ticks", "forgotten"), [(10, False), (20, True)])
+def test_a_touch_that_springs_off_is_one_touch(ticks: int, forgotten: bool) -> None:
+    touch = before_touch(DOWN, np.zeros(3))
+    for force_N in (*[3.0] * 10, *[0.0] * ticks):
+        touch = touch.step(np.zeros(3), np.array([0.0, 0.0, force_N]))
+    assert (touch.touched_m is None) is forgotten
+
+
 def gone_in(depth_m: float, lasting_s: float) -> tuple[Seeking, Sensed]:
     """A skill that seeks 2 mm, pressing, after its part went in by a depth within some time."""
     down = planned(0.0, 1.2, ContactEnd((0.0, 0.0, 1.0), 3.0), "down until contact")

@@ -181,6 +181,20 @@ def test_content_that_is_no_skill_is_refused_where_it_is_wrong(library, change, 
         library_of_text(changed(library, change))
 
 
+def test_a_file_from_before_its_stages_were_stated_is_read_as_before(library):
+    def before(content):
+        for skill in content["skills"]:
+            del skill["pressing"], skill["seeking"]
+            skill["moves"] = {"rocked_rad": [[0.0] * 3], "aside_m": [[0.0] * 4]}
+            if skill["guard"]:
+                del skill["guard"]["further_m"]
+
+    first = library_of_text(changed(library, before)).skills[0]
+    assert library.skills[0].further_m > 0.0
+    assert first.further_m == 0.0
+    assert first.travel_limit_m == library.skills[0].travel_limit_m
+
+
 @pytest.mark.parametrize("text", ["", "{", "[]", "null", '{"skills": NaN}', "[" * 100_000])
 def test_text_that_is_no_skill_file_is_refused(text):
     with pytest.raises(SkillError, match="again"):

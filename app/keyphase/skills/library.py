@@ -28,6 +28,10 @@ BeyondContact = Literal["extended demonstration", "goal shift"]
 OFFSET_M = 0.02
 """How far beyond the demonstrated contact a skill goes on, in case the contact comes later."""
 
+FURTHER_M = 0.012
+"""How much further it then goes, slowly, where it met nothing: a contact counts from 30 mm before
+the demonstrated one, and is looked for as far beyond it, and pressed there."""
+
 TRAVEL_MARGIN_M = 0.01
 """How much further than that it may be pushed before it has failed."""
 
@@ -146,6 +150,8 @@ def skill_of(
     end = segment.end_condition
     direction = direction_of_travel(path, end)[0] if isinstance(end, ContactEnd) else None
     offset_m = beyond_m(end, direction, offset_m)
+    asked = isinstance(end, ContactEnd) and end.offset_m is not None
+    further_m = FURTHER_M if offset_m > 0.0 and not asked else 0.0
     primitive = _primitive(path, end, offset_m, beyond_contact, fit)
     wxyz = path.orientation_wxyz
     skill = Skill(
@@ -157,11 +163,14 @@ def skill_of(
         end_orientation_wxyz=(primitive.goal_orientation_wxyz if wxyz is None else wxyz[-1].copy()),
         travel_direction=None if direction is None else _triple(direction),
         offset_m=offset_m,
-        travel_limit_m=0.0 if direction is None else _travel_limit(path, direction, offset_m),
+        travel_limit_m=0.0
+        if direction is None
+        else _travel_limit(path, direction, offset_m) + further_m,
         timeout_s=end.timeout_s or timeout_for(primitive.duration_s),
         force_limit_N=force_limit(demonstration, segment.start_s, segment.end_s),
         demonstrated_s=(float(segment.start_s), float(segment.end_s)),
         arming=None if direction is None else _arming(path, direction),
+        further_m=further_m,
     )
     return replace(skill, agrees=agrees_with(skill, demonstration))
 

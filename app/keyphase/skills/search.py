@@ -19,6 +19,9 @@ TOUCH_N = 0.8
 SMOOTHED = 0.35
 """Part of a new force that is taken in at a tick of 4 ms: single readings are noise."""
 
+BOUNCE_TICKS = 15
+"""A touch that is lost for no longer, 0.06 s, is a bounce: what is met fast springs off once."""
+
 LOOKED_BEFORE_S = 0.5
 DEPTHS_M = (0.0015, 0.006)
 GAVE_WAY_N = 1.0
@@ -27,6 +30,9 @@ GAVE_WAY_N = 1.0
 FALL_S, FALL_SHARE = 0.2, 0.8
 """A part has gone in once it went this part of the demonstrated depth within so long: a seat takes
 it at once, on a rim or a chamfer it creeps."""
+
+FELL_SHARE = 0.9
+"""So deep a part that fell has to be: met faster than demonstrated, its touch is told later."""
 
 CREPT_SHARE = 2.0
 """So many times the demonstrated depth has only a part that is in, though it crept: a tilted one
@@ -79,12 +85,14 @@ class Touch:
     level_N    force against the press before anything is touched
     force_N    the same now, smoothed
     touched_m  place along the press, the highest since; None while nothing is touched
+    lost       for how many ticks it has touched nothing since
     """
 
     direction: Array
     level_N: float
     force_N: float
     touched_m: float | None = None
+    lost: int = 0
 
     def step(self, position_m: Array, force_N: Array, lasts: bool = False) -> "Touch":
         """Take in a position (3,) and a force (3,), 4 ms after the ones before.
@@ -93,12 +101,12 @@ class Touch:
         """
         pressed = -float(force_N.dot(self.direction))
         force = self.force_N + SMOOTHED * (pressed - self.force_N)
-        over = force - self.level_N < TOUCH_N
-        if over and (self.touched_m is None or not lasts):
+        lost = self.lost + 1 if force - self.level_N < TOUCH_N else 0
+        if lost and (self.touched_m is None or (lost > BOUNCE_TICKS and not lasts)):
             return Touch(self.direction, self.level_N, force)
         here = float(position_m.dot(self.direction))
         touched = here if self.touched_m is None else min(self.touched_m, here)
-        return Touch(self.direction, self.level_N, force, touched)
+        return Touch(self.direction, self.level_N, force, touched, lost)
 
     def depth_m(self, position_m: Array) -> float:
         """How far in a tool at `position_m` (3,) is since it touched."""

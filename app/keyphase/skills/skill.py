@@ -31,6 +31,7 @@ class Skill:
     end_orientation_wxyz  (4,)
     travel_direction      unit vector towards the contact, None without a contact
     offset_m              how far the goal lies beyond the contact
+    further_m             how far it goes on beyond its goal, slowly, where it met nothing
     travel_limit_m        how far beyond `end_position_m` it may go before it has failed
     timeout_s             how long without progress until it has failed
     force_limit_N         change of the force against its start that no end condition expects
@@ -68,6 +69,7 @@ class Skill:
     squaring: Squaring | None = None
     agrees: bool | None = None
     spread: Spread | None = None
+    further_m: float = 0.0
 
     @property
     def debounce_s(self) -> float:

@@ -114,7 +114,7 @@ class Executor:
         self.in_stage_s += self._step_s
         self._peak_N = max(self._peak_N, _length(sensed.force_N))
         if self._seeking is not None:
-            self._seeking.watch(sensed, self.stage != "moving")
+            self._seeking.watch(sensed, self.stage in ("pressing", "searching"))
         self._go_on(waits)
         if not self.over:
             self.reference = self._next_reference()

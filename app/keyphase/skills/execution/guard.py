@@ -4,7 +4,7 @@ A part that lies higher is met earlier in the stroke, where the demonstrated han
 Time is stretched there, so that the path stays what it is.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import sqrt
 
 import numpy as np
@@ -30,6 +30,7 @@ class Guard:
     direction    (3,) in which the tool travels there
     stretch_m    how far before it a contact may be met
     speed_m_s    the fastest approach within that stretch
+    further_m    how far it goes on beyond the goal, as slowly, once the motion is over
     tau          time constant of the primitive without guard [s]
     """
 
@@ -37,6 +38,7 @@ class Guard:
     direction: Array
     stretch_m: float
     speed_m_s: float
+    further_m: float
     tau: float
 
     def slowed(self, state: State, k_c: float) -> State:
@@ -57,6 +59,17 @@ class Guard:
             state, tau=np.asarray(tau), reference_velocity=state.reference_velocity + change
         )
 
+    def gone_on(self, state: State, goal_m: Array, h: float) -> State:
+        """The state with its goal moved on for `h` seconds, from `goal_m` (3,) where it was.
+
+        What lies further away than the demonstration was extended is looked for no faster.
+        """
+        gone = float((state.goal_position_m - goal_m).dot(self.direction))
+        if gone >= self.further_m:
+            return state
+        step = min(self.speed_m_s * h, self.further_m - gone) * self.direction
+        return replace(state, goal_position_m=state.goal_position_m + step)
+
     def _allowed(self, position_m: Array) -> float:
         ahead = float((self.contact_m - position_m).dot(self.direction)) - self.stretch_m
         return sqrt(self.speed_m_s**2 + 2.0 * BRAKE_M_S2 * max(ahead, 0.0))
@@ -70,10 +83,16 @@ def guard_of(skill: Skill, shift_m: Array) -> Guard | None:
     return Guard(
         contact_m=skill.end_position_m + shift_m,
         direction=np.asarray(skill.travel_direction),
-        stretch_m=skill.offset_m,
+        stretch_m=guarded_stretch(skill),
         speed_m_s=speed,
+        further_m=skill.further_m,
         tau=float(tau_of(skill.primitive.duration_s)),
     )
+
+
+def guarded_stretch(skill: Skill) -> float:
+    """From how far before its contact on a skill is guarded [m]: where a contact may end it."""
+    return max(skill.offset_m, skill.arming.within_m if skill.arming else 0.0)
 
 
 def guarded_speed(skill: Skill) -> float | None:

@@ -63,7 +63,7 @@ class SkillRun:
             reference_position_m=begin.reference.position_m,
             reference_orientation_wxyz=begin.reference.orientation_wxyz,
         )
-        self._guard = guard_of(skill, begin.shift_m)
+        self._guard, self._goal_m = guard_of(skill, begin.shift_m), state.goal_position_m
         self._monitor = start_monitor(skill, begin.sensed.force_N, begin.shift_m)
         self._pressed = pressed_now(skill, 0.0, begin.sensed.force_N)
         self._dragged_N = begin.sensed.force_N
@@ -98,6 +98,8 @@ class SkillRun:
         state = self._state
         if self._guard is not None:
             state = self._guard.slowed(state, self._primitive.constants.k_c)
+            if self.fraction >= 1.0:
+                state = self._guard.gone_on(state, self._goal_m, h)
         followed = given_way(sensed, state, self._pressed)
         self._state, wanted = coupling.step(self._primitive, state, followed, h)
         self.fraction = progress(self._primitive, float(self._state.phase))

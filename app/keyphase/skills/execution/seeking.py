@@ -11,7 +11,15 @@ from keyphase.skills.changed import changed
 from keyphase.skills.coupling import Reference
 from keyphase.skills.execution.sensed import Sensed
 from keyphase.skills.execution.squared import FLATTENING, Squared
-from keyphase.skills.search import CREPT_SHARE, FALL_S, FALL_SHARE, YIELDS, across, before_touch
+from keyphase.skills.search import (
+    CREPT_SHARE,
+    FALL_S,
+    FALL_SHARE,
+    FELL_SHARE,
+    YIELDS,
+    across,
+    before_touch,
+)
 from keyphase.skills.skill import Skill
 
 GIVING = 0.15
@@ -73,7 +81,7 @@ class Seeking:
 
         One that crept has to be deeper, as a rim may give way, too.
         """
-        least = 1.0 if self._fell else CREPT_SHARE
+        least = FELL_SHARE if self._fell else CREPT_SHARE
         return self._touch.depth_m(sensed.position_m) >= least * self.search.depth_m
 
     def again(self, _sensed: Sensed, _shift_m: Array) -> None:

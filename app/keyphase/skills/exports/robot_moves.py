@@ -13,7 +13,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
-from keyphase.skills.execution.guard import SPEED_M_S, guarded_speed
+from keyphase.skills.execution.guard import SPEED_M_S, guarded_speed, guarded_stretch
 from keyphase.skills.skill import Skill, by_gripper, drawn
 
 CORNER_M, CORNER_RAD = 0.001, 0.02
@@ -76,7 +76,7 @@ def _move(skill: Skill) -> RobotMove:
         travel = np.asarray(skill.travel_direction)
         ahead = (skill.end_position_m - position) @ travel
         # What lies within the guarded stretch is left to the contact move.
-        near = np.flatnonzero(ahead <= skill.offset_m)
+        near = np.flatnonzero(ahead <= guarded_stretch(skill))
         last = max(int(near[0]) if len(near) else len(position) - 1, 1)
         position, wxyz = position[: last + 1], wxyz[: last + 1]
     corners = _corners(position, wxyz)
@@ -96,7 +96,7 @@ def _contact(skill: Skill) -> UntilContact | None:
         speed_m_s=guarded_speed(skill) or SPEED_M_S[0],
         force=np.asarray(end.direction),
         threshold_N=end.threshold_N,
-        search_m=skill.offset_m + max(skill.travel_limit_m, skill.offset_m),
+        search_m=guarded_stretch(skill) + max(skill.travel_limit_m, skill.offset_m),
     )
 
 

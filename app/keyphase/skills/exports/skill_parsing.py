@@ -65,6 +65,7 @@ def _skill(values: Values) -> Skill:
         squaring=None if squaring is None else _squaring(squaring),
         agrees=values["agrees"],
         spread=_spread(values.get("spread")),
+        further_m=float((values["guard"] or {}).get("further_m", 0.0)),
     )
 
 

@@ -9,8 +9,8 @@ from keyphase.skills import search
 from keyphase.skills.coupling import MAX_STEP, REFERENCE_REACH
 from keyphase.skills.end_monitor import FELL_AWAY, PROGRESS_FRACTION, PROGRESS_M, REACHED_AFTER
 from keyphase.skills.execution import executor, grip, guard, pressing, seeking, squared
-from keyphase.skills.exports.moves import moves_of
 from keyphase.skills.exports.skill_library import SkillLibrary
+from keyphase.skills.exports.stages import pressing_of, seeking_of
 from keyphase.skills.precondition import Precondition
 from keyphase.skills.pressed import KeptForce
 from keyphase.skills.primitive import Primitive
@@ -55,12 +55,14 @@ def execution_values() -> dict[str, float]:
         "gripped_below": pressing.GRIPPED_BELOW,
         "touch_N": search.TOUCH_N,
         "touch_smoothed": search.SMOOTHED,
+        "bounce_s": search.BOUNCE_TICKS * executor.STEP_S,
         "seat_giving": seeking.GIVING,
         "seat_turning": seeking.TURNING,
         "squared_turning": squared.FLATTENING,
         "seating_s": seeking.SEATING_S,
         "seat_fall_s": search.FALL_S,
         "seat_fall": search.FALL_SHARE,
+        "seat_fell": search.FELL_SHARE,
         "seat_crept": search.CREPT_SHARE,
         "seat_yields": search.YIELDS,
         "brake_m_s2": guard.BRAKE_M_S2,
@@ -98,7 +100,8 @@ def _skill(skill: Skill) -> dict[str, Any]:
         "shift_beyond_m": skill.shift_beyond_m,
         "search": None if skill.search is None else asdict(skill.search),
         "squaring": _squaring(skill.squaring),
-        "moves": moves_of(skill),
+        "pressing": pressing_of(skill),
+        "seeking": seeking_of(skill),
         "primitive": _primitive(skill.primitive),
         **_spread(skill.spread),
     }
@@ -125,7 +128,13 @@ def _squaring(squaring: Squaring | None) -> dict[str, Any] | None:
 
 def _guard(skill: Skill) -> dict[str, float] | None:
     speed = guard.guarded_speed(skill)
-    return None if speed is None else {"stretch_m": skill.offset_m, "speed_m_s": speed}
+    if speed is None:
+        return None
+    return {
+        "stretch_m": guard.guarded_stretch(skill),
+        "speed_m_s": speed,
+        "further_m": skill.further_m,
+    }
 
 
 def _precondition(needs: Precondition | None) -> dict[str, Any] | None:
