@@ -18,8 +18,11 @@ PUSHED_S = 0.1
 """So long before its end the slide runs up against the wall."""
 
 
-def slid_against(wall_N: float) -> Demonstration:
-    """A slide on a table whose end stands still for a second, against a wall or nothing."""
+def slid_against(wall_N: float, swayed_N_m: float = 0.0) -> Demonstration:
+    """A slide on a table whose end stands for a second, against a wall or nothing.
+
+    It sways there by 0.3 mm, with a force that rises so steeply with the place.
+    """
     slide = pressed_slide()
     assert slide.force_N is not None
     stood = round(STOOD_S * 250)
@@ -27,6 +30,9 @@ def slid_against(wall_N: float) -> Demonstration:
     position = np.r_[slide.position_m, np.repeat(slide.position_m[-1:], stood, axis=0)]
     force = np.r_[slide.force_N, np.repeat(slide.force_N[-1:], stood, axis=0)]
     force[:, 0] -= wall_N * np.clip((time - MET_S + PUSHED_S) / 0.02, 0.0, 1.0)
+    sway_m = 0.0003 * np.sin(2 * np.pi * 5.0 * (time - MET_S)) * (time > MET_S) * (swayed_N_m > 0)
+    position[:, 0] += sway_m
+    force[:, 0] -= swayed_N_m * sway_m
     wxyz = np.tile([1.0, 0.0, 0.0, 0.0], (len(time), 1))
     return Demonstration("slide to a wall", time, position, wxyz, force)
 
@@ -46,6 +52,12 @@ def test_a_slide_against_a_wall_leaves_a_stop_where_it_stood() -> None:
     assert stop.normal == pytest.approx([-1.0, 0.0, 0.0], abs=0.05)
     assert stop.point_m[0] == pytest.approx(0.4 + SLID_M, abs=1e-3)
     assert stop.from_s < MET_S < stop.to_s
+
+
+@pytest.mark.parametrize(("recorded", "is_as"), [(8e3, 8e3), (1e3, 4e3), (5e4, 12e3)])
+def test_a_stop_is_as_stiff_as_the_force_rose_there(recorded: float, is_as: float) -> None:
+    (stop,) = RecordedCell(slid_against(WALL_N, recorded)).surfaces[0].stops
+    assert stop.stiffness_N_m == pytest.approx(is_as, rel=0.1)
 
 
 def test_a_slide_that_only_comes_to_rest_leaves_none() -> None:

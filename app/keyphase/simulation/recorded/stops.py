@@ -1,9 +1,8 @@
 """What a tool ran up against as it slid: where its way ended, it does not slide on.
 
 The normal of a surface is the recorded force, and a plane stops nothing along itself. Where a tool
-slid in contact, stood still, and the force rose against its way, something stood in that way. What
-it gives beyond the place where the tool stood is in no recorded force: it is taken to be as stiff
-as the surface.
+slid in contact, stood still, and the force rose against its way, something stood in that way. It is
+as stiff as it was found to be: as steeply as the force rose where the tool then went to and fro.
 """
 
 from dataclasses import dataclass
@@ -27,6 +26,9 @@ AGAINST_N, AGAINST = 1.0, 0.2
 PUSHED = 0.7
 """Where more than this part of the force lay along the way, it was a push and no slide."""
 
+STIFFNESS_N_M = (4000.0, 12000.0)
+"""A stop is at least as stiff as a surface, and at most three times as stiff."""
+
 _SMOOTH_S = 0.2
 _MEAN_S = 0.5
 _STEP = 10
@@ -36,13 +38,15 @@ _STEP = 10
 class Stop:
     """An end of a slide: the place (3,) up to which nothing is felt, and the normal (3,).
 
-    from_s, to_s  while it stands in the way, in the demonstration's time
+    from_s, to_s   while it stands in the way, in the demonstration's time
+    stiffness_N_m  how stiff it is beyond that place
     """
 
     point_m: Array
     normal: Array
     from_s: float
     to_s: float
+    stiffness_N_m: float
 
 
 def stops_of(even: Even, first: int, last: int) -> tuple[Stop, ...]:
@@ -73,6 +77,12 @@ def _away(position: Array, begun: int, ended: int) -> float:
     return float(np.linalg.norm(position[begun:ended] - position[begun], axis=1).max())
 
 
+def _slope(place_m: Array, force_N: Array) -> float:
+    """How steeply a force (N,) rises with a place (N,) [N/m]."""
+    off = place_m - place_m.mean()
+    return float(off @ force_N / max(off @ off, 1e-12))
+
+
 def _stop(even: Even, position: Array, rows: tuple[int, int, int]) -> Stop | None:
     """The stop at which a tool stood in rows [begun, ended) of a contact; None where none was."""
     first, begun, ended = rows
@@ -93,9 +103,15 @@ def _stop(even: Even, position: Array, rows: tuple[int, int, int]) -> Stop | Non
     if pushed or against < max(AGAINST_N, AGAINST * float(np.linalg.norm(change))):
         return None
     furthest = even.position_m[begun:ended] @ ahead
+    least, most = STIFFNESS_N_M
+    # As it is stopped the force rises in any case; its tremor then tells how steeply.
+    settled = begun + round(_SMOOTH_S * RATE_HZ)
+    swayed = slice(settled, min(settled + mean, ended))
+    steep = _slope(even.position_m[swayed] @ ahead, -even.force_N[swayed] @ ahead)
     return Stop(
         point_m=even.position_m[begun + int(furthest.argmax())],
         normal=-ahead,
         from_s=float(even.time_s[before]),
         to_s=float(even.time_s[ended - 1]),
+        stiffness_N_m=float(np.clip(steep, least, most)),
     )

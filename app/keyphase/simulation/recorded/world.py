@@ -31,6 +31,9 @@ CUTOFF_HZ = 70.0
 
 SUBSTEPS = 2
 
+Plane = tuple[int, Array, Array, float, float, float]
+"""Index of its surface, point (3,), normal (3,), friction, closing speed [m/s], stiffness [N/m]."""
+
 DISC_M, TIP_M = (0.03, 0.03, 0.001), (0.008, 0.008, 0.008)
 GREY, RED = (0.45, 0.47, 0.50, 0.7), (0.80, 0.10, 0.10, 1.0)
 _CREEP_M_S = 0.005
@@ -162,8 +165,8 @@ class RecordedWorld:
         """The tool's point as a ball-like cylinder, each surface as a disc."""
         return tuple(_disc(name, name != "held") for name in self.workcell.parts)
 
-    def _standing(self) -> list[tuple[int, Array, Array, float, float]]:
-        """Index, point, normal, friction and closing speed of what the tool could meet now."""
+    def _standing(self) -> list[Plane]:
+        """What the tool could meet now."""
         if self._moment is None:
             return []
         found = []
@@ -174,17 +177,18 @@ class RecordedWorld:
                 depth = -float(away.dot(normal))
                 aside = away + depth * normal
                 if depth < BEHIND_M and aside.dot(aside) < ASIDE_M**2:
-                    found.append((index, point, normal, friction, closing))
+                    found.append((index, point, normal, friction, closing, STIFFNESS_N_M))
                     found += self._stops_of(index, self._moment)
         return found
 
-    def _stops_of(
-        self, index: int, moment_s: float
-    ) -> list[tuple[int, Array, Array, float, float]]:
+    def _stops_of(self, index: int, moment_s: float) -> list[Plane]:
         """What ends a slide on a surface now, as further planes of it."""
         stops = self.workcell.surfaces[index].stops
         now = (stop for stop in stops if stop.from_s <= moment_s <= stop.to_s)
-        return [(index, *self._moved(stop.point_m, stop.normal), SLIPS, 0.0) for stop in now]
+        return [
+            (index, *self._moved(stop.point_m, stop.normal), SLIPS, 0.0, stop.stiffness_N_m)
+            for stop in now
+        ]
 
     def _plane(self, index: int) -> tuple[Array, Array, float, float]:
         assert self._moment is not None
@@ -210,13 +214,13 @@ class RecordedWorld:
         """Force (3,) of all surfaces on the tool, and of each along its normal."""
         total, each = np.zeros(3), {}
         velocity = self.body.velocity_m_s
-        for index, point, normal, friction, gives in self._planes:
+        for index, point, normal, friction, gives, stiffness in self._planes:
             depth = float((point - self.body.position_m).dot(normal))
             if depth <= 0.0:
                 continue
             closing = float(velocity.dot(normal))
             damped = DAMPING_NS_M * (closing - gives)
-            pressed = max(STIFFNESS_N_M * depth - damped, 0.0)
+            pressed = max(stiffness * depth - damped, 0.0)
             slip = velocity - closing * normal
             speed = max(float(np.sqrt(slip.dot(slip))), _CREEP_M_S)
             total += pressed * (normal - (friction / speed) * slip)
