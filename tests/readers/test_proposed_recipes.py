@@ -221,6 +221,21 @@ def test_three_numbers_that_turn_are_a_vector_or_angles_as_a_person_says(tmp_pat
     assert "orientation.kind" in propose(path).open
 
 
+@pytest.mark.parametrize("yaw", [0.0, 1.2])
+@pytest.mark.parametrize("kind", ["one axis", "three axes"])
+def test_numbers_that_lie_or_turn_over_as_one_axis_does_say_so(
+    tmp_path: Path, kind: str, yaw: float
+) -> None:
+    """A tool that points down tilts to and fro about half a turn, as a UR writes it, or others."""
+    roll, pitch = np.pi + 0.1 * np.sin(3.0 * TIME), 0.1 * np.cos(3.0 * TIME)
+    turns = Rotation.from_euler("xyz", np.stack([roll, pitch, yaw + 0 * TIME], axis=1))
+    numbers = turns.as_rotvec() if kind == "one axis" else turns.as_euler("xyz")
+    columns = {"t": TIME, **{f"TCP_{a}": POSITION[:, i] for i, a in enumerate("xyz")}}
+    path = tmp_path / "tcp.csv"
+    path.write_bytes(csv(columns | {f"TCP_r{a}": numbers[:, i] for i, a in enumerate("xyz")}))
+    assert ("a rotation vector" in propose(path).recipe_text()) == (kind == "one axis")
+
+
 def test_another_clock_in_the_table_is_asked_about(tmp_path: Path) -> None:
     path = tmp_path / "clocks.csv"
     path.write_bytes(csv({**usual(), "ft_time": TIME + 0.003}))

@@ -33,6 +33,7 @@ from keyphase.readers.proposing.naming import (
     parts_of_matrices,
     unit_in,
 )
+from keyphase.readers.proposing.one_axis import ONE_AXIS, is_one_axis
 from keyphase.readers.proposing.vectors import vector_guesses
 
 _NEAR_ONE = 0.9
@@ -220,6 +221,8 @@ def _euler(names: Sequence[str], values: Array, free: list[int]) -> Guess | None
     unit = unit_in(names[columns[0]], {"deg": 1, "rad": 1, "mrad": 1})
     top = reach_of(values, columns)
     unit = unit or ("deg" if top > 2 * np.pi + 0.1 else "rad")
+    if role == "turn" and is_one_axis(measured_rows(values, columns), unit):
+        told = (ONE_AXIS, *told)
     return Guess(role, columns, unit, sequence, (f"angles up to {top:.4g}: {unit}", *told))
 
 

@@ -105,7 +105,7 @@ function createCache() {
   };
 }
 
-/** Above and below a curve that stays where it is, as a share of its value. */
+/** Above and below a curve that stays where it is, as a share of its value; of one at zero, one. */
 const LEVEL_AIR = 0.2;
 /** Whether a curve stays where it is: ticks as near as its rounding would all read the same. */
 const isLevel = (low, high) => high - low <= 1e-5 * Math.max(Math.abs(low), Math.abs(high));
@@ -113,7 +113,7 @@ const isLevel = (low, high) => high - low <= 1e-5 * Math.max(Math.abs(low), Math
 /** A range with air above and below and ticks at round values. */
 function rangeOf(series, height) {
   const { low, high } = extent(series);
-  const air = isLevel(low, high) ? 1e-9 + LEVEL_AIR * Math.abs(high) : 0.06 * (high - low);
+  const air = isLevel(low, high) ? LEVEL_AIR * Math.abs(high) || 1 : 0.06 * (high - low);
   const bottom = low - air;
   const top = high + air;
   const ticks = multiples(bottom, top, axisStep(bottom, top, height / TICK_EVERY_PX));
