@@ -57,13 +57,21 @@ def test_without_a_recording_files_are_chosen_or_one_is_recorded(
     page.panel.get_by_role("button", name="Record", exact=True).wait_for()
 
 
-def test_an_unreadable_recording_says_why(tmp_path: Path, serve: Serve, visit: Visit) -> None:
-    (tmp_path / "broken.csv").write_text("time_s,position_x_m\n0,1\n")
-    page = visit(serve(tmp_path / "broken.csv"), scene=False)
+def test_an_unreadable_recording_says_why_in_one_place(
+    tmp_path: Path, serve: Serve, visit: Visit
+) -> None:
+    """Of several the one that was asked for; the list has the height that nothing else needs."""
+    for name in ("broken", "other"):
+        (tmp_path / f"{name}.csv").write_text("time_s,position_x_m\n0,1\n")
+    page = visit(serve(tmp_path / "broken.csv", tmp_path / "other.csv"), scene=False)
     page.page.get_by_text("broken cannot be read").wait_for()
     page.picture("unreadable")
     assert "position_y_m" in page.text("#empty")
     assert page.page.locator(".gutter:visible").count() == 0
+    page.page.locator(".queue-row", has_text="other").click()
+    page.page.get_by_text("other cannot be read").wait_for()
+    assert page.page.locator(".notice").count() == 0
+    assert page.box("#queue").height > 0.9 * page.box("body").height
 
 
 def test_a_stopped_server_is_told_of_and_the_page_comes_back_with_it(

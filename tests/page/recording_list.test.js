@@ -88,7 +88,9 @@ test("names lose the middle of what all share, at a place where a word begins", 
   const long = ["session_2026-11-03_take_01", "session_2026-11-03_take_02"];
   const common = commonBeginning(long);
   assert.equal(common, "session_2026-11-03_take_".length);
-  assert.equal(cutName(long[1], common), "ses…_02");
+  assert.equal(cutName(long[1], common), "ses…take_02");
+  assert.equal(cutName("pickplace#episode_7", "pickplace#episode_".length), "pic…episode_7");
+  assert.equal(cutName("kitchen_demonstration_7", "kitchen_demonstration_".length), "kit…_7");
 });
 
 test("short names and single ones stay whole", () => {

@@ -52,7 +52,10 @@ export function createActions(store, send, latency, own) {
 
   const actions = {
     send,
-    open: (id) => send({ type: "open", id }),
+    open(id) {
+      store.set({ asked: id });
+      return send({ type: "open", id });
+    },
 
     undo: () => !state.readOnly && send({ type: "undo" }),
     redo: () => !state.readOnly && send({ type: "redo" }),

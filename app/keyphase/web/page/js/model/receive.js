@@ -109,7 +109,7 @@ export function createReceiver(
     notice(message) {
       store.set({ saving: false, exporting: null });
       if (message.level !== "info") own.refused(null);
-      notices.show(message);
+      if (!standsInTheMiddle(state, message)) notices.show(message);
     },
   };
 
@@ -179,6 +179,10 @@ function fresh(doc) {
     cameras: null,
   };
 }
+
+/** Whether the card of a recording that cannot be read says the same. */
+const standsInTheMiddle = ({ document: doc, record, recordings }, { text }) =>
+  !doc && !record?.workcell && recordings.items.some(({ error }) => error === text);
 
 /** What came of trials ends with its recording; what is on its way goes on. */
 const withoutResults = ({ trials, margin }) => ({

@@ -60,14 +60,15 @@ import { firstChoice } from "./rows.js";
  *   plotWidth: number, paneHeight: number, paneWidth: number,
  *   layout: import("./rows.js").Layout|null}} Seen
  *
- * The other pages at this recording, and all recordings of the folder beside each other; `goTo` is
+ * The other pages at this recording, and all recordings of the folder beside each other; `asked` is
+ * the recording this page wanted last, which may be unreadable; `goTo` is
  * where one goes on from there
  * @typedef {{grid: import("./recordings/grid.js").Grid|null, gridShown: boolean, gridAlign: string,
  *   gridChange: import("./recordings/grid.js").Change|null,
  *   refusals: number,
  *   others: import("../messages/document_messages").OtherSelected[],
  *   phaseSteps: import("./recordings/phase_steps.js").PhaseStep[],
- *   goTo: {id: string, time_s: number}|null}} Beside
+ *   asked: string|null, goTo: {id: string, time_s: number}|null}} Beside
  *
  * @typedef {Told & Seen & Beside} State
  */
@@ -86,6 +87,7 @@ const nothingBeside = () => ({
   gridChange: null,
   refusals: 0,
   phaseSteps: [],
+  asked: null,
   goTo: null,
 });
 

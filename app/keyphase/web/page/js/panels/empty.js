@@ -11,7 +11,7 @@ import { byId, el } from "../lib/dom.js";
 export function createEmpty(store, actions, dialogs) {
   const node = byId("empty");
   store.later(
-    ["document", "recordings", "connected", "progress", "greeted", "record"],
+    ["document", "recordings", "connected", "progress", "greeted", "record", "asked"],
     ({ document: doc, connected, record }) => {
       const content =
         doc || (record?.workcell && connected) ? null : contentFor(store.state, actions, dialogs);
@@ -24,17 +24,26 @@ export function createEmpty(store, actions, dialogs) {
   );
 }
 
-/** Without any recording there is nothing to play, to plan or to read out. */
+/** Without any recording that can be read there is nothing to play, to plan or to read out. */
 const isVacant = ({ document: doc, greeted, recordings, record, progress }) =>
-  !doc && greeted && !recordings.items.length && !record?.workcell && !progress;
+  !doc &&
+  greeted &&
+  recordings.items.every(({ error }) => error) &&
+  !record?.workcell &&
+  (!progress || recordings.items.length > 0);
 
-function contentFor({ recordings, connected, progress, greeted, lookingOnly }, actions, dialogs) {
+function contentFor(
+  { recordings, connected, progress, greeted, lookingOnly, asked },
+  actions,
+  dialogs,
+) {
   const { items } = recordings;
   if (!greeted) return connected ? null : notConnected();
   if (progress && !progress.done)
     return { nodes: [el("h2", { text: "Opening" }), el("p", { text: progress.name })] };
   if (!items.length) return noRecording(lookingOnly ? [] : firstSteps(actions, dialogs));
-  const broken = items.find(({ error }) => error);
+  const bad = items.filter(({ error }) => error);
+  const broken = bad.find(({ id }) => id === asked) ?? bad[0];
   if (broken) return unreadable(broken, items, actions);
   return { nodes: [el("h2", { text: "Opening" }), el("p", { text: items[0].name })] };
 }
@@ -96,14 +105,14 @@ function unreadable(item, items, actions) {
         el("button", {
           type: "button",
           class: "button primary",
-          text: "Try again",
-          on: { click: () => actions.open(item.id) },
+          text: "Say how it is read",
+          on: { click: () => actions.describe(item.id) },
         }),
         el("button", {
           type: "button",
           class: "button",
-          text: "Say how it is read",
-          on: { click: () => actions.describe(item.id) },
+          text: "Try again",
+          on: { click: () => actions.open(item.id) },
         }),
         other
           ? el("button", {

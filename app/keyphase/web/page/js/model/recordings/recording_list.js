@@ -126,9 +126,18 @@ export function commonBeginning(names) {
   return length >= WORTH_CUTTING ? length : 0;
 }
 
-/** A name without the middle of what all share: "ses…_01". @param {string} name @param {number} common */
+/** The last word of what all share, if it is short enough to stay: it says what the rest counts. */
+const LAST_WORD = /(?<![^\s_\-./#])[^\s_\-./#]{1,8}[\s_\-./]$/;
+
+/**
+ * A name without the middle of what all share: "ses…take_01", "pic…episode_0".
+ * @param {string} name
+ * @param {number} common
+ */
 export function cutName(name, common) {
-  return common > STAYS + 1 ? `${name.slice(0, STAYS)}…${name.slice(common - 1)}` : name;
+  const word = LAST_WORD.exec(name.slice(0, common))?.[0] ?? name[common - 1];
+  const from = common - (word?.length ?? 0);
+  return from > STAYS + 1 ? `${name.slice(0, STAYS)}…${name.slice(from)}` : name;
 }
 
 /**
