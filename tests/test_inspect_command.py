@@ -1,9 +1,13 @@
 """`keyphase inspect`: facts, oddities and a proposed recipe, with exit codes for machines."""
 
+import io
 import json
+import os
 import shutil
+import sys
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 
@@ -58,3 +62,22 @@ def test_a_recipe_that_is_there_already_is_not_written_over_unasked(
     assert "--replace" in capsys.readouterr().out
     inspect(tmp_path / "log.csv", "--write", "--replace")
     assert "[position]" in recipe.read_text()
+
+
+@pytest.mark.parametrize("name", [b"run.hdf5", b"run\xff.hdf5"], ids=["text", "no text"])
+def test_names_in_files_and_of_files_cannot_steer_the_terminal(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: bytes
+) -> None:
+    path = Path(os.fsdecode(bytes(tmp_path) + b"/" + name))
+    with h5py.File(path, "w") as file:
+        file["\x1b[31mred"], file["\u202edesrever"] = np.zeros((9, 3)), np.zeros((9, 3))
+        file["دما"] = np.zeros((9, 3))
+    terminal = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
+    monkeypatch.setattr(sys, "stdout", terminal)
+    assert inspect(path) == 2
+    terminal.seek(0)
+    printed = terminal.read()
+    assert "\x1b" not in printed
+    assert "\u202e" not in printed
+    assert r"\x1b[31mred" in printed
+    assert "دما" in printed

@@ -25,6 +25,7 @@ from keyphase.commands.phases import Phases
 from keyphase.commands.propose import Propose
 from keyphase.commands.record import Record
 from keyphase.commands.replay import ReplaySegments
+from keyphase.commands.saying import complain
 from keyphase.commands.score import ScoreSegments
 from keyphase.commands.segment import SegmentRecordings
 from keyphase.commands.tidy import Tidy
@@ -62,7 +63,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         )
         sys.exit(_run(command))
     except KeyphaseError as error:
-        print(f"keyphase: {error}", file=sys.stderr)
+        complain(f"keyphase: {error}")
         sys.exit(1)
 
 

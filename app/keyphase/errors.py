@@ -23,6 +23,8 @@ Each message says what was expected, what came, and how to mend it, in one sente
 
 from pathlib import Path
 
+from keyphase.printable import printable
+
 
 class KeyphaseError(Exception):
     """Root of all errors a user can act on; anything else that is raised is a defect.
@@ -31,7 +33,7 @@ class KeyphaseError(Exception):
     """
 
     def __init__(self, message: object = "") -> None:
-        super().__init__(str(message).encode(errors="backslashreplace").decode())
+        super().__init__(printable(str(message)))
 
 
 class DemonstrationError(KeyphaseError):

@@ -9,6 +9,7 @@ import pytest
 
 from keyphase.errors import DemonstrationError, RecipeError
 from keyphase.readers import find_recordings, fingerprint, parse_recipe, read
+from keyphase.readers.formats import hdf5
 
 T = np.arange(200) / 20.0
 PLACE = np.column_stack([0.1 * T, np.sin(T), 0.0 * T])
@@ -126,3 +127,16 @@ def test_a_cut_file_is_refused(robomimic: Path) -> None:
     cut.write_bytes(robomimic.read_bytes()[:3000])
     with pytest.raises(DemonstrationError, match="expected a whole HDF5 file"):
         read(f"{cut}#demo_0")
+
+
+def test_the_demonstrations_of_a_file_are_looked_for_once_not_at_each_of_them(
+    robomimic: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sorting, looks = hdf5.in_natural_order, []
+    monkeypatch.setattr(hdf5, "in_natural_order", lambda names: looks.append(1) or sorting(names))
+    for found in find_recordings([robomimic]):
+        read(found.path)
+    assert len(looks) == 1
+    with h5py.File(robomimic, "a") as file:
+        file.copy("data/demo_3", "data/demo_12")
+    assert read(f"{robomimic}#demo_12").name == "low_dim#demo_12"

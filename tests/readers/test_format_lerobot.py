@@ -130,3 +130,13 @@ def test_features_are_named_however_a_dataset_writes_their_names(
     info = {"features": {"observation.state": feature}, "total_episodes": 1}
     (path / "meta" / "info.json").write_text(json.dumps(info))
     assert names_in_lerobot(path, None) == ("observation.state.x", "observation.state.y")
+
+
+def test_a_file_whose_description_of_a_column_is_damaged_ends_nothing(v3: Path) -> None:
+    """pyarrow ends the whole program over such statistics, instead of raising."""
+    file = v3 / "data/chunk-000/file-000.parquet"
+    whole = b"\x15\x04\x19"  # INT64, then the encodings
+    assert whole in file.read_bytes()
+    file.write_bytes(file.read_bytes().replace(whole, b"\x15\x02\x19"))
+    with pytest.raises(DemonstrationError, match="expected a whole LeRobot dataset"):
+        read(f"{v3}#episode_1", parse_recipe(RECIPE, "r.toml"))

@@ -1,7 +1,12 @@
 """Zarr replay buffers as UMI, RDP and ManipForce write them, made with zarr."""
 
+import gzip
+import zipfile
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+import numcodecs
 import numpy as np
 import pytest
 import zarr
@@ -101,3 +106,56 @@ def test_ends_that_do_not_fit_are_refused(tmp_path: Path, ends: list[int]) -> No
             f"{path}#episode_0",
             parse_recipe("time.rate_hz = 9\nposition = {columns='state[*]', unit='m'}", "r"),
         )
+
+
+RATED = "time.rate_hz = 60\nposition = {columns='robot0_eef_pos[*]', unit='m'}"
+A_BOMB = bytes(80 << 20)
+
+
+def lying_blosc(chunk: bytes) -> bytes:
+    """It says it is longer than it is; the codec would read on past its end."""
+    return chunk[:12] + (1 << 29).to_bytes(4, "little") + chunk[16:]
+
+
+@pytest.mark.parametrize(
+    ("codec", "changed"),
+    [
+        (numcodecs.Blosc("lz4"), lying_blosc),
+        (numcodecs.Blosc("lz4"), lambda chunk: chunk[:4] + b"\xff\xff\xff\x7f" + chunk[8:]),
+        (numcodecs.Blosc("lz4"), lambda chunk: chunk[:9]),
+        (numcodecs.GZip(), lambda _chunk: gzip.compress(A_BOMB, 1)),
+        (numcodecs.Zstd(), lambda _chunk: numcodecs.Zstd(1).encode(A_BOMB)),
+        (numcodecs.LZ4(), lambda chunk: b"\xff\xff\xff\x7f" + chunk[4:]),
+    ],
+    ids=["blosc past its end", "blosc of 2 GB", "blosc cut", "gzip", "zstd", "lz4 of 2 GB"],
+)
+def test_a_chunk_that_is_not_what_it_says_is_refused_before_it_is_unpacked(
+    tmp_path: Path, codec: Any, changed: Callable[[bytes], bytes]
+) -> None:
+    path = tmp_path / "run.zarr"
+    root = zarr.open_group(path, mode="w", zarr_format=2)
+    place = np.arange(300.0).reshape(100, 3)
+    array = root.create_group("data").create_array(
+        "robot0_eef_pos", shape=place.shape, dtype=place.dtype, compressors=codec
+    )
+    array[...] = place
+    recipe = parse_recipe(RATED, "r.toml")
+    np.testing.assert_array_equal(read(path, recipe).position_m, place)
+    chunk = path / "data/robot0_eef_pos/0.0"
+    chunk.write_bytes(changed(chunk.read_bytes()))
+    with pytest.raises(DemonstrationError, match=r"0\.0 (is not as long|unpacks to more)"):
+        read(path, recipe)
+
+
+def test_an_entry_of_a_zip_file_that_unpacks_to_more_than_its_array_is_refused(
+    tmp_path: Path,
+) -> None:
+    place, packed = np.arange(300.0).reshape(100, 3), tmp_path / "run.zarr.zip"
+    path = store(tmp_path / "run.zarr", {"robot0_eef_pos": place}, {})
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as file:
+        for part in sorted(path.rglob("*")):
+            large = part.name == "0.0"
+            if part.is_file():
+                file.writestr(str(part.relative_to(path)), A_BOMB if large else part.read_bytes())
+    with pytest.raises(DemonstrationError, match=r"robot0_eef_pos/0\.0 unpacks to more than"):
+        read(packed, parse_recipe(RATED, "r.toml"))

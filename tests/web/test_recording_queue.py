@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from talking import PageClient, StartServer
 
+from keyphase.printable import printable
 from keyphase.workbench.desks.library import Library
 from keyphase.workbench.desks.open_recording import OpenRecording
-from keyphase.workbench.recordings import Recording, printable, recording_at
+from keyphase.workbench.recordings import Recording, recording_at
 
 MAX_STEPS = 5000
 """Answers of the server until others must have been looked at."""

@@ -1,11 +1,12 @@
 """`keyphase agree`: how well two people agree about a folder of recordings."""
 
 import json
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import tyro
+
+from keyphase.commands.saying import complain, say
 
 
 @dataclass(frozen=True)
@@ -39,9 +40,9 @@ class AgreeSegments:
         found = agreement(self.first, self.second, self.tolerance)
         if self.disagreements:
             rows = json.dumps(disagreement_rows(found), indent=1)
-            print(rows if self.json else disagreement_table(found))
+            say(rows if self.json else disagreement_table(found))
             for key, why in found.refused:
-                print(f"{key}: not compared: {why}", file=sys.stderr)
+                complain(f"{key}: not compared: {why}")
         else:
-            print(agreement_json(found) if self.json else agreement_table(found))
+            say(agreement_json(found) if self.json else agreement_table(found))
         return 1 if found.refused else 0

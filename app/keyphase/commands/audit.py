@@ -1,12 +1,12 @@
 """`keyphase audit`: labels that others made, against what keyphase finds in the same recordings."""
 
-import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import tyro
 
+from keyphase.commands.saying import complain, say
 from keyphase.errors import KeyphaseError
 from keyphase.segmentation.parameters import Parameters
 
@@ -44,12 +44,12 @@ class AuditLabels:
             try:
                 one = audit(found.path, self.recipe, self.parameters, self.tolerance_s)
             except KeyphaseError as error:
-                print(error, file=sys.stderr)
+                complain(error)
                 refused += 1
                 continue
             self._write(one)
             done.append(one)
-        print(as_json(done) if self.json else as_table(done))
+        say(as_json(done) if self.json else as_table(done))
         return 1 if refused or not done else 0
 
     def _write(self, one: "Audited") -> None:

@@ -6,6 +6,7 @@ from typing import Literal
 
 import tyro
 
+from keyphase.commands.saying import say
 from keyphase.errors import ExportError
 from keyphase.segmentation.parameters import Parameters
 
@@ -44,5 +45,5 @@ class DrawSegmentation:
             labeling = label(segment(read(self.path, self.recipe), self.parameters))
         picture = picture_data(draw(labeling, what=self.what), self.output)
         put(self.output, picture, self.path.name, replace=self.replace, refusal=ExportError)
-        print(self.output)
+        say(self.output)
         return 0

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import tyro
 
+from keyphase.commands.saying import say
 from keyphase.errors import KeyphaseError
 
 if TYPE_CHECKING:
@@ -42,17 +43,17 @@ class ExportSegments:
         options = Options(self.trim_idle, "replace" if self.replace else "ask")
         planned = planned_export(self._items(), self.to, self._folder(), options)
         if planned.not_carried:
-            print(f"{planned.writer.title} does not carry:")
+            say(f"{planned.writer.title} does not carry:")
         for one in planned.not_carried:
-            print(f"  {one}")
+            say(f"  {one}")
         for one in planned.remarks:
-            print(f"Note: {one}.")
+            say(f"Note: {one}.")
         if self.dry_run:
             for file in planned.files:
-                print(f"would write {file.target}")
+                say(f"would write {file.target}")
             return 0
         for written in planned.write():
-            print(*written, sep="\n")
+            say(*written)
         return 0
 
     def _folder(self) -> Path:
@@ -78,5 +79,5 @@ def _list_formats() -> int:
 
     for writer in WRITERS:
         needs = f' (pip install "keyphase[{writer.extra}]")' if writer.extra else ""
-        print(f"{writer.name:16} {writer.title}{needs}")
+        say(f"{writer.name:16} {writer.title}{needs}")
     return 0

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from keyphase.commands.saying import say
+
 if TYPE_CHECKING:
     from keyphase.making import Made
     from keyphase.segmentation.evidence.fitting.taught import Taught
@@ -59,7 +61,7 @@ class FitWeights:
         text = json.dumps(weights_as_json(weights, provenance), indent=1)
         data = f"{text}\n".encode()
         put(self.output, data, _MADE_FROM, replace=self.replace, refusal=MakingError)
-        print(f"{len(jobs)} demonstrations and {self.output}")
+        say(f"{len(jobs)} demonstrations and {self.output}")
         return 0
 
 

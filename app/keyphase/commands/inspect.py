@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import tyro
 
+from keyphase.commands.saying import say
 from keyphase.errors import (
     DemonstrationError,
     FileInTheWayError,
@@ -65,9 +66,9 @@ class Inspect:
             for result in {split_part(one["path"])[0]: one for one in results[::-1]}.values():
                 _write_recipe(result, replace=self.replace)
         if self.json:
-            print(json.dumps([_plain(result) for result in results], indent=1))
+            say(json.dumps([_plain(result) for result in results], indent=1))
         else:
-            print("\n".join(line for alike in _alike(results) for line in _lines(alike)))
+            say("\n".join(line for alike in _alike(results) for line in _lines(alike)))
         return max(result["code"] for result in results)
 
 

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+from keyphase.commands.saying import say
+
 
 @dataclass(frozen=True)
 class MakeDemonstrations:
@@ -44,5 +46,5 @@ class MakeDemonstrations:
             truth = make_folder(
                 families, self.count, self.seed, self.output, progress, makers, putting
             )
-        print(f"{self.count * len(families)} demonstrations and {truth}")
+        say(f"{self.count * len(families)} demonstrations and {truth}")
         return 0

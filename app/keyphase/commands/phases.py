@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import tyro
 
+from keyphase.commands.saying import say
+
 if TYPE_CHECKING:
     from keyphase.labeling.storage.folder_settings import FolderSettings
     from keyphase.labeling.tasks.task import Task
@@ -54,11 +56,11 @@ class Phases:
 
 def _tell(settings: "FolderSettings") -> None:
     if settings.notice:
-        print(settings.notice)
+        say(settings.notice)
     if not settings.tasks:
-        print("No phases yet; the first recording that is done writes them, or --write.")
+        say("No phases yet; the first recording that is done writes them, or --write.")
     for task in settings.tasks:
-        print(task.name)
+        say(task.name)
         for number, phase in enumerate(task.phases, start=1):
             more = [name for name in ("optional", "repeated") if getattr(phase, name)]
-            print(f"  {number:2}. {phase.name}  ({', '.join([phase.end, *more])})")
+            say(f"  {number:2}. {phase.name}  ({', '.join([phase.end, *more])})")

@@ -2,7 +2,6 @@
 
 import dataclasses
 import json
-import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import tyro
 
+from keyphase.commands.saying import complain, say
 from keyphase.errors import KeyphaseError
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ class Propose:
             values = [_values(result) for result in proposed]
             put(self.report, json.dumps(values, indent=1).encode(), made_from, replace=self.replace)
         for line in in_the_way:
-            print(line, file=sys.stderr)
+            complain(line)
         return max(_tell(taught, proposed), 1 if in_the_way else 0)
 
     def _write(
@@ -108,21 +108,18 @@ class Propose:
 
 
 def _tell(taught: "list[Taught]", proposed: "list[Proposed]") -> int:
-    print(f"Learnt from {', '.join(one.name for one in taught)}.")
+    say(f"Learnt from {', '.join(one.name for one in taught)}.")
     transfers = [(one.recording, one.transfer) for one in proposed if one.transfer is not None]
     for recording, transfer in transfers:
         if not transfer.outlier:
             least = min((b.confidence for b in transfer.boundaries), default=1.0)
-            print(f"{recording}: {len(transfer.phases)} phases, least confidence {least:.2f}")
+            say(f"{recording}: {len(transfer.phases)} phases, least confidence {least:.2f}")
     for one in proposed:
         if one.refusal:
-            print(f"{one.recording}: cannot be read: {one.refusal}", file=sys.stderr)
+            complain(f"{one.recording}: cannot be read: {one.refusal}")
     outliers = [(recording, one.cost) for recording, one in transfers if one.outlier]
     for recording, cost in outliers:
-        print(
-            f"{recording}: fits none of them (cost {cost:.2f}); nothing is proposed",
-            file=sys.stderr,
-        )
+        complain(f"{recording}: fits none of them (cost {cost:.2f}); nothing is proposed")
     return 0 if len(transfers) - len(outliers) == len(proposed) else 1
 
 

@@ -5,6 +5,8 @@ from pathlib import Path
 
 import tyro
 
+from keyphase.commands.saying import say
+
 
 @dataclass(frozen=True)
 class Record:
@@ -29,5 +31,5 @@ class Record:
         refuse_in_the_way(self.output, made_from, replace=self.replace)
         demonstration = record(self.workcell, seed=self.seed)
         put(self.output, npz_data(demonstration), made_from, replace=self.replace)
-        print(f"{self.output}: {demonstration.duration_s:.2f} s at {demonstration.rate_hz:g} Hz")
+        say(f"{self.output}: {demonstration.duration_s:.2f} s at {demonstration.rate_hz:g} Hz")
         return 0

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import tyro
 
 from keyphase.commands.replay_world import WorldOptions
+from keyphase.commands.saying import say
 from keyphase.errors import ParameterError, SimulationError
 
 if TYPE_CHECKING:
@@ -188,7 +189,7 @@ class ReplaySegments:
         result = run(simulation, skills, demonstration, ReplayOptions(self.coupling))
         if self.output:
             self._write(self.output, npz_data(result.demonstration))
-        print(as_json(replay_values(result)) if self.json else replay_text(result))
+        say(as_json(replay_values(result)) if self.json else replay_text(result))
         return 0 if result.succeeded else 1
 
     def _run_trials(
@@ -219,7 +220,7 @@ class ReplaySegments:
         if self.plot:
             title = f"{cell.name}, {self.end_conditions} end conditions"
             self._write(self.plot, trials_svg(trials, title))
-        print(as_json(trials_values(trials)) if self.json else trials_text(trials))
+        say(as_json(trials_values(trials)) if self.json else trials_text(trials))
         return 0 if trials.successes == len(trials.trials) else 1
 
     def _run_margin(self, cell: "Cell", planned: "PlannedReplay") -> int:
@@ -248,5 +249,5 @@ class ReplaySegments:
         if self.plot:
             title = f"{planned.demonstration.name} in {cell.name}"
             self._write(self.plot, margin_svg(margin, title))
-        print(as_json(margin_values(margin)) if self.json else margin_text(margin))
+        say(as_json(margin_values(margin)) if self.json else margin_text(margin))
         return 0 if margin.plans[0].nominal == "success" else 1

@@ -5,6 +5,8 @@ from pathlib import Path
 
 import tyro
 
+from keyphase.commands.saying import say
+
 
 @dataclass(frozen=True)
 class ScoreSegments:
@@ -32,5 +34,5 @@ class ScoreSegments:
 
             made_from = f"the score of {self.segments}"
             put(self.picture, score_picture(result, self.picture), made_from, replace=self.replace)
-        print(as_json(result) if self.json else as_table(result))
+        say(as_json(result) if self.json else as_table(result))
         return 0

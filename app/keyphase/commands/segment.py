@@ -1,6 +1,5 @@
 """The command `keyphase segment`: a segment file for each recording, on all cores."""
 
-import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -8,6 +7,7 @@ from typing import TYPE_CHECKING
 import tyro
 
 from keyphase.batch.backends import Backend
+from keyphase.commands.saying import complain, say
 from keyphase.errors import KeyphaseError
 from keyphase.segmentation.parameters import Parameters
 
@@ -87,11 +87,11 @@ def _tell(report: "BatchReport", output: Path) -> int:
 
     before = sum(one.went_before for one in report.written)
     for line in report_lines(report):
-        print(line)
+        say(line)
     done = f", {before} of them by an earlier run" if before else ""
-    print(f"{len(report.written)} segment files in {output}{done}")
+    say(f"{len(report.written)} segment files in {output}{done}")
     if report.refused:
-        print(f"{len(report.refused)} refused:", file=sys.stderr)
+        complain(f"{len(report.refused)} refused:")
         for refusal in report.refused:
-            print(f"  {refusal.reason}", file=sys.stderr)
+            complain(f"  {refusal.reason}")
     return 1 if report.refused or not report.written else 0

@@ -1,12 +1,12 @@
 """The command `keyphase tidy`: what kills and renamed recordings have left in folders."""
 
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import tyro
 
+from keyphase.commands.saying import complain, say
 from keyphase.errors import KeyphaseError
 
 if TYPE_CHECKING:
@@ -38,15 +38,15 @@ class Tidy:
         found = [one.path for one in find_recordings(self.paths, self.recipe)]
         folders = [path if path.is_dir() else path.parent for path in self.paths]
         for line in clear_up([*folders, *(path.parent for path in found)]):
-            print(line)
+            say(line)
         refused = 0
         for path in found:
             try:
                 elsewhere = edits_elsewhere(path)
                 if elsewhere is not None:
-                    print(self._told(path, elsewhere))
+                    say(self._told(path, elsewhere))
             except KeyphaseError as error:
-                print(f"keyphase: {error}", file=sys.stderr)
+                complain(f"keyphase: {error}")
                 refused += 1
         return 1 if refused else 0
 

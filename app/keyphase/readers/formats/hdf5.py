@@ -6,6 +6,8 @@ Links to other files, virtual and externally stored data are passed over: a file
 import json
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -40,14 +42,14 @@ _MIN_ROOM_BYTES = 1024**2
 
 def parts_of_hdf5(path: Path) -> tuple[str, ...]:
     """The demonstrations of a file with many (`data/demo_0`, …), or none where it is one."""
-    with opened(path) as file:
-        return _episodes(file)[1]
+    return _layout(path).parts
 
 
 def names_in_hdf5(path: Path, part: str | None) -> tuple[str, ...]:
     """What the columns of a demonstration are called, without reading any; none where it is not."""
+    layout = _layout(path)
     with opened(path) as file:
-        episodes, _ = _episodes(file)
+        episodes = None if layout.parent is None else file[layout.parent]
         group = file if episodes is None else _group(episodes, part) if part else None
         if group is None:
             return ()
@@ -63,8 +65,9 @@ def table_of_hdf5(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     h5py is not installed.
     """
     shown = str(path) if part is None else f"{path}#{part}"
+    layout = _layout(path)
     with opened(path) as file:
-        episodes, _ = _episodes(file)
+        episodes = None if layout.parent is None else file[layout.parent]
         group = file if episodes is None else _group(episodes, part) if part else None
         if group is None or (episodes is None and part is not None):
             raise unknown_part(str(path), part, parts_of_hdf5(path))
@@ -92,33 +95,59 @@ def opened(path: Path) -> Iterator[Any]:
         yield file
 
 
-def _episodes(file: Any) -> tuple[Any, tuple[str, ...]]:
-    """The group whose groups are a recording each, with their names; none where the file is one.
+@dataclass(frozen=True)
+class _Layout:
+    """Where the groups that are a recording each lie, and their names.
 
-    It is `data`, the file itself, or a group right in it.
+    It is `data`, the file itself ("/"), or a group right in it; None where the file is one.
     """
+
+    parent: str | None
+    parts: tuple[str, ...]
+
+
+def _layout(path: Path) -> _Layout:
+    try:
+        status = path.stat()
+    except OSError:
+        with opened(path) as file:
+            return _layout_in(file)
+    return _layout_as_of(path, (status.st_ino, status.st_size, status.st_mtime_ns))
+
+
+@lru_cache(maxsize=8)
+def _layout_as_of(path: Path, _stamp: tuple[int, int, int]) -> _Layout:
+    """Of a file as it is now: all demonstrations of a file are read one after the other."""
+    with opened(path) as file:
+        return _layout_in(file)
+
+
+def _layout_in(file: Any) -> _Layout:
     group = _group(file, _EPISODES)
-    if group is not None and len(_groups(group)) == len(group):
-        return group, tuple(in_natural_order(_groups(group)))
+    if group is not None and len(names := _groups(group)) == len(group):
+        return _Layout(_EPISODES, tuple(in_natural_order(names)))
     if names := recordings_among(_groups(file), ""):
-        return file, names
+        return _Layout("/", names)
     inner = {name: recordings_among(_groups(file[name]), name) for name in _groups(file)}
     whole = [name for name, names in inner.items() if names]
-    return (file[whole[0]], inner[whole[0]]) if len(whole) == 1 else (None, ())
+    return _Layout(whole[0], inner[whole[0]]) if len(whole) == 1 else _Layout(None, ())
 
 
 def _groups(parent: Any) -> list[str]:
-    return [name for name in parent if _group(parent, name) is not None]
+    return [name for name in parent if _is_group(parent, name)]
 
 
 def _group(parent: Any, name: str) -> Any:
     """A group that lies in this file, or None."""
-    import h5py
+    return parent[name] if name in parent and _is_group(parent, name) else None
 
-    link = parent.get(name, getlink=True)
-    if not isinstance(link, h5py.HardLink) or parent.get(name, getclass=True) is not h5py.Group:
-        return None
-    return parent[name]
+
+def _is_group(parent: Any, name: str) -> bool:
+    """Asked of HDF5 itself: through h5py's own objects a thousand demonstrations take long."""
+    from h5py import h5g  # pyright: ignore[reportAttributeAccessIssue]
+
+    told = h5g.get_objinfo(parent.id, name.encode(errors="surrogateescape"), follow_link=False)
+    return told.type == h5g.GROUP
 
 
 def _signals(group: Any, before: str = "", depth: int = 0) -> Iterator[tuple[str, Any]]:

@@ -107,13 +107,12 @@ def is_v3(info: Mapping[str, Any]) -> bool:
 
 
 def _episode(path: Path, info: Mapping[str, Any], number: int) -> Any:
-    """The episode's rows: only the row groups whose statistics admit it."""
+    """The episode's rows: of the other row groups no more than whose they are."""
     parquet = package("pyarrow.parquet", EXTRA, path)
     compute = package("pyarrow.compute", EXTRA, path)
     arrow = package("pyarrow", EXTRA, path)
     with parquet.ParquetFile(file_of_episode(path, info, number)) as file:
-        at = file.schema_arrow.get_field_index("episode_index")
-        groups = [g for g in range(file.num_row_groups) if _may_hold(file, g, at, number)]
+        groups = [g for g in range(file.num_row_groups) if _holds(file, g, number, compute)]
         names = [one.name for one in file.schema_arrow if _is_plain(one.type)]
         pieces = [
             piece.filter(compute.equal(piece["episode_index"], number))
@@ -129,11 +128,10 @@ def _is_plain(kind: Any) -> bool:
     return not (types.is_struct(kind) or types.is_binary(kind) or types.is_large_binary(kind))
 
 
-def _may_hold(file: Any, group: int, column: int, number: int) -> bool:
-    statistics = file.metadata.row_group(group).column(column).statistics
-    if statistics is None or not statistics.has_min_max:
-        return True
-    return statistics.min <= number <= statistics.max
+def _holds(file: Any, group: int, number: int, compute: Any) -> bool:
+    """By the numbers themselves: statistics that are damaged end pyarrow and the whole program."""
+    column = file.read_row_group(group, columns=["episode_index"])["episode_index"]
+    return bool(compute.any(compute.equal(column, number)).as_py())
 
 
 def episode_row(path: Path, number: int, columns: Sequence[str]) -> Mapping[str, Any]:

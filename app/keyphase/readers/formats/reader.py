@@ -28,8 +28,9 @@ def read_format(
     Raises DemonstrationError for what cannot be read, RecipeError where no preset fits or the
     recipe does not fit, MissingPackageError where the format's package is not installed.
     """
-    table, chosen = table_and_recipe(path, part, form, recipe, limit_bytes)
-    side = split_side(form, path, part)[1]
+    inner, side = split_side(form, path, part)
+    table = form.table(path, inner, limit_bytes)
+    chosen = recipe_of_part(recipe or _preset(table), side, str(path))
     source = Source(
         with_part(path, part) if part else path, sha256_of_part(table.fingerprint(), side)
     )

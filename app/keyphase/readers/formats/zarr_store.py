@@ -21,6 +21,7 @@ from keyphase.readers.formats.numeric import (
     unknown_part,
 )
 from keyphase.readers.formats.packages import package
+from keyphase.readers.formats.zarr_files import folder_store, zip_store
 
 EXTRA = "zarr"
 SUFFIXES = (".zarr", ".zarr.zip")
@@ -110,24 +111,10 @@ def _opened(path: Path) -> Iterator[Any]:
     zarr = package("zarr", EXTRA, path)
     with damage_told(path, "Zarr store"):
         if path.is_dir():
-            yield zarr.open_group(_regular_files(path), mode="r")
+            yield zarr.open_group(folder_store(path), mode="r")
         else:
-            with zarr.storage.ZipStore(path, mode="r") as store:
+            with zip_store(path) as store:
                 yield zarr.open_group(store, mode="r")
-
-
-def _regular_files(path: Path) -> Any:
-    """The folder as a store in which pipes and devices are no chunks; opening one could wait."""
-    from zarr.storage import LocalStore
-
-    class RegularFiles(LocalStore):
-        async def get(self, key: str, *given: Any, **named: Any) -> Any:
-            file = Path(self.root, key)
-            if file.exists() and not file.is_file():
-                return None
-            return await super().get(key, *given, **named)
-
-    return RegularFiles(path, read_only=True)
 
 
 def _ends(store: Any, name: str) -> NDArray[np.int64] | None:
