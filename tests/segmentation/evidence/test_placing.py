@@ -37,3 +37,26 @@ def test_contact_begins_as_the_force_leaves_free_space_and_ends_when_it_is_gone(
     made, lost = contacts(6.0 * (rise - fall))
     assert made == pytest.approx(3.0 + 0.2 * seconds, abs=0.2 * seconds)
     assert lost == pytest.approx(8.0 + 0.8 * seconds, abs=0.2 * seconds)
+
+
+@pytest.mark.parametrize("seconds", [0.5, 0.8])
+def test_a_contact_that_presses_harder_lies_on_the_way_and_not_where_it_is_fastest(seconds):
+    touch = np.clip((TIME_S - 3.0) / 0.05, 0.0, 1.0) - np.clip((TIME_S - 9.0) / 0.05, 0.0, 1.0)
+    harder = np.clip((TIME_S - 6.0) / seconds, 0.0, 1.0) ** 3
+    made, changed, lost = contacts(touch * (4.0 + 6.0 * harder))
+    assert (made, lost) == (pytest.approx(3.0, abs=0.1), pytest.approx(9.0, abs=0.1))
+    assert 6.0 + 0.4 * seconds < changed < 6.0 + 0.8 * seconds
+
+
+def test_a_contact_that_changes_before_it_is_let_go_is_not_put_where_it_is_gone():
+    touch = np.clip((TIME_S - 3.0) / 0.05, 0.0, 1.0) - np.clip((TIME_S - 6.5) / 0.05, 0.0, 1.0)
+    harder = np.clip((TIME_S - 6.0) / 0.2, 0.0, 1.0)
+    _, changed, lost = contacts(touch * (4.0 + 6.0 * harder))
+    assert (changed, lost) == (pytest.approx(6.1, abs=0.12), pytest.approx(6.55, abs=0.1))
+
+
+def test_with_one_sample_a_second_a_rise_is_still_placed():
+    time_s = np.arange(60.0)
+    force = np.outer(time_s > 30.0, [0.0, 0.0, 5.0])
+    found = segment(Demonstration("slow", time_s, np.zeros((60, 3)), force_N=force))
+    assert [b.time_s for b in found.boundaries] == [pytest.approx(30.5, abs=1.0)]
