@@ -17,6 +17,9 @@ export const REPLAY_TRACKS = [
   { key: "torque", title: "Torque", unit: "N m", large: 86, small: 56 },
 ];
 
+/** Lower than this letters and ticks stand on each other; the rows scroll instead. */
+const LEAST_PX = 42;
+
 /**
  * @param {{small: boolean, replayFolded: Set<string>}} state
  * @param {number} room height of the pane
@@ -40,7 +43,7 @@ export function layOutReplay({ small, replayFolded }, room) {
   REPLAY_TRACKS.forEach(({ key }, k) =>
     put(
       key,
-      replayFolded.has(key) ? FOLDED_PX : Math.floor(heights[k] * stretch),
+      replayFolded.has(key) ? FOLDED_PX : Math.max(LEAST_PX, Math.floor(heights[k] * stretch)),
       replayFolded.has(key),
     ),
   );
