@@ -114,7 +114,9 @@ def test_segments_and_boundaries_are_lists_that_arrows_walk(timeline: KeyphasePa
     assert "Segment 2" in timeline.text("#announcer")
 
 
-def test_a_finger_beside_a_boundary_moves_it(timeline: KeyphasePage) -> None:
+def test_a_finger_beside_a_boundary_moves_it_and_a_tap_says_why_it_is_there(
+    timeline: KeyphasePage,
+) -> None:
     row = timeline.row("boundaries")
     x, y = timeline.x(timeline.document["boundaries"][1]["time_s"]), row.y + row.height / 2
     drag = """([x, y, to]) => {
@@ -130,6 +132,12 @@ def test_a_finger_beside_a_boundary_moves_it(timeline: KeyphasePage) -> None:
     timeline.press("v")
     timeline.change(lambda: timeline.page.evaluate(drag, [x + 10, y, x + 50]))
     assert timeline.document["boundaries"][1]["origin"] == "user"
+    x = timeline.x(timeline.document["boundaries"][2]["time_s"])
+    timeline.page.evaluate(drag, [x + 10, y, x + 10])
+    timeline.page.locator("#why", has_text="Boundary 3").wait_for()
+    x, y = timeline.middle_of(0)
+    timeline.page.evaluate(drag, [x, y, x])
+    timeline.page.locator("#why").wait_for(state="hidden")
 
 
 def test_two_fingers_zoom(timeline: KeyphasePage) -> None:

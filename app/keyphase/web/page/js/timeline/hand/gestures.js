@@ -168,6 +168,8 @@ function dragBoundary(store, timeline, actions, index, start, readOnly) {
       store.set({ current: index });
       if (moved && drag) actions.moveBoundary(boundary.time_s, drag.time, drag.ripples);
       else actions.seek(boundary.time_s);
+      // A finger cannot rest over it: what a mouse is shown then, a tap shows.
+      if (!moved && start.event.pointerType === "touch") store.set({ explained: index });
     },
     cancel: stop,
   };

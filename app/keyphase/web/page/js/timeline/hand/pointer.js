@@ -93,8 +93,10 @@ export function attachPointer(store, timeline, actions) {
     }
     start = at(event);
     moved = false;
-    const reach = event.pointerType === "touch" ? FINGER_PX : undefined;
+    const isFinger = event.pointerType === "touch";
+    const reach = isFinger ? FINGER_PX : undefined;
     const hit = hitTest(store.state, timeline, start.x, start.y, reach);
+    if (isFinger && hit.kind !== "boundary") store.set({ current: null, explained: null });
     const gesture = startGesture(store, timeline, actions, hit, start);
     if (!gesture) return;
     holding.take(gesture);
@@ -116,7 +118,7 @@ export function attachPointer(store, timeline, actions) {
     if (!ending) return;
     if (event.type === "pointerup") ending.end(at(event), moved);
     else ending.cancel?.();
-    hover(at(event));
+    if (event.pointerType !== "touch") hover(at(event));
   }
   surface.addEventListener("pointerup", finish);
   surface.addEventListener("pointercancel", finish);
