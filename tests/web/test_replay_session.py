@@ -155,11 +155,14 @@ def test_in_a_world_made_from_the_recording_its_path_is_drawn_without_a_robot(
         over(page)
         assert any(name.startswith("/replay/done/") for name in framed.nodes)
         assert not framed.node("/robot").visible
+        lowest = min(read(page.server.workbench.recordings.recordings[0].path).position_m[:, 2])
+        assert framed.node("/grid/ground").position[2] < lowest
         page.send("export", kind="page")
         assert Path(page.wait_for("saved")["path"]).stat().st_size > 100_000
-        page.send("replay", do="leave")
-        page.wait_for("replay_closed")
+        page.send("replay", do="keep")
+        page.wait_for("document", lambda m: "_replay" in m["name"])
         assert framed.node("/robot").visible
+        assert framed.scene.robot.base is None, "a ghost, since it did not run there"
     assert not [m for m in page.heard if m["type"] == "notice" and m["level"] == "error"]
 
 

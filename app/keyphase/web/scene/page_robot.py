@@ -18,6 +18,7 @@ from keyphase.robot.follow import JointPath, posture_at
 from keyphase.robot.placing import suggested_placement, within_reach
 from keyphase.robot.pose import Placement
 from keyphase.robot.recorded import recorded_path
+from keyphase.simulation.choosing import recorded_in
 from keyphase.web.scene.figures.robot_figure import RobotFigure
 from keyphase.web.scene.shared import Shared
 from keyphase.workbench.desks.desk_state import DeskState
@@ -260,7 +261,8 @@ class PageRobot:
 def is_own(shown: DeskState, arm: Arm) -> bool:
     """Whether a recording was made by the robot that is shown, or in a workcell of ours."""
     demonstration = shown.demonstration
-    return "workcell" in demonstration.metadata or recorded_path(arm, demonstration) is not None
+    made_here = recorded_in(demonstration) is not None
+    return made_here or recorded_path(arm, demonstration) is not None
 
 
 def _as_placement(position: Array, wxyz: Array) -> Placement:

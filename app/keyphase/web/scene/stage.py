@@ -7,6 +7,7 @@ changes colours and a few small things; only another recording builds the stage 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+import numpy as np
 import viser
 
 from keyphase.demonstration import Array
@@ -73,7 +74,7 @@ class Stage:
         self._playhead = Playhead()
         self._in_view: tuple[str, float, float] | None = None
         self._covered: Viewpoint | None = None
-        self._covered_floor: tuple[Array, float] | None = None
+        self._covered_floor: tuple[Array, float, Placement | None] | None = None
         self._dressing.dress(LIGHT)
 
     def show_document(self, shown: DeskState) -> None:
@@ -141,11 +142,20 @@ class Stage:
         self._place_parts()
         self.show_playhead(self._playhead)
 
-    def cover(self, middle_m: Array, size_m: float, of: object) -> None:
-        """Hide the recording: something else is to be seen there, before a robot at the origin."""
+    def cover(
+        self, middle_m: Array, size_m: float, of: object, without_robot_above_m: float | None = None
+    ) -> None:
+        """Hide the recording: something else is to be seen there.
+
+        It stands before a robot at the origin, on whose ground it is; or, without a robot, above a
+        ground at that height.
+        """
         self._covered = viewpoint_with_robot(middle_m, size_m, Placement())
         self._place_parts()
-        self._covered_floor = middle_m * [1.0, 1.0, 0.0], size_m
+        ground_m, base = without_robot_above_m, None
+        if ground_m is None:
+            ground_m, base = 0.0, Placement()
+        self._covered_floor = np.array([*middle_m[:2], ground_m]), size_m, base
         self._draw_covered_floor()
         self._camera.look(self._covered, of)
 
@@ -228,8 +238,7 @@ class Stage:
 
     def _draw_covered_floor(self) -> None:
         if self._covered is not None and self._covered_floor is not None:
-            middle_m, size_m = self._covered_floor
-            self._floor.draw(self._theme, middle_m, size_m, Placement())
+            self._floor.draw(self._theme, *self._covered_floor)
 
     def _draw_marks(self, standing: _Standing) -> None:
         in_view = self._range_of(standing)

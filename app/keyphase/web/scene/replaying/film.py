@@ -7,7 +7,6 @@ from keyphase.robot.pose import Placement
 from keyphase.robot.yumi import yumi
 from keyphase.simulation.replay.result import Frame, ReplayResult, ReplayState
 from keyphase.simulation.replay.shared_page import with_summary
-from keyphase.simulation.simulation import Simulation
 from keyphase.skills.execution.executor import STEP_S
 from keyphase.web.scene.camera import Camera, LastCamera
 from keyphase.web.scene.dressing import Dressing
@@ -16,7 +15,13 @@ from keyphase.web.scene.palette import LIGHT
 from keyphase.web.scene.recording.floor import Floor
 from keyphase.web.scene.recording.ground_shadow import GroundShadow
 from keyphase.web.scene.recording.viewpoint import viewpoint_with_robot
-from keyphase.web.scene.replaying.replay_scene import SEEN_M, PartPoses, middle_of, put_up
+from keyphase.web.scene.replaying.replay_scene import (
+    SEEN_M,
+    PartPoses,
+    ground_without_robot,
+    middle_of,
+    put_up,
+)
 from keyphase.web.transport.film import film_in
 from keyphase.workbench.replaying.running import Running
 
@@ -33,12 +38,13 @@ def film_of(server: viser.ViserServer, running: Running, shadow: GroundShadow | 
     dressing.dress(LIGHT)
     dressing.paint_sky(LIGHT)
     middle = middle_of(running)
-    Floor(client, shadow).draw(LIGHT, middle * [1.0, 1.0, 0.0], SEEN_M, Placement())
+    ground = ground_without_robot(running)
+    has_yumi = ground is None
+    at = np.array([*middle[:2], ground or 0.0])
+    Floor(client, shadow).draw(LIGHT, at, SEEN_M, Placement() if has_yumi else None)
     view = viewpoint_with_robot(middle, SEEN_M, Placement())
     Camera(client, LastCamera()).point(view.position_m, view.look_at_m, None)
     robot = yumi()
-    # In a world made from a recording no YuMi runs.
-    has_yumi = isinstance(running.run.replay.simulation, Simulation)
     figure = RobotFigure(client, robot, "/robot") if has_yumi else None
     drawn = put_up(client, running)
     drawn.label()

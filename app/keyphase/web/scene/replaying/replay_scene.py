@@ -27,6 +27,9 @@ ROOT = "/replay"
 SEEN_M = 0.36
 """So much is seen at least."""
 
+GROUND_BELOW_M = 0.03
+"""So far below the path the ground is where no robot stands on it."""
+
 
 @dataclass
 class Drawn:
@@ -100,7 +103,7 @@ class ReplayScene:
             self._shown = put_up(self._client, running)
             if isinstance(simulation, Simulation):
                 self._yumi.pose(simulation.posture_rad)
-            self._stage.cover(middle_of(running), SEEN_M, running)
+            self._stage.cover(middle_of(running), SEEN_M, running, ground_without_robot(running))
             self._tool_m = simulation.here().position_m
             self._show_gizmo()
         self._client.flush()
@@ -160,6 +163,16 @@ def put_up(client: viser.ClientHandle, running: Running) -> Drawn:
 
 def middle_of(running: Running) -> Array:
     """(3,) the middle of what is to be run."""
-    paths = [path_of_skill(running.plan, one.skill) for one in running.plan.planned]
-    path = np.concatenate(paths)
+    path = _path_of(running)
     return 0.5 * (path.min(axis=0) + path.max(axis=0))
+
+
+def ground_without_robot(running: Running) -> float | None:
+    """How high the ground is in a world made from a recording [m]; None where a YuMi runs."""
+    if isinstance(running.run.replay.simulation, Simulation):
+        return None
+    return float(_path_of(running)[:, 2].min()) - GROUND_BELOW_M
+
+
+def _path_of(running: Running) -> Array:
+    return np.concatenate([path_of_skill(running.plan, one.skill) for one in running.plan.planned])
