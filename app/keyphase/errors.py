@@ -23,17 +23,18 @@ Each message says what was expected, what came, and how to mend it, in one sente
 
 from pathlib import Path
 
-from keyphase.printable import printable
+from keyphase.printable import printable_line
 
 
 class KeyphaseError(Exception):
     """Root of all errors a user can act on; anything else that is raised is a defect.
 
-    Its message can be printed and sent, whatever a file or a name that it quotes holds.
+    Its message can be printed and sent as one line, whatever a file or a name that it quotes
+    holds.
     """
 
     def __init__(self, message: object = "") -> None:
-        super().__init__(printable(str(message)))
+        super().__init__(printable_line(str(message)))
 
 
 class DemonstrationError(KeyphaseError):

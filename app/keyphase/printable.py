@@ -17,6 +17,11 @@ def printable(text: str) -> str:
     return _UNSHOWN.sub(_escape, text)
 
 
+def printable_line(text: str) -> str:
+    """The same in one line: a name with a line's end in it does not look like two."""
+    return printable(text).replace("\n", "\\n").replace("\t", "\\t")
+
+
 def _escape(match: re.Match[str]) -> str:
     code = ord(match[0])
     return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}"

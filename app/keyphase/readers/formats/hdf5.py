@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from keyphase.files.bounded_memory import memory_bounded
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.damage import UnfitError, damage_told
 from keyphase.readers.formats.numeric import (
@@ -91,7 +92,7 @@ def table_of_hdf5(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
 def opened(path: Path) -> Iterator[Any]:
     """The file, for as long as the `with` statement lasts; damage is told in a sentence."""
     h5py = package("h5py", EXTRA, path)
-    with damage_told(path, "HDF5 file"), h5py.File(path, "r") as file:
+    with damage_told(path, "HDF5 file"), memory_bounded(path), h5py.File(path, "r") as file:
         yield file
 
 

@@ -1,0 +1,31 @@
+"""A damaged file of some kilobytes takes no more memory than it is worth, however it is misread."""
+
+import resource
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from keyphase.errors import DemonstrationError
+from keyphase.files.bounded_memory import memory_bounded
+from keyphase.readers.formats.hdf5 import opened
+
+
+def test_what_would_take_all_memory_is_an_error_there_and_nothing_is_bounded_afterwards(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "small").write_bytes(b"small")
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    with pytest.raises(MemoryError), memory_bounded(tmp_path / "small"):
+        bytes(200 << 20)
+    assert resource.getrlimit(resource.RLIMIT_AS) == before
+    assert len(bytes(200 << 20)) == 200 << 20
+
+
+def test_an_hdf5_file_is_looked_into_under_such_a_bound(tmp_path: Path) -> None:
+    path = tmp_path / "run.hdf5"
+    with h5py.File(path, "w") as file:
+        file["position"] = np.zeros((50, 3))
+    with pytest.raises(DemonstrationError, match="more memory than there is"), opened(path):
+        bytes(200 << 20)
