@@ -152,7 +152,7 @@ def test_in_a_world_made_from_the_recording_its_path_is_drawn_without_a_robot(
     with frame(page.server, page.page) as framed:
         assert framed.node("/robot").visible
         page.send("replay", do="run", speed=FAST)
-        over(page)
+        assert over(page)["words"] == "in the world made from it"
         assert any(name.startswith("/replay/done/") for name in framed.nodes)
         assert not framed.node("/robot").visible
         lowest = min(read(page.server.workbench.recordings.recordings[0].path).position_m[:, 2])

@@ -53,6 +53,11 @@ def world_names() -> tuple[str, ...]:
     return (*workcell_names(), RECORDING)
 
 
+def world_in_words(name: str) -> str:
+    """A world as people read of it: "setup1", "the world made from it"."""
+    return "the world made from it" if name == RECORDING else name
+
+
 def met_by(demonstration: Demonstration, cell: Cell) -> Demonstration:
     """What skills are made from for a workcell: in a world made from it, without its offset."""
     return cell.demonstration if isinstance(cell, RecordedCell) else demonstration

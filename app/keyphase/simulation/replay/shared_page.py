@@ -8,6 +8,7 @@ import numpy as np
 
 from keyphase import __version__
 from keyphase.demonstration import Demonstration
+from keyphase.simulation.choosing import world_in_words
 from keyphase.simulation.replay.result import ReplayResult
 from keyphase.skills.execution.result import SkillResult, went_on
 from keyphase.skills.skill import DISAGREES, Skill, until
@@ -44,7 +45,7 @@ def summary(result: ReplayResult, demonstration: Demonstration) -> str:
     """The panel itself."""
     color = _GOOD if result.succeeded else _BAD
     verdict = f'<b style="color:{color}">{escape(result.outcome())}</b>'
-    workcell = str(result.demonstration.metadata.get("workcell", ""))
+    workcell = world_in_words(str(result.demonstration.metadata.get("workcell", "")))
     about = (
         f"{demonstration.duration_s:.1f} s recorded, replayed in {escape(workcell)} in "
         f"{result.duration_s:.1f} s, at most {result.peak_force:.1f} N."

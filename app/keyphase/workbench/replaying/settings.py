@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from keyphase.errors import ParameterError
-from keyphase.simulation.choosing import world_names
+from keyphase.simulation.choosing import world_in_words, world_names
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.wrist_sensor import SensorModel
 
@@ -74,8 +74,8 @@ class ReplaySettings:
         )
 
     def in_words(self) -> str:
-        """The world, for people: "setup1, parts 6 mm higher"."""
-        said = [self.workcell]
+        """The world, for people: "in setup1, parts 6 mm higher"."""
+        said = [f"in {world_in_words(self.workcell)}"]
         if self.part_height_m:
             way = "higher" if self.part_height_m > 0 else "lower"
             said.append(f"parts {1e3 * abs(self.part_height_m):.3g} mm {way}")

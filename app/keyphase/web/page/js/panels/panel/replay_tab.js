@@ -17,6 +17,9 @@ const WORLD = [
 
 const STEER = { running: "Pause", paused: "Go on", over: "Again" };
 
+/** What the world made from the recording is called. */
+const RECORDING = "recording";
+
 /**
  * @param {import("../../lib/store.js").Store} store
  * @param {any} actions
@@ -46,7 +49,10 @@ export function createReplayTab(store, actions) {
       world.replaceChildren(...sliders.map(({ node }) => node));
     }
     workcell.show(
-      settings.choices.map(({ name }) => ({ value: name, text: name })),
+      settings.choices.map(({ name }) => ({
+        value: name,
+        text: name === RECORDING ? "made from it" : name,
+      })),
       settings.workcell,
     );
     endBy.show(
