@@ -6,6 +6,10 @@ import pytest
 from keyphase.files.shipped import shipped
 from keyphase.readers import read
 from keyphase.segmentation import segment
+from keyphase.skills.execution.pressing import still
+from keyphase.skills.execution.seeking import giving
+from keyphase.skills.execution.sensed import Sensed
+from keyphase.skills.execution.squared import Squared
 from keyphase.skills.library import skills_of
 from keyphase.skills.squaring import Squaring, squaring_at
 
@@ -50,6 +54,18 @@ def test_the_sides_are_those_of_the_tool_first_along_the_way_it_is_carried() -> 
     assert np.abs(first[:2]) == pytest.approx([np.cos(turn), np.sin(turn)])
     assert abs(first @ other) < 1e-12
     assert abs(first @ DOWN) < 1e-12
+
+
+def test_it_stays_where_the_strokes_put_it_however_it_is_pushed_while_it_is_pressed() -> None:
+    demonstration = read(shipped("data") / "setup2.npz")
+    kept = [one for one in segment(demonstration).segments if not one.idle]
+    (skill,) = [one for one in skills_of(demonstration, kept) if one.squaring]
+    assert skill.press is not None
+    upright = np.array([1.0, 0.0, 0.0, 0.0])
+    aside = np.cross(skill.press.direction, [1.0, 0.0, 0.0])
+    sensed = Sensed(0.002 * aside, upright, np.zeros(6), np.zeros(3))
+    wanted = giving(still(np.zeros(3), upright), sensed, Squared(skill, 0.004), 0.0)
+    assert np.linalg.norm(wanted.position_m) < 1e-9
 
 
 def test_of_the_bundled_recordings_only_what_carries_is_squared() -> None:

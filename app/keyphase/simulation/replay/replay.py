@@ -151,7 +151,8 @@ class Replay:
         if run is None or run.skill.demonstrated_s is None:
             return None
         end_s = run.skill.demonstrated_s[1]
-        if executor.stage == "pressing":
+        # While a part is squared, and pressed for it, nothing is repeated.
+        if executor.stage == "pressing" and run.skill.squaring is None:
             return end_s + min(executor.in_stage_s, PRESSED_S[0])
         return min(run.moment_s, end_s + LATEST_S)
 

@@ -48,6 +48,8 @@ FADED_S = 0.2
 class Seeking:
     """Of one skill that has a search; `watch` is told every tick."""
 
+    giving = GIVING
+
     def __init__(self, skill: Skill, sensed: Sensed, step_s: float) -> None:
         assert skill.search is not None
         assert skill.press is not None
@@ -115,7 +117,7 @@ def giving(
     """
     direction, off = seeking.press.direction, reference.position_m - sensed.position_m
     along = float(off.dot(direction)) * direction
-    position = sensed.position_m + along + GIVING * (off - along)
+    position = sensed.position_m + along + seeking.giving * (off - along)
     turned = turned_easily(reference, sensed, seeking.turning)
     rock = quaternions.from_rotation_vector(rocked(direction, time_s))
     wxyz = quaternions.product(rock, turned.orientation_wxyz)

@@ -13,10 +13,15 @@ FLATTENING = 0.03
 one that stands on an edge turns what it then carries along."""
 
 
+HELD = 1.0
+"""Part of the stiffness aside that is left meanwhile: the strokes put the part where it belongs,
+and what lies at a slant would lead one off that gives way."""
+
+
 class Squared:
     """Of one skill that has a squaring; has the face of `Seeking`."""
 
-    turning = FLATTENING
+    turning, giving = FLATTENING, HELD
 
     def __init__(self, skill: Skill, step_s: float) -> None:
         assert skill.squaring is not None

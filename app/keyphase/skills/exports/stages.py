@@ -13,7 +13,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.skills.execution.executor import PRESSED_S, STEP_S
 from keyphase.skills.execution.seeking import GIVING, SEATING_S, TURNING, rocked
-from keyphase.skills.execution.squared import FLATTENING
+from keyphase.skills.execution.squared import FLATTENING, HELD
 from keyphase.skills.search import YIELDS, Search
 from keyphase.skills.skill import Skill
 from keyphase.skills.squaring import Squaring
@@ -51,7 +51,7 @@ def pressing_of(skill: Skill) -> dict[str, Any] | None:
         max(press.force_N, seat.press_N),
         SEATING_S,
         SEATING_S,
-        aside_left=GIVING,
+        aside_left=GIVING if skill.search else HELD,
         turning_left=(TURNING if skill.search else FLATTENING, FLATTENING),
         moves=_rocking((x, y, z)),
     )
