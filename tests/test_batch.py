@@ -1,10 +1,13 @@
 """Many recordings at once: where their segment files go, and what happens to bad ones."""
 
 import json
+import os
+import signal
 
 import numpy as np
 import pytest
 
+from keyphase.batch.running import one_by_one
 from keyphase.batch.segmenting import segment_all
 from keyphase.demonstration import Demonstration
 from keyphase.errors import KeyphaseError, ParameterError, SegmentFileError
@@ -227,3 +230,16 @@ def test_a_defect_in_one_recording_is_named_and_the_others_go_on(tmp_path, monke
     report = segment_all([tmp_path / "in"], tmp_path / "out", jobs=1)
     assert "a.npz: something is wrong inside keyphase" in report.refused[0].reason
     assert [one.recording.name for one in report.written] == ["b.npz"]
+
+
+def negative_ends_its_worker(number):
+    if number < 0:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return number
+
+
+def test_what_ends_its_worker_is_named_and_the_others_go_on():
+    """As a library does over a damaged file, or the system where memory runs out."""
+    todo = [1, 2, -3, 4]
+    became = one_by_one(negative_ends_its_worker, todo, 2, lambda number: f"{number} ended it")
+    assert list(became) == [1, 2, "-3 ended it", 4]

@@ -2,12 +2,13 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from time import perf_counter
-from typing import Any
 
 from keyphase.batch.backends import Backend, running_on
 from keyphase.batch.manifest import Manifest, known_by, settings_hash
+from keyphase.batch.running import in_groups, one_by_one
 from keyphase.batch.tasks import (
     BatchReport,
     Refusal,
@@ -61,8 +62,9 @@ def segment_all(
     tell = progress or (lambda _done, _total: None)
     tell(len(became), len(tasks))
     with running_on(backend, address):
-        work = _in_groups if backend == "ray" else _results
-        results = work(todo, _How(recipe, chosen, csv, replace), jobs)
+        work = in_groups if backend == "ray" else one_by_one
+        how = _How(recipe, chosen, csv, replace)
+        results = work(partial(_segment_one, how), todo, jobs, _ended)
         for task, result in zip(todo, _kept(results, manifest), strict=True):
             became[task] = result
             tell(len(became), len(tasks))
@@ -97,34 +99,20 @@ class _How:
     replace: bool
 
 
-def _results(todo: Sequence[Written], how: _How, jobs: int) -> Iterator[Written | Refusal]:
-    """What becomes of each, in order; workers get paths, never arrays."""
-    from joblib import Parallel, delayed
-
-    calls = (delayed(_segment_one)(task, how) for task in todo)
-    running: Any = Parallel(n_jobs=jobs, return_as="generator")(calls)
-    return iter(running)
-
-
-_RAY_GROUP = 64
-"""So many are in work at once on Ray, which gives back no result before all of them are done."""
-
-
-def _in_groups(todo: Sequence[Written], how: _How, jobs: int) -> Iterator[Written | Refusal]:
-    """The same where results cannot be given back one by one; what is done is kept by groups."""
-    from joblib import Parallel, delayed
-
-    for at in range(0, len(todo), _RAY_GROUP):
-        calls = (delayed(_segment_one)(task, how) for task in todo[at : at + _RAY_GROUP])
-        done: Any = Parallel(n_jobs=jobs)(calls)
-        yield from done
-
-
 def _before(task: Written) -> Written:
     return Written(task.recording, task.segment_file, went_before=True)
 
 
-def _segment_one(task: Written, how: _How) -> Written | Refusal:
+def _ended(task: Written) -> Refusal:
+    return Refusal(
+        task.recording,
+        f"{task.recording}: expected a recording that can be read, but the program that read it "
+        "ended, as a library does over a damaged file or the system where memory runs out; the "
+        "others go on. Copy or export it again.",
+    )
+
+
+def _segment_one(how: _How, task: Written) -> Written | Refusal:
     try:
         return _segmented(task, how)
     except KeyphaseError as error:
