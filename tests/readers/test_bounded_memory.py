@@ -4,11 +4,13 @@ import resource
 from pathlib import Path
 
 import h5py
+import mcap.writer
 import numpy as np
 import pytest
 
 from keyphase.errors import DemonstrationError
 from keyphase.files.bounded_memory import memory_bounded
+from keyphase.readers import read
 from keyphase.readers.formats.hdf5 import opened
 
 
@@ -27,5 +29,21 @@ def test_an_hdf5_file_is_looked_into_under_such_a_bound(tmp_path: Path) -> None:
     path = tmp_path / "run.hdf5"
     with h5py.File(path, "w") as file:
         file["position"] = np.zeros((50, 3))
-    with pytest.raises(DemonstrationError, match="more memory than there is"), opened(path):
+    with pytest.raises(DemonstrationError, match="far more memory than"), opened(path):
         bytes(200 << 20)
+
+
+@pytest.mark.parametrize("profile", ["ros2", ""])
+def test_a_chunk_of_an_mcap_file_that_unpacks_to_a_hundred_times_the_file_is_refused(
+    tmp_path: Path, profile: str
+) -> None:
+    path = tmp_path / "run.mcap"
+    with path.open("wb") as file:
+        writer = mcap.writer.Writer(file, chunk_size=1 << 40)
+        writer.start(profile=profile)
+        kind = writer.register_schema("std_msgs/msg/String", "ros2msg", b"string data")
+        topic = writer.register_channel("/said", "cdr" if profile else "json", kind)
+        writer.add_message(topic, 0, bytes(100 << 20), 0)
+        writer.finish()
+    with pytest.raises(DemonstrationError, match="far more memory than"):
+        read(path)

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from keyphase.errors import DemonstrationError
+from keyphase.files.bounded_memory import memory_bounded
 from keyphase.files.reading import first_bytes
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.damage import damage_told
@@ -25,6 +26,9 @@ EXTRA = "ros"
 ROS1_MAGIC = b"#ROSBAG V"
 MCAP_MAGIC = b"\x89MCAP0\r\n"
 ROS2_INFO = "metadata.yaml"
+
+_PACKED_TIMES = 32
+"""So many times a bag's size its messages may take: states that hardly change are packed well."""
 
 BULKY = ("Image", "PointCloud2", "LaserScan", "OccupancyGrid", "CompressedImage", "CompressedVideo")
 
@@ -49,11 +53,13 @@ def table_of_bag(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     plain = is_without_ros(path)
     streams = Streams(str(path), limit_bytes, of_ros=not plain)
     if plain:
-        with damage_told(path, "MCAP file", "copy or record it again"):
+        told = damage_told(path, "MCAP file", "copy or record it again")
+        with told, memory_bounded(path, _PACKED_TIMES):
             for topic, _, log_ns, content in plain_messages(path, streams.pass_over):
                 streams.add_plain(topic, log_ns, content)
     else:
-        with damage_told(path, "bag", "copy or record it again"):
+        told = damage_told(path, "bag", "copy or record it again")
+        with told, memory_bounded(path, _PACKED_TIMES):
             for topic, log_ns, message in _messages(path, streams):
                 streams.add(topic, log_ns, message)
     arrays = with_chains(streams.arrays())

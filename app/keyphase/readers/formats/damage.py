@@ -65,7 +65,7 @@ def what_is_wrong(path: Path, error: Exception) -> str:
     if isinstance(error, UnfitError):
         return str(error)
     if isinstance(error, MemoryError):
-        return "it asks for more memory than there is"
+        return "it asks for far more memory than a file of its size needs"
     if isinstance(error, RecursionError):
         return "it is nested too deeply"
     if (cut := _without_end(path)) is not None:
