@@ -6,6 +6,8 @@ from pathlib import Path
 import h5py
 import mcap.writer
 import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
 import pytest
 
 from keyphase.errors import DemonstrationError
@@ -47,3 +49,10 @@ def test_a_chunk_of_an_mcap_file_that_unpacks_to_a_hundred_times_the_file_is_ref
         writer.finish()
     with pytest.raises(DemonstrationError, match="far more memory than"):
         read(path)
+
+
+def test_a_parquet_file_of_kilobytes_with_millions_of_rows_is_refused(tmp_path: Path) -> None:
+    column = pa.array(np.zeros(10_000_000))
+    pq.write_table(pa.table(dict.fromkeys("txyz", column)), tmp_path / "run.parquet")
+    with pytest.raises(DemonstrationError, match="far more memory than"):
+        read(tmp_path / "run.parquet")

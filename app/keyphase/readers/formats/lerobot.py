@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.errors import DemonstrationError
+from keyphase.files.bounded_memory import memory_bounded
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.damage import damage_told, what_is_wrong
 from keyphase.readers.formats.numeric import MAX_NUMBERS_A_ROW, refuse_too_large, unknown_part
@@ -24,6 +25,9 @@ INFO = "meta/info.json"
 _MAX_INFO_BYTES = 64 << 20
 _MAX_EPISODES = 10_000_000
 _BATCH_ROWS = 8192
+PACKED_TIMES = 32
+"""So many times a file's size its rows may take. pyarrow works without threads under such a bound:
+one that cannot be begun would end the program."""
 
 
 def is_lerobot(path: Path) -> bool:
@@ -111,12 +115,15 @@ def _episode(path: Path, info: Mapping[str, Any], number: int) -> Any:
     parquet = package("pyarrow.parquet", EXTRA, path)
     compute = package("pyarrow.compute", EXTRA, path)
     arrow = package("pyarrow", EXTRA, path)
-    with parquet.ParquetFile(file_of_episode(path, info, number)) as file:
+    chosen = file_of_episode(path, info, number)
+    with memory_bounded(chosen, PACKED_TIMES), parquet.ParquetFile(chosen) as file:
         groups = [g for g in range(file.num_row_groups) if _holds(file, g, number, compute)]
         names = [one.name for one in file.schema_arrow if _is_plain(one.type)]
         pieces = [
             piece.filter(compute.equal(piece["episode_index"], number))
-            for piece in file.iter_batches(_BATCH_ROWS, row_groups=groups, columns=names)
+            for piece in file.iter_batches(
+                _BATCH_ROWS, row_groups=groups, columns=names, use_threads=False
+            )
         ]
         schema = arrow.schema([one for one in file.schema_arrow if one.name in names])
     return arrow.Table.from_batches(pieces, schema)
@@ -130,7 +137,9 @@ def _is_plain(kind: Any) -> bool:
 
 def _holds(file: Any, group: int, number: int, compute: Any) -> bool:
     """By the numbers themselves: statistics that are damaged end pyarrow and the whole program."""
-    column = file.read_row_group(group, columns=["episode_index"])["episode_index"]
+    column = file.read_row_group(group, columns=["episode_index"], use_threads=False)[
+        "episode_index"
+    ]
     return bool(compute.any(compute.equal(column, number)).as_py())
 
 

@@ -5,9 +5,15 @@ from pathlib import Path
 import numpy as np
 
 from keyphase.errors import DemonstrationError
+from keyphase.files.bounded_memory import memory_bounded
 from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.damage import damage_told
-from keyphase.readers.formats.lerobot import EXTRA, columns_of_parquet, texts_of_parquet
+from keyphase.readers.formats.lerobot import (
+    EXTRA,
+    PACKED_TIMES,
+    columns_of_parquet,
+    texts_of_parquet,
+)
 from keyphase.readers.formats.numeric import refuse_too_large
 from keyphase.readers.formats.packages import package
 
@@ -35,10 +41,11 @@ def table_of_parquet(path: Path, part: str | None, limit_bytes: int) -> ArrayTab
     parquet = package("pyarrow.parquet", EXTRA, path)
     arrow = package("pyarrow", EXTRA, path)
     compute = package("pyarrow.compute", EXTRA, path)
-    with damage_told(path, "Parquet file"), parquet.ParquetFile(path) as file:
+    told, bounded = damage_told(path, "Parquet file"), memory_bounded(path, PACKED_TIMES)
+    with told, bounded, parquet.ParquetFile(path) as file:
         rows, width = file.metadata.num_rows, file.metadata.num_columns
         refuse_too_large([_Declared(rows)] * width, str(path), limit_bytes)
-        table = file.read()
+        table = file.read(use_threads=False)
         for _ in range(_MAX_DEPTH):
             table = table.flatten()
         for at, one in enumerate(table.schema):
