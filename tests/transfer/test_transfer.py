@@ -110,10 +110,11 @@ def test_one_taught_recording_has_no_usual_cost(first: Taught) -> None:
     assert usual_cost_of([first, first]) == pytest.approx(0.0, abs=1e-6)
 
 
+@pytest.mark.parametrize("turned_rad", [0.7, 3.0])
 def test_a_recording_that_stands_turned_to_the_robot_is_turned_back(
-    shown: Demonstration, first: Taught
+    shown: Demonstration, first: Taught, turned_rad: float
 ) -> None:
-    turn = Rotation.from_rotvec([0.0, 0.0, 0.7])
+    turn = Rotation.from_rotvec([0.0, 0.0, turned_rad])
     matrix = turn.as_matrix().T
     assert shown.orientation_wxyz is not None
     assert shown.force_N is not None
@@ -125,7 +126,7 @@ def test_a_recording_that_stands_turned_to_the_robot_is_turned_back(
         force_N=shown.force_N @ matrix,
     )
     alignment = align(first.signals, signals_of(turned))
-    assert alignment.standing.turned_rad == pytest.approx(-0.7, abs=0.02)
+    assert alignment.standing.turned_rad == pytest.approx(-turned_rad, abs=0.02)
     assert alignment.cost < 0.1
 
 
@@ -139,6 +140,44 @@ def test_a_recording_that_began_at_another_place_is_moved_back(
     )
     assert alignment.standing.moved[0] > 0.5
     assert alignment.cost < 0.3
+
+
+def test_a_long_rest_moves_what_comes_after_it_and_nothing_else(
+    shown: Demonstration, first: Taught
+) -> None:
+    # It waits for eight seconds where it waits for one, between the first and the second phase.
+    at = int(np.searchsorted(shown.time_s, first.ends_s[0] + 0.4))
+    index = np.concatenate([np.arange(at), np.full(2000, at), np.arange(at, len(shown.time_s))])
+    time_s = shown.start_s + 0.004 * np.arange(len(index))
+    rested = replace(
+        shown,
+        time_s=time_s,
+        position_m=shown.position_m[index],
+        orientation_wxyz=None,
+        force_N=None,
+        torque_Nm=None,
+        joints_rad=None,
+    )
+    alignment = align(first.signals, signals_of(rested))
+    expected = [first.ends_s[0], *(end_s + 8.0 for end_s in first.ends_s[1:])]
+    np.testing.assert_allclose([alignment.at(t) for t in first.ends_s], expected, atol=0.1)
+    assert alignment.tempo == pytest.approx(1.0, abs=0.1)
+
+
+def test_a_name_is_unsure_where_its_phase_is_not_there(shown: Demonstration, first: Taught) -> None:
+    until = int(np.searchsorted(shown.time_s, first.ends_s[-1]))
+    stopped = replace(
+        shown,
+        time_s=shown.time_s[:until],
+        position_m=shown.position_m[:until],
+        orientation_wxyz=None,
+        force_N=None,
+        torque_Nm=None,
+        joints_rad=None,
+    )
+    named_as = {one.name: one.confidence for one in propose([first], stopped).phases}
+    assert named_as.pop(NAMES[-1], 0.0) < 0.85
+    assert named_as[NAMES[0]] > 0.95
 
 
 def test_a_boundary_keeps_its_distance_from_the_evidence_it_belongs_to(

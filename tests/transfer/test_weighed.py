@@ -62,8 +62,15 @@ def test_what_is_unsure_and_before_the_task_is_none_of_its_boundaries() -> None:
 
 
 def test_marks_now_on_one_side_now_on_the_other_mean_no_other_place() -> None:
-    ends = np.array([2.0, 4.0, 6.0, 8.0])
+    ends = np.arange(1.0, 9.0)
+    now_and_then = ends + 0.15 * np.array([1, -1, 1, -1, 1, -1, 1, -1])
     early = teacher(ends.tolist(), (ends + 0.15).tolist())
-    careless = teacher(ends.tolist(), (ends + 0.15 * np.array([1, -1, 1, -1])).tolist())
+    careless = teacher(ends.tolist(), now_and_then.tolist())
     assert meant_elsewhere_s([early]) == pytest.approx(0.15)
     assert meant_elsewhere_s([careless]) == 0.0
+
+
+def test_of_few_marks_scatter_may_be_meant() -> None:
+    ends = np.array([2.0, 4.0, 6.0, 8.0])
+    now_and_then = teacher(ends.tolist(), (ends + 0.15 * np.array([1, -1, 1, -1])).tolist())
+    assert meant_elsewhere_s([now_and_then]) == pytest.approx(0.15)

@@ -15,9 +15,6 @@ from keyphase.transfer.signals import AS_IT_STANDS, Signals, Standing, in_common
 BAND = 0.25
 _MIN_BAND = 50
 
-MAX_TURNED_RAD = np.deg2rad(100.0)
-"""A recording that had to be turned by more to fit does something else."""
-
 _MAX_TURNS = 2
 _FITS_WELL = 0.3
 _SAME_TURN_RAD = np.deg2rad(5.0)
@@ -30,6 +27,7 @@ class Alignment:
     from_s, to_s  (K,) pairs of moments, neither ever falling
     residual      (K,) how far apart the signals are there
     cost          their mean: how badly the recordings fit together
+    tempo         how much longer the second takes, long rests left out
     standing      how the second was turned and moved to fit
     """
 
@@ -37,13 +35,8 @@ class Alignment:
     to_s: Array
     residual: Array
     cost: float
+    tempo: float = 1.0
     standing: Standing = AS_IT_STANDS
-
-    @property
-    def tempo(self) -> float:
-        """How much longer the second takes."""
-        ours, others = self.from_s[-1] - self.from_s[0], self.to_s[-1] - self.to_s[0]
-        return float(others / max(ours, 1e-9))
 
     def at(self, time_s: float) -> float:
         """The moment of the second recording that belongs to one of the first."""
@@ -80,7 +73,7 @@ def _standings(first: Signals, second: Signals, best: Alignment) -> list[Standin
     before = best.standing
     angles = [before.turned_rad]
     turned_rad = _turned_between(first, second, best)
-    if abs(turned_rad) <= MAX_TURNED_RAD and abs(turned_rad - angles[0]) >= _SAME_TURN_RAD:
+    if abs(turned_rad - angles[0]) >= _SAME_TURN_RAD:
         angles.append(turned_rad)
     moved = [Standing(angle, _moved_between(first, second, best, angle)) for angle in angles]
     turned = [Standing(angle, before.moved) for angle in angles[1:]]
@@ -94,7 +87,9 @@ def _aligned(first: Signals, second: Signals, standing: Standing) -> Alignment:
     rows, columns = _path(total)
     residual = distance[rows, columns]
     cost = float(residual.mean())
-    return Alignment(first.time_s[rows], second.time_s[columns], residual, cost, standing)
+    lasting = [len(one.time_s) * one.step_s for one in (first, second)]
+    tempo = lasting[1] / lasting[0]
+    return Alignment(first.time_s[rows], second.time_s[columns], residual, cost, tempo, standing)
 
 
 def _turned_between(first: Signals, second: Signals, alignment: Alignment) -> float:

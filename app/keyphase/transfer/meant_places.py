@@ -14,12 +14,16 @@ from keyphase.transfer.taught import Taught
 REACH_S = 0.4
 """Farther from the program's boundary a person's is another one, and not that one moved."""
 
+ENOUGH = 5
+"""So many boundaries more than kinds are needed to know how much a person's marks scatter."""
+
 
 def meant_elsewhere_s(teachers: Sequence[Teacher]) -> float:
     """How far from the program's boundaries persons mean theirs, in the tempo of the new recording.
 
     The root mean square of the mean distance of each kind, less what the scatter within the kinds
-    makes of it (analysis of variance); infinite where no boundary is near one of the program's.
+    makes of it (analysis of variance); of few boundaries scatter cannot be told from intent, and
+    that of all counts. Infinite where no boundary is near one of the program's.
     """
     kinds: dict[str, list[float]] = {}
     for one in teachers:
@@ -32,7 +36,9 @@ def meant_elsewhere_s(teachers: Sequence[Teacher]) -> float:
         return np.inf
     between = sum(len(group) * group.mean() ** 2 for group in groups)
     within = sum(len(group) * group.var() for group in groups)
-    scatter = within / max(count - len(groups), 1)
+    if count - len(groups) < ENOUGH:
+        return float(np.sqrt((between + within) / count))
+    scatter = within / (count - len(groups))
     return float(np.sqrt(max(between - len(groups) * scatter, 0.0) / count))
 
 

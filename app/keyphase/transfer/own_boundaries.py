@@ -120,7 +120,7 @@ def _moved_by(own: Boundary, teachers: Sequence[Teacher]) -> float:
     One of them alone says nothing: of the mean of n a share of (n - 1) / (n + 1) is believed.
     """
     offsets = [
-        offset
+        offset * teacher.alignment.tempo
         for teacher in teachers
         for end_s, offset in zip(teacher.taught.ends_s, offsets_s(teacher.taught), strict=True)
         if offset is not None and abs(teacher.alignment.at(end_s) - own.time_s) <= REACH_S

@@ -98,7 +98,7 @@ def _placed_by(teacher: Teacher, signals: Signals, places: Places) -> tuple[Plac
     if chosen is None:
         return None
     start_s, end_s = float(signals.time_s[0]), float(signals.time_s[-1])
-    edges = [start_s, *(option.time_s for option in chosen), end_s]
+    edges = signals.awake_s(np.array([start_s, *(o.time_s for o in chosen), end_s])).tolist()
     times = [
         option.time_s + _offset_s(teacher, wanted, number, edges)
         for number, option in enumerate(chosen)
@@ -172,17 +172,18 @@ def _phase_costs(
     """(B, A): what a phase from one of B places to one of A costs."""
     first = np.array([option.time_s for option in before])
     last = np.array([option.time_s for option in after])
-    lasting = last[None] - first[:, None]
     theirs, mine = in_common(teacher.taught.signals, signals, teacher.alignment.standing)
-    begin, finish = _taught_edges(teacher, wanted, number)
+    begin, finish = theirs.awake_s(np.array(_taught_edges(teacher, wanted, number))).tolist()
+    since = mine.awake_s(first)[:, None]
+    lasting = mine.awake_s(last)[None] - since
     shares = np.linspace(0.0, 1.0, _POINTS)
-    example = theirs.between(np.array(begin + shares * (finish - begin)))
-    found = mine.between(first[:, None, None] + shares * lasting[:, :, None])
+    example = theirs.at_awake(np.array(begin + shares * (finish - begin)))
+    found = mine.at_awake(since[:, :, None] + shares * lasting[:, :, None])
     difference = np.linalg.norm(found - example, axis=-1).mean(axis=-1)
     usual = max((finish - begin) * teacher.alignment.tempo, MIN_GAP_S)
     ratio = np.maximum(lasting, MIN_GAP_S) / usual
     costs = _DIFFERENCE * difference + _DURATION * np.abs(np.log(ratio))
-    return np.where(lasting >= MIN_GAP_S, costs, np.inf)
+    return np.where(last[None] - first[:, None] >= MIN_GAP_S, costs, np.inf)
 
 
 def _taught_edges(teacher: Teacher, wanted: Sequence[_Wanted], number: int) -> tuple[float, float]:
@@ -198,7 +199,8 @@ def _offset_s(
     before, _ = _taught_edges(teacher, wanted, number)
     _, after = _taught_edges(teacher, wanted, number + 1)
     around = edges[number + 2] - edges[number]
-    tempo = np.clip(around / max(after - before, MIN_GAP_S), *_TEMPO_RANGE)
+    theirs = float(np.ptp(teacher.taught.signals.awake_s(np.array([before, after]))))
+    tempo = np.clip(around / max(theirs, MIN_GAP_S), *_TEMPO_RANGE)
     return float(wanted[number].offset_s * tempo)
 
 

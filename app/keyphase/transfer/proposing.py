@@ -14,9 +14,10 @@ import numpy as np
 from keyphase.demonstration import Demonstration
 from keyphase.errors import LabelingError
 from keyphase.segmentation.segmentation import Segmentation
-from keyphase.transfer.alignment import Alignment, align
+from keyphase.transfer.alignment import align
 from keyphase.transfer.evidence_places import NO_PLACES, Places, places_of
 from keyphase.transfer.own_boundaries import ProposedBoundary, own_where_better
+from keyphase.transfer.phase_fit import PhaseFit
 from keyphase.transfer.placing import Teacher, placed_ends
 from keyphase.transfer.signals import Signals, signals_of
 from keyphase.transfer.taught import Taught
@@ -95,7 +96,7 @@ def propose(
     fitting = [one for one in aligned if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
     own = segmentation and own_where_better(fitting, aligned, boundaries, segmentation)
     boundaries = boundaries if own is None else own
-    phases = _phases(best, alignment, boundaries, demonstration, joined=own is None)
+    phases = _phases(PhaseFit(aligned[0], signals), boundaries, demonstration, joined=own is None)
     inner = {phase.end_s for phase in phases[:-1]}
     boundaries = tuple(b for b in boundaries if b.time_s in inner)
     teachers = tuple(one.taught.name for one in same)
@@ -155,8 +156,7 @@ def _limit(usual_cost: float | None) -> float:
 
 
 def _phases(
-    best: Taught,
-    alignment: Alignment,
+    fit: PhaseFit,
     boundaries: Sequence[ProposedBoundary],
     demonstration: Demonstration,
     *,
@@ -166,6 +166,7 @@ def _phases(
 
     `joined`: neighbours that are parts of one phase there are one phase here, too.
     """
+    best, alignment = fit.teacher.taught, fit.teacher.alignment
     edges = [demonstration.start_s, *(b.time_s for b in boundaries), demonstration.end_s]
     sure = [1.0, *(b.confidence for b in boundaries), 1.0]
     inner = [phase.end_s for phase in best.phases[:-1]]
@@ -179,6 +180,7 @@ def _phases(
         phase = best.phases[index]
         share = float(votes.max() / max(votes.sum(), 1))
         confidence = _name_confidence(share, min(sure[i], sure[i + 1]))
+        confidence *= fit.of(index, edges[i], edges[i + 1])
         start_s = edges[i]
         if joined and index == before:
             last = found.pop()

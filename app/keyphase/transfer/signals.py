@@ -7,11 +7,13 @@ opening over its range. A recording of another operator, another place or anothe
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.rotations.courses import from_first
+from keyphase.transfer.rests import awake
 
 RATE_HZ = 25.0
 """Enough for phases."""
@@ -33,19 +35,31 @@ _LARGE = 0.98
 
 @dataclass(frozen=True, eq=False)
 class Signals:
-    """Signals (M, D) at times (M,) on an even grid.
+    """Signals (M, D) at times (M,): an even grid, of which long rests are left out.
 
-    kinds says which columns there are, so that only like are compared with like
+    kinds  which columns there are, so that only like are compared with like
     """
 
     time_s: Array
     values: Array
     kinds: tuple[str, ...]
 
+    @cached_property
+    def step_s(self) -> float:
+        """How far apart samples are where none are left out [s]."""
+        return float(np.diff(self.time_s).min())
+
+    def awake_s(self, time_s: Array) -> Array:
+        """Seconds (...) to times (...) on a clock that stands still while samples are left out."""
+        return self.step_s * np.interp(time_s, self.time_s, np.arange(len(self.time_s)))
+
     def between(self, time_s: Array) -> Array:
         """The values (..., D) at times (...), straight between samples."""
-        step = (self.time_s[-1] - self.time_s[0]) / (len(self.time_s) - 1)
-        place = np.clip((time_s - self.time_s[0]) / step, 0.0, len(self.time_s) - 1.0)
+        return self.at_awake(self.awake_s(time_s))
+
+    def at_awake(self, awake_s: Array) -> Array:
+        """The values (..., D) at moments (...) of the clock that stands still."""
+        place = np.clip(awake_s / self.step_s, 0.0, len(self.time_s) - 1.0)
         row = np.minimum(place.astype(int), len(self.time_s) - 2)
         part = (place - row)[..., None]
         return (1.0 - part) * self.values[row] + part * self.values[row + 1]
@@ -132,7 +146,9 @@ def signals_of(demonstration: Demonstration) -> Signals:
         opening = np.interp(grid, demonstration.time_s, demonstration.gripper)[:, None]
         columns[GRIPPER] = (opening - opening.min()) / (np.ptp(opening) + 1e-9)
     kinds = tuple(name for name, values in columns.items() for _ in range(values.shape[1]))
-    return Signals(grid, np.hstack(list(columns.values())), kinds)
+    values = np.hstack(list(columns.values()))
+    kept = awake(grid, values)
+    return Signals(grid[kept], values[kept], kinds)
 
 
 def _force(force: Array) -> dict[str, Array]:

@@ -45,32 +45,37 @@ def taught_by_truth(known: Known) -> Taught:
     return taught_from(own, phases)
 
 
-_SEGMENTED: dict[int, Segmentation] = {}
+_SEGMENTED: dict[int, tuple[Known, Segmentation]] = {}
+"""By id, which the recording kept beside keeps from being given to another."""
 
 
 def segmentation_of(known: Known) -> Segmentation:
     """What the program finds by itself."""
     key = id(known)
     if key not in _SEGMENTED:
-        _SEGMENTED[key] = segment(known.demonstration)
-    return _SEGMENTED[key]
+        _SEGMENTED[key] = known, segment(known.demonstration)
+    return _SEGMENTED[key][1]
 
 
 def tries(known: Sequence[Known], teachers: Sequence[int]) -> list[Tried]:
     """Each of the others, taught by these."""
     taught = [taught_by_truth(known[i]) for i in teachers]
+    return tries_of(taught, [one for i, one in enumerate(known) if i not in teachers])
+
+
+def tries_of(taught: Sequence[Taught], others: Sequence[Known]) -> list[Tried]:
+    """Each of some recordings, taught by these."""
     usual = usual_cost_of(taught)
-    others = [one for i, one in enumerate(known) if i not in teachers]
-    return [_try(taught, usual, one, known[teachers[0]]) for one in others]
+    return [_try(taught, usual, one) for one in others]
 
 
-def _try(taught: Sequence[Taught], usual: float | None, known: Known, first: Known) -> Tried:
+def _try(taught: Sequence[Taught], usual: float | None, known: Known) -> Tried:
     own = segmentation_of(known)
     found = propose(taught, known.demonstration, own, usual_cost=usual)
     alone = [b.time_s for b in own.boundaries]
     # On an outlier nothing is proposed: what the program found by itself stands.
     proposed = alone if found.outlier else [b.time_s for b in found.boundaries]
-    stretched = _stretched(first, known)
+    stretched = _stretched(taught[0], known)
     times = {
         "proposed": proposed,
         "stretched in time": stretched,
@@ -78,7 +83,7 @@ def _try(taught: Sequence[Taught], usual: float | None, known: Known, first: Kno
     }
     truth = Truth(known.ends_s, known.ignore_s, known.tolerance_s)
     names = {"proposed": _share(known, proposed, [phase.name for phase in found.phases])}
-    names["stretched in time"] = _share(known, stretched, first.names)
+    names["stretched in time"] = _share(known, stretched, taught[0].names)
     return Tried(
         {method: tally(truth, some) for method, some in times.items()},
         names if known.named else {},
@@ -88,10 +93,11 @@ def _try(taught: Sequence[Taught], usual: float | None, known: Known, first: Kno
     )
 
 
-def _stretched(first: Known, known: Known) -> list[float]:
-    a, b = first.demonstration, known.demonstration
-    share = [(end - a.start_s) / a.duration_s for end in first.ends_s]
-    return [b.start_s + one * b.duration_s for one in share]
+def _stretched(first: Taught, known: Known) -> list[float]:
+    start_s, end_s = first.phases[0].start_s, first.phases[-1].end_s
+    own = known.demonstration
+    shares = [(one - start_s) / (end_s - start_s) for one in first.ends_s]
+    return [own.start_s + share * own.duration_s for share in shares]
 
 
 def _share(known: Known, ends_s: Sequence[float], names: Sequence[str]) -> float:
