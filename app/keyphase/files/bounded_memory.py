@@ -9,14 +9,16 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+_TIMES_THE_FILE = 32
+"""So many times a file's size what is in it may take: channels that are held are packed well."""
 _ROOM_BYTES = 64 << 20
 _ONE_AT_A_TIME = threading.RLock()
 """The bound is the whole process's; two could not be told apart."""
 
 
 @contextmanager
-def memory_bounded(path: Path, times: int = 4) -> Iterator[None]:
-    """Within, taking more than `times` the size of the file, and 64 MB, raises MemoryError.
+def memory_bounded(path: Path) -> Iterator[None]:
+    """Within, taking more than 32 times the file's size, and 64 MB, raises MemoryError.
 
     Of a folder the files right in it count. Only where the system keeps such a bound (Linux);
     elsewhere nothing is bounded.
@@ -31,7 +33,7 @@ def memory_bounded(path: Path, times: int = 4) -> Iterator[None]:
     size = sum(file.stat().st_size for file in files if file.is_file())
     with _ONE_AT_A_TIME:
         soft, hard = resource.getrlimit(resource.RLIMIT_AS)
-        most = taken + times * size + _ROOM_BYTES
+        most = taken + _TIMES_THE_FILE * size + _ROOM_BYTES
         bound = min(limit for limit in (most, soft, hard) if limit != resource.RLIM_INFINITY)
         resource.setrlimit(resource.RLIMIT_AS, (bound, hard))
         try:

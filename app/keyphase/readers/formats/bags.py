@@ -27,9 +27,6 @@ ROS1_MAGIC = b"#ROSBAG V"
 MCAP_MAGIC = b"\x89MCAP0\r\n"
 ROS2_INFO = "metadata.yaml"
 
-_PACKED_TIMES = 32
-"""So many times a bag's size its messages may take: states that hardly change are packed well."""
-
 BULKY = ("Image", "PointCloud2", "LaserScan", "OccupancyGrid", "CompressedImage", "CompressedVideo")
 
 
@@ -54,12 +51,12 @@ def table_of_bag(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
     streams = Streams(str(path), limit_bytes, of_ros=not plain)
     if plain:
         told = damage_told(path, "MCAP file", "copy or record it again")
-        with told, memory_bounded(path, _PACKED_TIMES):
+        with told, memory_bounded(path):
             for topic, _, log_ns, content in plain_messages(path, streams.pass_over):
                 streams.add_plain(topic, log_ns, content)
     else:
         told = damage_told(path, "bag", "copy or record it again")
-        with told, memory_bounded(path, _PACKED_TIMES):
+        with told, memory_bounded(path):
             for topic, log_ns, message in _messages(path, streams):
                 streams.add(topic, log_ns, message)
     arrays = with_chains(streams.arrays())

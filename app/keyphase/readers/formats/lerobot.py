@@ -25,9 +25,6 @@ INFO = "meta/info.json"
 _MAX_INFO_BYTES = 64 << 20
 _MAX_EPISODES = 10_000_000
 _BATCH_ROWS = 8192
-PACKED_TIMES = 32
-"""So many times a file's size its rows may take. pyarrow works without threads under such a bound:
-one that cannot be begun would end the program."""
 
 
 def is_lerobot(path: Path) -> bool:
@@ -116,7 +113,8 @@ def _episode(path: Path, info: Mapping[str, Any], number: int) -> Any:
     compute = package("pyarrow.compute", EXTRA, path)
     arrow = package("pyarrow", EXTRA, path)
     chosen = file_of_episode(path, info, number)
-    with memory_bounded(chosen, PACKED_TIMES), parquet.ParquetFile(chosen) as file:
+    # Without threads: one that cannot be begun under the bound would end the program.
+    with memory_bounded(chosen), parquet.ParquetFile(chosen) as file:
         groups = [g for g in range(file.num_row_groups) if _holds(file, g, number, compute)]
         names = [one.name for one in file.schema_arrow if _is_plain(one.type)]
         pieces = [

@@ -10,7 +10,6 @@ from keyphase.readers.formats.array_table import ArrayTable
 from keyphase.readers.formats.damage import damage_told
 from keyphase.readers.formats.lerobot import (
     EXTRA,
-    PACKED_TIMES,
     columns_of_parquet,
     texts_of_parquet,
 )
@@ -41,7 +40,7 @@ def table_of_parquet(path: Path, part: str | None, limit_bytes: int) -> ArrayTab
     parquet = package("pyarrow.parquet", EXTRA, path)
     arrow = package("pyarrow", EXTRA, path)
     compute = package("pyarrow.compute", EXTRA, path)
-    told, bounded = damage_told(path, "Parquet file"), memory_bounded(path, PACKED_TIMES)
+    told, bounded = damage_told(path, "Parquet file"), memory_bounded(path)
     with told, bounded, parquet.ParquetFile(path) as file:
         rows, width = file.metadata.num_rows, file.metadata.num_columns
         refuse_too_large([_Declared(rows)] * width, str(path), limit_bytes)
