@@ -89,7 +89,7 @@ skills = st.builds(
     force_limit_N=positive,
     demonstrated_s=st.none() | st.tuples(finite, finite),
     arming=st.none() | st.builds(Arming, positive, st.floats(0.0, 10.0), positive, positive),
-    press=st.none() | st.builds(Press, arrays3, finite, arrays3),
+    press=st.none() | st.builds(Press, directions.map(np.array), finite, arrays3),
     kept=st.lists(kept, max_size=2).map(tuple),
     shift_beyond_m=st.none() | st.floats(0.0, 1.0),
     precondition=st.none()
