@@ -6,7 +6,8 @@
     python tests/benchmarks/batch_many.py ray            # pip install "keyphase[ray]"
     python tests/benchmarks/batch_many.py listing        # a LeRobot dataset of 1 000 episodes
 
-`--count` takes fewer. Each prints what was measured and exits with 1 where it does not hold.
+`--count` takes fewer, `--rounds 4` makes them 32 s long. Each prints what was measured and exits
+with 1 where it does not hold.
 """
 
 import argparse
@@ -30,7 +31,7 @@ def main() -> int:
     """Run one of the five."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     runs = {
-        "efficiency": efficiency,
+        "efficiency": lambda folder, count: efficiency(folder, count, given.rounds),
         "killed": killed,
         "dask": lambda folder, count: same_bytes(folder, count, "dask"),
         "ray": lambda folder, count: same_bytes(folder, count, "ray"),
@@ -38,40 +39,42 @@ def main() -> int:
     }
     parser.add_argument("what", choices=runs)
     parser.add_argument("--count", type=int, default=1000)
+    parser.add_argument("--rounds", type=int, default=1, help="of 8 s, in each recording")
     given = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         return 0 if runs[given.what](Path(folder), given.count) else 1
 
 
-def recordings(folder: Path, count: int) -> Path:
-    """Short recordings that differ: a tool goes down, presses, slides and rises, 8 s at 250 Hz."""
+def recordings(folder: Path, count: int, rounds: int = 1) -> Path:
+    """Recordings that differ: a tool goes down, presses, slides, rises; 8 s a round at 250 Hz."""
     from keyphase.demonstration import Demonstration
     from keyphase.readers import save_npz
 
     folder.mkdir()
     for number in range(count):
         random = np.random.default_rng(number)
-        seconds = np.arange(2000) / 250
+        passed = np.arange(2000 * rounds) / 250
+        seconds = passed % 8.0
         turns = np.sort(random.uniform(0.8, 7.2, 4))
         height = np.interp(
             seconds, [0, turns[0], turns[1], turns[3], 8], [0.2, 0.2, 0.05, 0.05, 0.2]
         )
         aside = np.interp(seconds, [0, turns[1], turns[2], 8], [0, 0, 0.1, 0.1])
-        place = np.stack([0.3 + aside, 0 * seconds, height], axis=1)
+        place = np.stack([0.3 + aside + 0.1 * (passed // 8.0), 0 * seconds, height], axis=1)
         force = random.normal(0, 0.1, place.shape)
         force[(seconds > turns[1]) & (seconds < turns[3]), 2] += 6.0
         name = f"run_{number:04d}"
-        save_npz(Demonstration(name, seconds, place, force_N=force), folder / f"{name}.npz")
+        save_npz(Demonstration(name, passed, place, force_N=force), folder / f"{name}.npz")
     return folder
 
 
-def efficiency(folder: Path, count: int) -> bool:
+def efficiency(folder: Path, count: int, rounds: int) -> bool:
     """How much of two cores is work: all of them on one core, and on two.
 
     Beside it what the machine itself gives: two programs at once that know nothing of each other,
     with half of the recordings each.
     """
-    data = recordings(folder / "data", count)
+    data = recordings(folder / "data", count, rounds)
     one = segmented(data, folder / "one", jobs=1) / count
     two = segmented(data, folder / "two", jobs=2) / count
     found, most = one / (2 * two), one / (2 * apart(data, folder, count))
