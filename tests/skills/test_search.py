@@ -44,6 +44,16 @@ def test_a_detent_asks_for_the_demonstrated_depth() -> None:
     assert found.depth_m == pytest.approx(0.0025, abs=3e-4)
 
 
+def test_a_shake_of_the_hand_shortly_before_the_touch_makes_nothing_deeper() -> None:
+    demonstration = pressed_in(0.0025, gives_way=True)
+    force, time = demonstration.force_N, demonstration.time_s
+    assert force is not None
+    shaken = np.where((time > 0.93) & (time < 0.96), 2.0, force[:, 2])
+    found = its_search(replace(demonstration, force_N=np.c_[force[:, :2], shaken]))
+    assert found is not None
+    assert found.depth_m == pytest.approx(0.0025, abs=3e-4)
+
+
 @pytest.mark.parametrize(("depth_m", "gives_way"), [(0.0003, False), (0.0025, False), (0.02, True)])
 def test_what_is_hard_soft_or_deep_is_not_sought(depth_m, gives_way) -> None:
     assert its_search(pressed_in(depth_m, gives_way)) is None

@@ -132,6 +132,9 @@ def search_for(demonstration: Demonstration, end_s: float, press: Press | None) 
     touch, pressed, depth = before_touch(press.direction, quiet), [], 0.0
     for here, now in zip(position, force, strict=True):
         touch = touch.step(here, now)
+        if touch.lost:
+            # A hand shakes on its way down: what was lost there was no touch that sprang off.
+            touch = Touch(touch.direction, touch.level_N, touch.force_N)
         if touch.touched_m is None:
             pressed = []
         else:
