@@ -16,6 +16,7 @@ from keyphase.labeling.segment_file import (
     write_segment_file,
 )
 from keyphase.readers import parse_recipe, read
+from keyphase.readers.recipes.clocks import on_one_clock
 from keyphase.segmentation import segment
 
 RECIPE = """
@@ -107,3 +108,11 @@ def test_the_wrench_of_one_of_many_is_that_of_the_same_name(recording: Path) -> 
 
     assert found.force_N is not None
     np.testing.assert_allclose(found.force_N[:, 1], 1.0)
+
+
+@pytest.mark.parametrize("count", [0, 1])
+def test_a_channel_with_fewer_than_two_samples_is_refused(count: int) -> None:
+    time = {"position_m": np.arange(9) / 10, "force_N": np.arange(count) / 10}
+    channels = {name: np.zeros((len(clock), 3)) for name, clock in time.items()}
+    with pytest.raises(RecipeError, match=f"force_N has {count} sample"):
+        on_one_clock(channels, time, "r.toml")

@@ -34,14 +34,10 @@ def on_one_clock(
     """The channels (each (N_i, D)) with one `time_s` (N,), and what was done.
 
     `clocks` has the seconds (N_i,) of every channel. Raises RecipeError where a channel and its
-    clock have different lengths, or no two samples of the leading channel lie in all clocks.
+    clock have different lengths or fewer than two samples, or no two samples of the leading channel
+    lie in all clocks.
     """
-    for channel, values in channels.items():
-        if len(values) != len(clocks[channel]):
-            raise RecipeError(
-                f"{recipe}: {channel} has {len(values)} values but its clock "
-                f"{len(clocks[channel])}; name its own with time = in its section."
-            )
+    _refuse_unfit(channels, clocks, recipe)
     steering = _STEERING if "position_m" in channels else (*_STEERING, *_BY_JOINTS)
     leading = min(
         (channel for channel in steering if channel in channels),
@@ -71,6 +67,20 @@ def on_one_clock(
     }
     told = _notices(clocks, leading, moved, time) + _blind_notices(blind, lead)
     return {"time_s": time, **brought}, told
+
+
+def _refuse_unfit(channels: Mapping[str, Array], clocks: Mapping[str, Array], recipe: str) -> None:
+    for channel, values in channels.items():
+        if len(values) != len(clocks[channel]):
+            raise RecipeError(
+                f"{recipe}: {channel} has {len(values)} values but its clock "
+                f"{len(clocks[channel])}; name its own with time = in its section."
+            )
+        if len(values) < 2:
+            raise RecipeError(
+                f"{recipe}: {channel} has {len(values)} sample{'s' * (len(values) != 1)}, and a "
+                "channel with a clock of its own needs two at the least; check its columns."
+            )
 
 
 def refuse_clocks_apart(zeros: Mapping[str, Zero], clocks: Iterable[str], recipe: str) -> None:
