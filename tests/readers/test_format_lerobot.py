@@ -140,3 +140,10 @@ def test_a_file_whose_description_of_a_column_is_damaged_ends_nothing(v3: Path) 
     file.write_bytes(file.read_bytes().replace(whole, b"\x15\x02\x19"))
     with pytest.raises(DemonstrationError, match="expected a whole LeRobot dataset"):
         read(f"{v3}#episode_1", parse_recipe(RECIPE, "r.toml"))
+
+
+def test_more_episodes_than_there_are_bytes_to_tell_of_are_refused(v3: Path) -> None:
+    told = json.loads((v3 / "meta/info.json").read_text())
+    (v3 / "meta/info.json").write_text(json.dumps({**told, "total_episodes": 9_000_000}))
+    with pytest.raises(DemonstrationError, match="9000000, more than meta/ has bytes"):
+        read(f"{v3}#episode_1", parse_recipe(RECIPE, "r.toml"))

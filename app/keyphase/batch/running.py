@@ -41,29 +41,25 @@ def one_by_one(
 def _until_one_ends(
     do: Callable[[Task], Result], todo: Sequence[Task], ended: Callable[[Task], Result]
 ) -> Iterator[Result]:
-    from joblib import Parallel, delayed
     from joblib.externals.loky.process_executor import TerminatedWorkerError
 
     for task in todo:
         try:
             # Two jobs, since a single one is done in this process, which is not to end.
-            alone: Any = Parallel(n_jobs=2)([delayed(do)(task)])
-            yield alone[0]
+            yield from _at_once(do, [task], jobs=2)
         except TerminatedWorkerError:
             yield ended(task)
             return
 
 
-def in_groups(
-    do: Callable[[Task], Result],
-    todo: Sequence[Task],
-    jobs: int,
-    _ended: Callable[[Task], Result],
-) -> Iterator[Result]:
+def in_groups(do: Callable[[Task], Result], todo: Sequence[Task], jobs: int) -> Iterator[Result]:
     """The same where results cannot be given back one by one; what is done is kept by groups."""
+    for at in range(0, len(todo), _RAY_GROUP):
+        yield from _at_once(do, todo[at : at + _RAY_GROUP], jobs)
+
+
+def _at_once(do: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Sequence[Result]:
     from joblib import Parallel, delayed
 
-    for at in range(0, len(todo), _RAY_GROUP):
-        calls = (delayed(do)(task) for task in todo[at : at + _RAY_GROUP])
-        done: Any = Parallel(n_jobs=jobs)(calls)
-        yield from done
+    results: Any = Parallel(n_jobs=jobs)([delayed(do)(task) for task in tasks])
+    return results

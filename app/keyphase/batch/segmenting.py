@@ -62,13 +62,18 @@ def segment_all(
     tell = progress or (lambda _done, _total: None)
     tell(len(became), len(tasks))
     with running_on(backend, address):
-        work = in_groups if backend == "ray" else one_by_one
-        how = _How(recipe, chosen, csv, replace)
-        results = work(partial(_segment_one, how), todo, jobs, _ended)
+        do = partial(_segment_one, _How(recipe, chosen, csv, replace))
+        results = _results(do, todo, jobs, backend)
         for task, result in zip(todo, _kept(results, manifest), strict=True):
             became[task] = result
             tell(len(became), len(tasks))
     return report_of([became[task] for task in tasks])
+
+
+def _results(
+    do: Callable[[Written], Written | Refusal], todo: list[Written], jobs: int, backend: Backend
+) -> Iterator[Written | Refusal]:
+    return in_groups(do, todo, jobs) if backend == "ray" else one_by_one(do, todo, jobs, _ended)
 
 
 def _kept(results: Iterator[Written | Refusal], manifest: Manifest) -> Iterator[Written | Refusal]:

@@ -24,6 +24,8 @@ INFO = "meta/info.json"
 
 _MAX_INFO_BYTES = 64 << 20
 _MAX_EPISODES = 10_000_000
+_MANY_EPISODES = 1000
+"""What states more of them must have something to say of each: a name for each takes memory."""
 _BATCH_ROWS = 8192
 
 
@@ -37,7 +39,13 @@ def parts_of_lerobot(path: Path) -> tuple[str, ...]:
     count = info_of(path).get("total_episodes")
     if isinstance(count, bool) or not isinstance(count, int) or not 0 <= count <= _MAX_EPISODES:
         raise _damaged(path, "total_episodes must be a whole number")
+    if count > _MANY_EPISODES and count > _bytes_of_meta(path):
+        raise _damaged(path, f"total_episodes is {count}, more than meta/ has bytes")
     return tuple(f"episode_{i}" for i in range(count))
+
+
+def _bytes_of_meta(path: Path) -> int:
+    return sum(one.stat().st_size for one in (path / "meta").rglob("*") if one.is_file())
 
 
 def table_of_lerobot(path: Path, part: str | None, limit_bytes: int) -> ArrayTable:
