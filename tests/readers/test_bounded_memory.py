@@ -1,6 +1,7 @@
 """A damaged file of some kilobytes takes no more memory than it is worth, however it is misread."""
 
 import resource
+import sys
 from pathlib import Path
 
 import h5py
@@ -14,6 +15,11 @@ from keyphase.errors import DemonstrationError
 from keyphase.files.bounded_memory import memory_bounded
 from keyphase.readers import read
 from keyphase.readers.formats.hdf5 import opened
+
+
+pytestmark = pytest.mark.skipif(
+    sys.platform != "linux", reason="only Linux keeps such a bound on a process"
+)
 
 
 def test_what_would_take_all_memory_is_an_error_there_and_nothing_is_bounded_afterwards(

@@ -8,8 +8,14 @@ from keyphase.transfer.placing import MIN_GAP_S, Teacher
 from keyphase.transfer.signals import Signals
 
 _LEFT = 0.6
-_FAR, _SHORT, _LONG = 2.0, 0.75, 0.5
+"""So much of a name's confidence is left at the least."""
+
 _USUAL_RESIDUAL, _USUAL_RATIO = 0.5, 0.5
+"""Of right phases nine in ten lie within: how far signals are apart, and the logarithm of how much
+longer or shorter the stretch is than the phase."""
+
+_FAR, _SHORT, _LONG = 2.0, 0.75, 0.5
+"""How much doubt each of them adds beyond that."""
 
 
 @dataclass(frozen=True, eq=False)
