@@ -16,7 +16,6 @@ from keyphase.files.bounded_memory import memory_bounded
 from keyphase.readers import read
 from keyphase.readers.formats.hdf5 import opened
 
-
 pytestmark = pytest.mark.skipif(
     sys.platform != "linux", reason="only Linux keeps such a bound on a process"
 )
