@@ -4,8 +4,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from backports import zstd
 from rosbags.rosbag1 import Writer as Writer1
-from rosbags.rosbag2 import StoragePlugin
+from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin
 from rosbags.rosbag2 import Writer as Writer2
 from rosbags.typesys import Stores, get_typestore
 
@@ -65,9 +66,12 @@ def ros1(path: Path) -> Path:
     return path / "run.bag"
 
 
-def ros2(path: Path, plugin: StoragePlugin) -> Path:
+def ros2(path: Path, plugin: StoragePlugin, packed: CompressionMode | None = None) -> Path:
     store = get_typestore(Stores.ROS2_HUMBLE)
-    with Writer2(path / "run", version=9, storage_plugin=plugin) as writer:
+    opened = Writer2(path / "run", version=9, storage_plugin=plugin)
+    if packed is not None:
+        opened.set_compression(packed, CompressionFormat.ZSTD)
+    with opened as writer:
         topics = {}
         for topic, message, i in messages(store):
             kind = message.__msgtype__
@@ -77,10 +81,12 @@ def ros2(path: Path, plugin: StoragePlugin) -> Path:
     return path / "run"
 
 
-@pytest.fixture(params=["ros1", "sqlite3", "mcap"])
+@pytest.fixture(params=["ros1", "sqlite3", "mcap", "packed as a whole"])
 def bag(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     if request.param == "ros1":
         return ros1(tmp_path)
+    if request.param == "packed as a whole":
+        return ros2(tmp_path, StoragePlugin.SQLITE3, CompressionMode.FILE)
     return ros2(tmp_path, StoragePlugin[request.param.upper()])
 
 
@@ -115,4 +121,19 @@ def test_a_cut_bag_is_refused(tmp_path: Path) -> None:
     path = ros1(tmp_path)
     path.write_bytes(path.read_bytes()[:5000])
     with pytest.raises(DemonstrationError, match="expected a whole bag"):
+        read(path, parse_recipe(RECIPE, "r"))
+
+
+@pytest.mark.parametrize("called", ["run.db3.zstd", "run.db3"])
+@pytest.mark.parametrize("before", [b"", b"\x50\x2a\x4d\x18\0\0\0\0"], ids=["", "skipped frame"])
+def test_a_packed_bag_that_would_fill_the_disk_is_refused_before_it_is_unpacked(
+    tmp_path: Path, called: str, before: bytes
+) -> None:
+    """Whatever its file is called: what describes the bag says that it is packed."""
+    path = ros2(tmp_path, StoragePlugin.SQLITE3, CompressionMode.FILE)
+    (path / "run.db3.zstd").rename(path / called)
+    (path / called).write_bytes(before + zstd.compress(bytes(80 << 20)))
+    told = path / "metadata.yaml"
+    told.write_text(told.read_text().replace("run.db3.zstd", called))
+    with pytest.raises(DemonstrationError, match="unpacks to more than 32 times its size"):
         read(path, parse_recipe(RECIPE, "r"))

@@ -1,6 +1,7 @@
 """Zarr replay buffers as UMI, RDP and ManipForce write them, made with zarr."""
 
 import gzip
+import shutil
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -10,6 +11,7 @@ import numcodecs
 import numpy as np
 import pytest
 import zarr
+from zarr.codecs import BloscCodec, BytesCodec, ShardingCodec, ZstdCodec
 
 from keyphase.errors import DemonstrationError, RecipeError
 from keyphase.readers import find_recordings, parse_recipe, read
@@ -159,3 +161,71 @@ def test_an_entry_of_a_zip_file_that_unpacks_to_more_than_its_array_is_refused(
                 file.writestr(str(part.relative_to(path)), A_BOMB if large else part.read_bytes())
     with pytest.raises(DemonstrationError, match=r"robot0_eef_pos/0\.0 unpacks to more than"):
         read(packed, parse_recipe(RATED, "r.toml"))
+
+
+def in_shards(path: Path, place: np.ndarray, **sharding: Any) -> Path:
+    """A store of version 3 whose one chunk file is a shard of ten, and what is in it."""
+    root = zarr.open_group(path, mode="w", zarr_format=3)
+    codec = ShardingCodec(chunk_shape=(10, 3), **sharding)
+    array = root.create_group("data").create_array(
+        "robot0_eef_pos", shape=place.shape, chunks=place.shape, dtype=place.dtype,
+        serializer=codec, compressors=None,
+    )  # fmt: skip
+    array[...] = place
+    ends = root.create_group("meta").create_array("episode_ends", shape=(2,), dtype="i8")
+    ends[...] = [40, 100]
+    return path / "data/robot0_eef_pos/c/0/0"
+
+
+PACKED = [BytesCodec(), BloscCodec()]
+
+
+@pytest.mark.parametrize("part", ["#episode_0", ""], ids=["some", "all"])
+@pytest.mark.parametrize("where", ["start", "end"])
+def test_a_chunk_within_a_shard_that_lies_of_its_size_is_refused(
+    tmp_path: Path, where: str, part: str
+) -> None:
+    path, place = tmp_path / "run.zarr", np.random.default_rng(0).normal(size=(100, 3))
+    shard = in_shards(path, place, codecs=PACKED, index_location=where)
+    if not part:
+        shutil.rmtree(path / "meta")
+    recipe = parse_recipe(RATED, "r.toml")
+    whole = shard.read_bytes()
+    np.testing.assert_array_equal(
+        read(f"{path}{part}", recipe).position_m, place[: 40 if part else 100]
+    )
+    first = 0 if where == "end" else 164
+    shard.write_bytes(whole[:first] + lying_blosc(whole[first:]))
+    with pytest.raises(DemonstrationError, match="0/0 is not as long as it says"):
+        read(f"{path}{part}", recipe)
+
+
+@pytest.mark.parametrize("part", ["#episode_0", ""], ids=["some", "all"])
+def test_chunks_of_a_shard_that_lie_outside_it_or_over_its_index_are_refused(
+    tmp_path: Path, part: str
+) -> None:
+    path, place = tmp_path / "run.zarr", np.zeros((100, 3))
+    index = {"index_codecs": [BytesCodec()], "index_location": "start"}
+    shard = in_shards(path, place + 1.0, codecs=PACKED, **index)
+    if not part:
+        shutil.rmtree(path / "meta")
+    whole = shard.read_bytes()
+    for offset, said in ((0, "over the index"), (len(whole) - 4, "is not as long as")):
+        shard.write_bytes(offset.to_bytes(8, "little") + whole[8:])
+        with pytest.raises(DemonstrationError, match=said):
+            read(f"{path}{part}", parse_recipe(RATED, "r.toml"))
+
+
+@pytest.mark.parametrize(
+    ("codecs", "said"),
+    [
+        ([BytesCodec(), ZstdCodec(), BloscCodec()], "packed more than once"),
+        ([ShardingCodec(chunk_shape=(5, 3), codecs=PACKED)], "or hold shards"),
+    ],
+)
+def test_what_cannot_be_looked_at_in_a_shard_is_refused(
+    tmp_path: Path, codecs: list[Any], said: str
+) -> None:
+    in_shards(tmp_path / "run.zarr", np.ones((100, 3)), codecs=codecs)
+    with pytest.raises(DemonstrationError, match=said):
+        read(f"{tmp_path}/run.zarr#episode_0", parse_recipe(RATED, "r.toml"))

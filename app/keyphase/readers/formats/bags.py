@@ -16,7 +16,7 @@ from keyphase.errors import DemonstrationError
 from keyphase.files.bounded_memory import memory_bounded
 from keyphase.files.reading import first_bytes
 from keyphase.readers.formats.array_table import ArrayTable
-from keyphase.readers.formats.damage import damage_told
+from keyphase.readers.formats.damage import UnfitError, damage_told
 from keyphase.readers.formats.messages import ROS_PROFILES, plain_messages, profile_of
 from keyphase.readers.formats.packages import package
 from keyphase.readers.formats.streams import Streams
@@ -27,6 +27,13 @@ ROS1_MAGIC = b"#ROSBAG V"
 MCAP_MAGIC = b"\x89MCAP0\r\n"
 ROS2_INFO = "metadata.yaml"
 
+_PACKED = ".zstd"
+_FRAME, _SKIPPED = b"\x28\xb5\x2f\xfd", b"\x50\x2a\x4d\x18"
+_MOST_OVER = 32
+_ROOM_BYTES = 64 << 20
+"""A bag packed as a whole may unpack to so many times its size, and so much beside."""
+_STEP_BYTES = 1 << 20
+
 BULKY = ("Image", "PointCloud2", "LaserScan", "OccupancyGrid", "CompressedImage", "CompressedVideo")
 
 
@@ -35,7 +42,7 @@ def is_ros2_bag(path: Path) -> bool:
     if not (path / ROS2_INFO).is_file():
         return False
     files = list(path.iterdir())
-    held = any(file.suffix in (".db3", ".mcap") for file in files)
+    held = any(file.suffix in (".db3", ".mcap", _PACKED) for file in files)
     return held and all(file.is_file() or file.is_dir() for file in files)
 
 
@@ -83,11 +90,30 @@ def opened_bag(path: Path) -> Iterator[tuple[Any, Callable[[bytes, str], Any]]]:
     highlevel = package("rosbags.highlevel", EXTRA, path)
     stores = package("rosbags.typesys", EXTRA, path)
     store = stores.get_typestore(stores.Stores.ROS2_HUMBLE)
-    with (
-        damage_told(path, "bag", "copy or record it again"),
-        highlevel.AnyReader([path], default_typestore=store) as reader,
-    ):
-        yield reader, reader.deserialize
+    with damage_told(path, "bag", "copy or record it again"):
+        for file in sorted(path.glob("*")):
+            if file.is_file() and _is_packed(file):
+                _refuse_bloated(file)
+        with highlevel.AnyReader([path], default_typestore=store) as reader:
+            yield reader, reader.deserialize
+
+
+def _is_packed(file: Path) -> bool:
+    """Whether it begins as a frame of zstd does, or one of those that are skipped over; whatever
+    it is called, what describes the bag may say that it is packed."""
+    begins = first_bytes(file, 4)
+    return begins == _FRAME or (begins[1:] == _SKIPPED[1:] and begins[0] & 0xF0 == _SKIPPED[0])
+
+
+def _refuse_bloated(file: Path) -> None:
+    """Raise UnfitError where a packed file would fill the disk, to which it is unpacked."""
+    zstd = package("rosbags.rosbag2.reader", EXTRA, file).zstd
+    left = _MOST_OVER * file.stat().st_size + _ROOM_BYTES
+    with zstd.open(file, "rb") as unpacked:
+        while size := len(unpacked.read(_STEP_BYTES)):
+            left -= size
+            if left < 0:
+                raise UnfitError(f"{file.name} unpacks to more than {_MOST_OVER} times its size")
 
 
 def _messages(path: Path, streams: Streams) -> Iterator[tuple[str, int, Any]]:

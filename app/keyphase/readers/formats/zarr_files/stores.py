@@ -8,7 +8,7 @@ from keyphase.readers.formats.zarr_files.packing import (
     Packing,
     packing_of,
     refuse_large_chunk,
-    refuse_unfit_chunk,
+    refuse_unfit_value,
 )
 
 _DESCRIPTIONS = (".zarray", "zarr.json")
@@ -54,7 +54,7 @@ def folder_store(path: Path) -> Any:
             packing = await self._packings.of(self, key, prototype)
             _refuse_large(key, file.stat().st_size, packing)
             value = await super().get(key, prototype, byte_range)
-            return _checked(key, value, packing)
+            return _checked(key, value, packing, byte_range)
 
     return SoundFiles(path)
 
@@ -77,7 +77,7 @@ def zip_store(path: Path) -> Any:
             packing = await self._packings.of(self, key, prototype)
             _refuse_large(key, entry.file_size, packing)
             value = await super().get(key, prototype, byte_range)
-            return _checked(key, value, packing)
+            return _checked(key, value, packing, byte_range)
 
     return SoundEntries(path)
 
@@ -93,7 +93,9 @@ def _refuse_large(key: str, size: int, packing: Packing | None) -> None:
         raise UnfitError(f"{key} has {size} bytes, more than a description has")
 
 
-def _checked(key: str, value: Any, packing: Packing | None) -> Any:
+def _checked(key: str, value: Any, packing: Packing | None, byte_range: Any) -> Any:
     if value is not None and packing is not None:
-        refuse_unfit_chunk(packing, value.to_bytes(), key)
+        asked = (byte_range.start, byte_range.end) if hasattr(byte_range, "end") else None
+        whole = byte_range is None
+        refuse_unfit_value(packing, value.to_bytes(), key, asked, whole=whole)
     return value
