@@ -97,7 +97,7 @@ class Plan:
         """Load the contacts it begins in, move, and make the contact it ends in."""
         self.s, self.met, self.sought, self.places = s, False, False, []
         self.fell, self.lost, self.further = False, 0.0, s.guard.further_m if s.guard else 0.0
-        self.felt = self.free = -self.force @ s.press.direction if s.search else 0.0
+        self.free, self.felt = self.force, -self.force @ s.press.direction if s.search else 0.0
         self.goes_to, self.pressed = s.end_position_m + self.shift, self.kept(0.0)
         if not self.is_loaded():
             most = self.n.pressed_most_s
@@ -178,11 +178,11 @@ class Plan:
         now, then = (rows[min(one, len(rows) - 1)] for one in (tick, tick + 1))
         way = now[:3] + now[3] * self.aside
         off = gap(there, self.here) + np.r_[way - self.yielded, 0, 0, 0]
-        felt = np.linalg.norm(beside(self.force, d))
+        felt = np.linalg.norm(beside(self.force - self.free, d))
         left = max(stage.aside_left, min(1.0, stage.yields_N / (felt + 1e-9)))
         lost = (1 - left) * beside(off[:3], d)
         self.yielded = self.yielded + stage.stays_aside * lost
-        turning = stage.turning_left[int(self.fell)]
+        turning = stage.turning_left[int(self.fell or self.sought)]
         at, q = moved(self.here, np.r_[off[:3] - lost, turning * off[3:]])
         velocity = stage.leads * (then[:3] + then[3] * self.aside - way) / self.h
         return *moved((at, q), np.r_[0, 0, 0, now[4:]]), np.r_[velocity, 0, 0, 0]
@@ -213,7 +213,7 @@ class Plan:
     def touch(self, d, depth):
         """Where the tool first touched what it is to go into, and whether it fell into it."""
         self.felt += self.n.touch_smoothed * (-self.force @ d - self.felt)
-        self.lost = self.lost + self.h if self.felt - self.free < self.n.touch_N else 0.0
+        self.lost = self.lost + self.h if self.felt + self.free @ d < self.n.touch_N else 0.0
         forgotten = self.lost > self.n.bounce_s + 1e-9 and not self.met
         if self.lost and (forgotten or not self.places):
             self.places, self.fell = [], False

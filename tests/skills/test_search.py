@@ -14,11 +14,13 @@ from keyphase.readers import read
 from keyphase.segmentation import segment
 from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.skills import Sensed
+from keyphase.skills.coupling import Reference
 from keyphase.skills.execution.executor import STEP_S
 from keyphase.skills.execution.seeking import Seeking
 from keyphase.skills.library import skills_of
 from keyphase.skills.pressed import Press
 from keyphase.skills.search import Search, before_touch, search_for
+from keyphase.skills.skill import Skill
 
 DOWN = np.array([0.0, 0.0, -1.0])
 
@@ -95,19 +97,25 @@ def test_a_touch_that_springs_off_is_one_touch(ticks: int, forgotten: bool) -> N
     assert (touch.touched_m is None) is forgotten
 
 
-def gone_in(depth_m: float, lasting_s: float) -> tuple[Seeking, Sensed]:
-    """A skill that seeks 2 mm, pressing, after its part went in by a depth within some time."""
+UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
+
+
+def sensed(deep_m: float, force_N: float, aside_N: float = 0.0) -> Sensed:
+    """A tool so deep, under a force along the press and one aside of it."""
+    return Sensed(deep_m * DOWN, UPRIGHT, np.zeros(6), np.array([aside_N, 0.0, force_N]))
+
+
+def sought() -> Skill:
+    """A skill that seeks 2 mm."""
     down = planned(0.0, 1.2, ContactEnd((0.0, 0.0, 1.0), 3.0), "down until contact")
     press = Press(DOWN, 5.0, np.zeros(3))
-    skill = replace(skills_of(lowered(), [down])[0], search=Search(0.002), press=press)
-    upright = np.array([1.0, 0.0, 0.0, 0.0])
+    return replace(skills_of(lowered(), [down])[0], search=Search(0.002), press=press)
 
-    def sensed(deep_m: float, force_N: float) -> Sensed:
-        force = np.array([0.0, 0.0, force_N])
-        return Sensed(deep_m * DOWN, upright, np.zeros(6), force)
 
+def gone_in(depth_m: float, lasting_s: float) -> tuple[Seeking, Sensed]:
+    """A skill that seeks 2 mm, pressing, after its part went in by a depth within some time."""
     now = sensed(0.0, 0.0)
-    seeking = Seeking(skill, now, STEP_S)
+    seeking = Seeking(sought(), now, STEP_S)
     ticks = round(lasting_s / STEP_S)
     for deep_m in (*np.zeros(25), *np.linspace(0.0, depth_m, ticks)):
         now = sensed(float(deep_m), 5.0)
@@ -127,3 +135,20 @@ def test_a_part_is_in_that_fell_so_deep_or_crept_twice_as_deep(depth_m, lasting_
 def test_a_part_that_fell_into_its_seat_is_left_to_lie_flat_there() -> None:
     on_the_rim, fallen = (gone_in(depth_m, 0.1)[0] for depth_m in (0.001, 0.003))
     assert fallen.turning < on_the_rim.turning / 2.0
+
+
+def test_a_part_that_was_found_by_searching_is_left_to_lie_flat_there() -> None:
+    crept, found = (gone_in(0.0041, 2.0)[0] for _ in range(2))
+    found.searched = True
+    assert found.turning < crept.turning / 2.0
+
+
+@pytest.mark.parametrize(("felt_before_N", "follows"), [(0.0, False), (2.0, True)])
+def test_what_a_sensor_reads_too_much_catches_no_search(felt_before_N, follows) -> None:
+    """6 N aside is more than a search exerts, but not where 2 N of it are the sensor's."""
+    seeking = Seeking(sought(), sensed(0.0, 0.0, felt_before_N), STEP_S)
+    at = Reference(np.zeros(3), UPRIGHT, np.zeros(6), np.zeros(6))
+    now = sensed(0.0, 6.0, 6.0)
+    aside = [seeking.moving(at, now, time_s).position_m for time_s in (0.5, 1.0)]
+    wanted = [seeking.search.aside(DOWN, time_s) for time_s in (0.5, 1.0)]
+    assert np.allclose(aside, wanted) is follows

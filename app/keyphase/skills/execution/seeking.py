@@ -55,7 +55,8 @@ class Seeking:
         assert skill.press is not None
         self.search, self.press = skill.search, skill.press
         self.searched, self._fell = False, False
-        self._touch = before_touch(self.press.direction, sensed.force_N)
+        self._free_N = sensed.force_N
+        self._touch = before_touch(self.press.direction, self._free_N)
         self._places: deque[float] = deque(maxlen=max(1, round(FALL_S / step_s)))
         self._yielded = np.zeros(3)
 
@@ -63,9 +64,10 @@ class Seeking:
     def turning(self) -> float:
         """Part of the stiffness in rotation that is left while the part is pressed in.
 
-        Once it fell it cannot tip over an edge; tilted in the hand, it has to come to lie flat.
+        Once it fell, or was found, it cannot tip over an edge; tilted in the hand, it has to come
+        to lie flat.
         """
-        return FLATTENING if self._fell else TURNING
+        return FLATTENING if self._fell or self.searched else TURNING
 
     def watch(self, sensed: Sensed, lasts: bool) -> None:
         """Take in what was sensed at the end of a tick; a touch `lasts` once a contact was met."""
@@ -93,13 +95,15 @@ class Seeking:
     def moving(self, reference: Reference, sensed: Sensed, time_s: float) -> Reference:
         """The reference on its spiral, `time_s` after the search began.
 
-        A part that is caught is not torn along: the spiral's middle gives way to it.
+        A part that is caught is not torn along: the spiral's middle gives way to it. What was
+        felt before the skill began is the sensor's, and catches nothing.
         """
         reference = turned_easily(reference, sensed, TURNING)
         direction = self.press.direction
         aside = self.search.aside(direction, time_s) - self._yielded
         wanted = reference.position_m + aside
-        off, felt = (_aside(v, direction) for v in (wanted - sensed.position_m, sensed.force_N))
+        resists_N = sensed.force_N - self._free_N
+        off, felt = (_aside(v, direction) for v in (wanted - sensed.position_m, resists_N))
         size, most = sqrt(felt.dot(felt)), YIELDS * self.search.press_N
         if size > most:
             beyond = (1.0 - most / size) * off

@@ -35,6 +35,7 @@ def pressing_of(skill: Skill) -> dict[str, Any] | None:
     yields_N        what the tool exerts aside at the most, if that leaves more
     stays_aside     1 where it stays where it gave way to, 0 where it comes back
     turning_left    part of the stiffness in rotation that is left; second: once the part fell in
+                    or was found
     leads           1 where the moves' velocity is the reference's, 0 where that is at rest
     moves           (N, 7) for each tick, the last one for all that follow: how far it is moved [m],
                     the part of the way to where it squares that is done, and by which rotation
