@@ -187,6 +187,15 @@ def test_doubts_are_settled_by_two_keys_from_one_recording_to_the_next(
     assert page.state("current") == least
     assert f"{len(unsure)} unsure" in page.text("#transport .unsure")
 
+    for _ in unsure:
+        page.change(lambda: page.press("Enter"))
+    page.page.locator(".notice", has_text="No doubt left").wait_for()
+    page.press("n")
+    page.page.locator(".notice", has_text="No boundary is unsure").wait_for()
+    assert page.page.locator(".notice").count() == 1
+    page.press("Escape")
+    assert page.page.locator(".notice").count() == 0
+
 
 def test_the_name_in_the_header_opens_the_list_of_recordings(two: KeyphasePage) -> None:
     two.page.locator("#crumb").click()

@@ -55,7 +55,7 @@ def test_it_runs_to_success_and_shows_every_outcome(page: KeyphasePage) -> None:
     page.resize(1920, 1080)
 
 
-def test_escape_stops_it(page: KeyphasePage) -> None:
+def test_escape_stops_it_and_closes_what_is_over(page: KeyphasePage) -> None:
     assert page.state("tab") == "segment"
     begin(page)
     assert page.state("tab") == "replay"
@@ -65,6 +65,8 @@ def test_escape_stops_it(page: KeyphasePage) -> None:
     assert "stopped" in chips(page)
     assert "contact" not in chips(page)
     assert "Stopped by you in “" in page.text("#replay-plan .plan-verdict")
+    page.press("Escape")
+    page.until("keyphase.state.replay === null")
 
 
 def test_space_pauses_and_goes_on(page: KeyphasePage) -> None:

@@ -161,7 +161,7 @@ function escape() {
   if (explained !== null || current !== null) store.set({ explained: null, current: null });
   else if (drawer && innerWidth < DRAWERS_BELOW_PX) store.set({ drawer: null });
   else if (selected !== null) actions.select(null);
-  else return upload.cancel();
+  else return notices.close() || upload.cancel();
   return true;
 }
 

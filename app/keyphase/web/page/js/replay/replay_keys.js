@@ -21,7 +21,8 @@ export function createReplayKeys(store, actions, commands) {
       return false;
     if (event.key === "Escape") {
       event.preventDefault();
-      if (replay.phase !== "over") actions.stop();
+      if (replay.phase === "over") actions.leave();
+      else actions.stop();
       return true;
     }
     const target = /** @type {HTMLElement} */ (event.target);

@@ -93,6 +93,6 @@ function createSteering(actions) {
       "Keep the replay as a recording and open it",
       actions.keep,
     ),
-    leave: boxed("close", "Close", "Back to the demonstration", actions.leave),
+    leave: boxed("close", "Close", "Back to the demonstration (Esc)", actions.leave, "", "Esc"),
   };
 }

@@ -1,12 +1,15 @@
 /**
  * What the server wants to have said, over the scene, where nothing is pressed. Errors stay until
- * closed, the others as long as somebody is at them; what belongs to a recording ends with it.
+ * closed, the others as long as somebody is at them; what belongs to a recording ends with it. What
+ * was only told gives way to the next that is.
  */
 
 import { byId, el, icon } from "../../lib/dom.js";
 
 const STAYS_MS = 7000;
-const MOST = 4;
+const MOST = 3;
+/** What asks for nothing: the newest says how things are now. */
+const TOLD = ".info:not(:has(.link))";
 
 /** @param {import("../../lib/store.js").Store} store */
 export function createNotices(store) {
@@ -40,6 +43,8 @@ export function createNotices(store) {
       );
     }
     notice.append(close);
+    if (notice.matches(TOLD))
+      node.querySelectorAll(`:scope > ${TOLD}`).forEach((one) => one.remove());
     node.append(notice);
     while (node.children.length > MOST) node.firstChild.remove();
     if (level !== "error") leaveLater(notice);
@@ -60,5 +65,11 @@ export function createNotices(store) {
   store.on(["notice"], ({ notice }) => {
     if (notice) show(notice);
   });
-  return { show };
+  /** The newest one is closed. @returns {boolean} whether there was any */
+  function close() {
+    const newest = node.lastElementChild;
+    newest?.remove();
+    return Boolean(newest);
+  }
+  return { show, close };
 }
