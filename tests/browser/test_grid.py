@@ -89,6 +89,7 @@ def test_all_are_seen_aligned_changed_and_opened_there(page: KeyphasePage, tmp_p
     _rename_in_all(page)
     _arrange_phases(page, tmp_path)
     _open_by_keys(page)
+    _begins_at_the_open_one(page)
 
 
 def _align(page: KeyphasePage) -> None:
@@ -159,11 +160,30 @@ def _open_by_keys(page: KeyphasePage) -> None:
     page.until(f"Math.abs(keyphase.state.clock - {lower['start_s']}) < 0.01")
 
 
+def _begins_at_the_open_one(page: KeyphasePage) -> None:
+    """However another recording came to be open: the arrow keys begin there."""
+    page.press("PageDown")
+    page.until("keyphase.state.document.name !== 'take_00'")
+    page.press("Shift+G")
+    page.page.locator(".grid-row.active").wait_for()
+    name = page.page.locator(".grid-row.active .grid-name").inner_text()
+    assert name.strip() == page.document["name"]
+
+
 def test_an_empty_page_says_what_to_do(serve: Serve, visit: Visit) -> None:
     page = visit(serve(), size=(1280, 720), scene=False)
     page.until("keyphase.state.greeted")
     page.press("Shift+G")
     page.page.locator(".grid-empty").wait_for()
     assert "Ctrl O" in page.page.locator(".grid-empty").inner_text()
+    shown = page.page.locator("#grid :is(button, select, input):visible").all_inner_texts()
+    assert shown == ["Close"]
     page.press("Escape")
     page.until("!keyphase.state.gridShown")
+
+    for tab in ("Replay", "Export"):
+        page.page.get_by_role("tab", name=tab).click()
+        page.settle()
+        enabled = page.panel.locator("button:visible:enabled:not([role=tab], summary *)")
+        assert enabled.all_inner_texts() == []
+        page.picture(f"empty_{tab.lower()}")

@@ -43,6 +43,8 @@ export function createGrid(store, actions) {
     actions.considerInAll(null);
   });
   attachKeys(rows, actions);
+  /** Whether the grid was just opened: it begins at the open recording. */
+  let isNew = false;
 
   function draw() {
     const { grid, gridAlign: align, gridChange: change, recording } = store.state;
@@ -65,11 +67,15 @@ export function createGrid(store, actions) {
     still?.classList.add("active");
     if (still) rows.setAttribute("aria-activedescendant", still.id);
     else rows.removeAttribute("aria-activedescendant");
+    if (isNew) still?.scrollIntoView({ block: "nearest" });
+    isNew &&= !still;
   }
   store.on(["gridShown"], ({ gridShown }) => {
     if (gridShown === dialog.open) return;
     if (!gridShown) return dialog.close();
     rows.replaceChildren();
+    rows.setAttribute("aria-activedescendant", rowId(store.state.recording));
+    isNew = true;
     empty.hidden = store.state.recordings.items.length > 0;
     empty.textContent =
       "No recordings yet. Add some (Ctrl O), or drop them on the page: each becomes a strip here.";
@@ -96,7 +102,18 @@ function createHead(store, actions) {
   const align = /** @type {HTMLSelectElement} */ (el("select", { "aria-label": "Aligned at" }));
   align.addEventListener("change", () => store.set({ gridAlign: align.value }));
   const undo = /** @type {HTMLButtonElement} */ (
-    el("button", { type: "button", class: "button", on: { click: actions.undoInAll } })
+    el("button", {
+      type: "button",
+      class: "button",
+      hidden: true,
+      on: { click: actions.undoInAll },
+    })
+  );
+  const aligned = el(
+    "label",
+    { class: "grid-align", hidden: true },
+    el("span", { text: "Aligned at" }),
+    align,
   );
   const close = el("button", {
     type: "button",
@@ -106,6 +123,7 @@ function createHead(store, actions) {
   });
 
   store.on(["grid", "gridAlign", "readOnly"], ({ grid, gridAlign, readOnly }) => {
+    aligned.hidden = !grid?.rows.length;
     if (!grid) return;
     const names = phaseNames(grid);
     const choices = [
@@ -131,7 +149,7 @@ function createHead(store, actions) {
     el("h2", { text: "All recordings" }),
     told,
     el("span", { class: "space" }),
-    el("label", { class: "grid-align" }, el("span", { text: "Aligned at" }), align),
+    aligned,
     undo,
     close,
     progress,

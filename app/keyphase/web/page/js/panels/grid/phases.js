@@ -71,6 +71,8 @@ export function createPhases(store, actions) {
     others,
   );
 
+  // Without a recording there is no task.
+  for (const one of [undo, none, add]) one.hidden = true;
   store.on(["grid", "gridChange", "readOnly", "phaseSteps"], (state) => {
     const { grid, readOnly, phaseSteps } = state;
     if (!grid) return;

@@ -26,7 +26,7 @@ export function createBeside(store, { title, key, start, hint, before = [], begi
     },
     picture,
   );
-  store.later([key, "document", "lookingOnly"], (state) => {
+  store.later([key, "document", "lookingOnly", "greeted"], (state) => {
     const { document: doc, lookingOnly } = state;
     const now = state[key];
     const running = Boolean(now && !now.over);

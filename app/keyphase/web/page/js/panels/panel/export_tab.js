@@ -25,14 +25,17 @@ export function createExportTab(store, actions) {
     class: "hint",
     text: "Run the replay first; what it did is what is shared.",
   });
-  store.later(["document", "replay", "lookingOnly"], ({ document: doc, replay, lookingOnly }) => {
-    const over = replay?.phase === "over";
-    replayed.hidden = over;
-    for (const { node } of [own, all, other, page]) node.disabled = lookingOnly || !doc;
-    if (!over) page.node.disabled = true;
-    if (doc) own.file.textContent = `${doc.name}.segments.json`;
-    if (doc) page.file.textContent = `${doc.name}.replay.html`;
-  });
+  store.later(
+    ["document", "replay", "lookingOnly", "greeted"],
+    ({ document: doc, replay, lookingOnly }) => {
+      const over = replay?.phase === "over";
+      replayed.hidden = over;
+      for (const { node } of [own, all, other, page]) node.disabled = lookingOnly || !doc;
+      if (!over) page.node.disabled = true;
+      if (doc) own.file.textContent = `${doc.name}.segments.json`;
+      if (doc) page.file.textContent = `${doc.name}.replay.html`;
+    },
+  );
   return el(
     "div",
     { class: "panel-body" },

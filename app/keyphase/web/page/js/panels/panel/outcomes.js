@@ -30,7 +30,7 @@ export function createOutcomes(store, actions) {
     run: actions.replay.leave,
   });
   const after = row(keep, leave);
-  store.later(["replay", "readOnly"], ({ replay, lookingOnly }) => {
+  store.later(["replay", "readOnly", "greeted"], ({ replay, lookingOnly }) => {
     hint.hidden = Boolean(replay);
     table.hidden = !replay;
     after.hidden = replay?.phase !== "over";

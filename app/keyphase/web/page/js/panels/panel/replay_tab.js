@@ -130,11 +130,14 @@ function createRun(store, actions) {
     ["replaySettings"],
     ({ replaySettings: settings }) => settings && speed.show(settings.speed, 1),
   );
-  store.later(["replay", "document", "readOnly"], ({ replay, document: doc, lookingOnly }) => {
-    first.lastElementChild.textContent = STEER[replay?.phase] ?? "Run";
-    first.disabled = step.disabled = lookingOnly || !doc;
-    stop.disabled = lookingOnly || !replay || replay.phase === "over";
-  });
+  store.later(
+    ["replay", "document", "readOnly", "greeted"],
+    ({ replay, document: doc, lookingOnly }) => {
+      first.lastElementChild.textContent = STEER[replay?.phase] ?? "Run";
+      first.disabled = step.disabled = lookingOnly || !doc;
+      stop.disabled = lookingOnly || !replay || replay.phase === "over";
+    },
+  );
   store.later(["pushOffered"], ({ pushOffered }) => push.show(pushOffered));
   return group("Run", {}, speed.node, row(first, step, stop), push.node);
 }
