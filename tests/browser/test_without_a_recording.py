@@ -73,6 +73,12 @@ def test_an_unreadable_recording_says_why_in_one_place(
     assert page.page.locator(".notice").count() == 0
     assert page.box("#queue").height > 0.9 * page.box("body").height
 
+    page.page.locator("input[type=file]").set_input_files(shipped("data") / "setup1.npz")
+    page.wait_for_document()
+    page.page.locator(".queue-row", has_text="broken").click()
+    page.page.locator(".notice").get_by_role("button", name="Say how it is read").click()
+    page.page.locator("#describing[open]").wait_for()
+
 
 def test_a_stopped_server_is_told_of_and_the_page_comes_back_with_it(
     folder: Path, serve: Serve, visit: Visit

@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from framing import frame
+from framing import Frame, frame
 from talking import Message, PageClient, StartServer
 
+from keyphase.demonstration import Demonstration
 from keyphase.files.shipped import shipped
 from keyphase.readers import read
 from keyphase.web.server import PageServer
@@ -152,11 +153,13 @@ def test_in_a_world_made_from_the_recording_its_path_is_drawn_without_a_robot(
     with frame(page.server, page.page) as framed:
         assert framed.node("/robot").visible
         page.send("replay", do="run", speed=FAST)
-        assert over(page)["words"] == "in the world made from it"
+        told = over(page)
+        assert told["words"] == "in the world made from it"
         assert any(name.startswith("/replay/done/") for name in framed.nodes)
         assert not framed.node("/robot").visible
-        lowest = min(read(page.server.workbench.recordings.recordings[0].path).position_m[:, 2])
-        assert framed.node("/grid/ground").position[2] < lowest
+        recorded = read(page.server.workbench.recordings.recordings[0].path)
+        assert framed.node("/grid/ground").position[2] < min(recorded.position_m[:, 2])
+        _is_seen_in_its_own_size(framed, told, recorded)
         page.send("export", kind="page")
         assert Path(page.wait_for("saved")["path"]).stat().st_size > 100_000
         page.send("replay", do="keep")
@@ -164,6 +167,17 @@ def test_in_a_world_made_from_the_recording_its_path_is_drawn_without_a_robot(
         assert framed.node("/robot").visible
         assert framed.scene.robot.base is None, "a ghost, since it did not run there"
     assert not [m for m in page.heard if m["type"] == "notice" and m["level"] == "error"]
+
+
+def _is_seen_in_its_own_size(framed: Frame, told: Message, recorded: Demonstration) -> None:
+    """Not in that of a workcell: the camera, and the largest arrow, are as of the recording."""
+    size_m = float(np.linalg.norm(np.ptp(recorded.position_m, axis=0)))
+    assert recorded.force_N is not None
+    top_N = float(np.linalg.norm(recorded.force_N, axis=1).max())
+    assert told["force_arrow"]["metres_per_N"] * top_N == pytest.approx(size_m / 3, rel=0.02)
+    camera = framed.scene.client.camera
+    away_m = float(np.linalg.norm(camera.position - camera.look_at))
+    assert away_m < 2.5 * size_m
 
 
 def test_closed_it_is_shown_no_more(replaying: PageClient) -> None:

@@ -9,8 +9,10 @@ import pytest
 from framing import Frame, frame
 from talking import CAMERA, Message, PageClient, StartServer, wait_until
 
+from keyphase.robot.pose import Placement
 from keyphase.web.scene.palette import DARK, LIGHT, SEGMENT_RGB, painted
 from keyphase.web.scene.recording.path import FAINT
+from keyphase.web.scene.recording.viewpoint import viewpoint_with_robot
 
 
 def _document(page: PageClient) -> Message:
@@ -245,7 +247,8 @@ def test_only_what_is_in_view_is_drawn(page: PageClient, framed: Frame) -> None:
 def test_the_ground_of_what_stands_in_place_of_a_recording_has_the_theme(framed: Frame) -> None:
     """A replay, or a workcell that is led by hand."""
     stage = framed.scene.stage
-    stage.cover(np.array([0.4, 0.0, 0.1]), 0.5, "workcell")
+    view = viewpoint_with_robot(np.array([0.4, 0.0, 0.1]), 0.5, Placement())
+    stage.cover(view, np.array([0.4, 0.0, 0.0]), 0.5, Placement(), "workcell")
     light = framed.node("/grid/lines").cell_color
     stage.show_theme(dark=True)
 

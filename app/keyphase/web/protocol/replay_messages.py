@@ -11,8 +11,8 @@ from keyphase.simulation.replay.replay import Replay
 from keyphase.simulation.replay.result import ReplayState, SkillResult, went_on
 from keyphase.skills.skill import until
 from keyphase.web.protocol.document_messages import Point
-from keyphase.web.scene.figures.force_arrow import BESIDE_M, MIN_FORCE_N
-from keyphase.web.scene.recording.path_geometry import METRES_PER_NEWTON
+from keyphase.web.scene.figures.force_arrow import MIN_FORCE_N
+from keyphase.web.scene.replaying.seen_replay import arrow_scale
 from keyphase.workbench.replaying.plan import PlannedSkill
 from keyphase.workbench.replaying.plan_paths import (
     demonstrated,
@@ -39,8 +39,8 @@ class ContactMessage(Struct, frozen=True):
 class ForceArrowMessage(Struct, frozen=True):
     """How the scene draws the force, so that a page can put its size at the arrow's tip."""
 
-    beside_m: Point = BESIDE_M
-    metres_per_N: float = METRES_PER_NEWTON
+    beside_m: Point
+    metres_per_N: float
     least_N: float = MIN_FORCE_N
 
 
@@ -120,7 +120,7 @@ class ReplaySamples(Struct, frozen=True, tag_field="type", tag="replay_samples")
 def replay_message(running: Running) -> ReplayMessage:
     """Everything but what was measured."""
     run, settings, plan, result = running.run, running.settings, running.plan, running.result
-    results = run.replay.results
+    results, arrow = run.replay.results, arrow_scale(running)
     return ReplayMessage(
         run=running.number,
         phase=run.phase,
@@ -133,7 +133,7 @@ def replay_message(running: Running) -> ReplayMessage:
         time_s=run.elapsed_s,
         current=None if run.phase == "over" else running_skill(run.replay),
         zero_m=_point(plan.demonstration.position_m[0]),
-        force_arrow=ForceArrowMessage(),
+        force_arrow=ForceArrowMessage(arrow.beside_m, arrow.metres_per_N),
         skills=tuple(
             _skill(running, one, results[k] if k < len(results) else None, run.met_s.get(k))
             for k, one in enumerate(plan.planned)

@@ -7,7 +7,6 @@ changes colours and a few small things; only another recording builds the stage 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-import numpy as np
 import viser
 
 from keyphase.demonstration import Array
@@ -21,12 +20,7 @@ from keyphase.web.scene.recording.marks import EVER, draw_forces, draw_gaussians
 from keyphase.web.scene.recording.path import ScenePath
 from keyphase.web.scene.recording.path_geometry import MIN_SIZE_M, Path, path_of
 from keyphase.web.scene.recording.tail import Tail
-from keyphase.web.scene.recording.viewpoint import (
-    WITH_ROBOT_M,
-    Viewpoint,
-    viewpoint_of,
-    viewpoint_with_robot,
-)
+from keyphase.web.scene.recording.viewpoint import WITH_ROBOT_M, Viewpoint, viewpoint_of
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.playback import Playhead
 from keyphase.workbench.scene_choices import FIRST_HIDDEN, PARTS
@@ -143,19 +137,16 @@ class Stage:
         self.show_playhead(self._playhead)
 
     def cover(
-        self, middle_m: Array, size_m: float, of: object, without_robot_above_m: float | None = None
+        self, view: Viewpoint, ground_m: Array, size_m: float, base: Placement | None, of: object
     ) -> None:
-        """Hide the recording: something else is to be seen there.
+        """Hide the recording: something else is to be seen there, from `view`.
 
-        It stands before a robot at the origin, on whose ground it is; or, without a robot, above a
-        ground at that height.
+        It is of that size, above a ground whose middle is `ground_m` (3,), and belongs to a robot
+        at `base`, if to one.
         """
-        self._covered = viewpoint_with_robot(middle_m, size_m, Placement())
+        self._covered = view
         self._place_parts()
-        ground_m, base = without_robot_above_m, None
-        if ground_m is None:
-            ground_m, base = 0.0, Placement()
-        self._covered_floor = np.array([*middle_m[:2], ground_m]), size_m, base
+        self._covered_floor = ground_m, size_m, base
         self._draw_covered_floor()
         self._camera.look(self._covered, of)
 

@@ -186,6 +186,7 @@ const receive = createReceiver(store, {
   replay,
   upload: () => upload,
   own,
+  describe: actions.describe,
 });
 socket = openSocket(pageId, {
   onBroken: (why) => receive({ type: "notice", level: "error", text: why }),

@@ -1,5 +1,7 @@
 """The measured force in the scene of a workcell: an arrow beside the gripper."""
 
+from dataclasses import dataclass
+
 import numpy as np
 import viser
 
@@ -16,18 +18,31 @@ BESIDE_M = (0.055, 0.0, 0.0)
 _COLOR: Rgb = painted(LIGHT.origins["force"])
 
 
+@dataclass(frozen=True)
+class ArrowScale:
+    """Where an arrow begins beside the tool, how long it is for each newton, and how thick."""
+
+    beside_m: tuple[float, float, float] = BESIDE_M
+    metres_per_N: float = METRES_PER_NEWTON
+    radius_m: float = 0.004
+
+
 class ForceArrow:
     """An arrow below `root`, without its size unless `label` asks for it."""
 
-    def __init__(self, client: viser.ClientHandle, root: str) -> None:
+    def __init__(
+        self, client: viser.ClientHandle, root: str, scale: ArrowScale | None = None
+    ) -> None:
         self._is_labeled = False
+        self._scale = scale or ArrowScale()
+        radius = self._scale.radius_m
         self._arrow = client.scene.add_arrows(
             f"{root}/force",
             np.array([[[0.0, 0.0, 0.0], [0.0, 0.0, 0.01]]], np.float32),
             np.array(_COLOR, np.uint8),
-            shaft_radius=0.004,
-            head_radius=0.009,
-            head_length=0.02,
+            shaft_radius=radius,
+            head_radius=2.25 * radius,
+            head_length=5.0 * radius,
             visible=False,
         )
         self._size = client.scene.add_label(
@@ -46,8 +61,8 @@ class ForceArrow:
         _put(self._arrow, seen)
         _put(self._size, seen and self._is_labeled)
         if seen:
-            start = tool_m + BESIDE_M
-            tip = start + METRES_PER_NEWTON * force_N
+            start = tool_m + self._scale.beside_m
+            tip = start + self._scale.metres_per_N * force_N
             self._arrow.points = np.array([[start, tip]], np.float32)
             if self._is_labeled:
                 self._size.position, self._size.text = tip, f"{size:.1f} N"

@@ -72,7 +72,7 @@ class Path:
     @property
     def radius_m(self) -> float:
         """How thick the path is drawn: to be seen beside the whole."""
-        return _radius_m(self.size_m)
+        return radius_of(self.size_m)
 
     @property
     def middle_m(self) -> Array:
@@ -85,7 +85,7 @@ def path_of(demonstration: Demonstration, least_m: float = MIN_SIZE_M) -> Path:
     stride = -(-len(demonstration) // _MAX_SAMPLES)
     time, position = demonstration.time_s[::stride], demonstration.position_m[::stride]
     low, high = position.min(axis=0), position.max(axis=0)
-    spacing = _radius_m(_size_m(low, high, least_m))
+    spacing = radius_of(_size_m(low, high, least_m))
     kept = _apart(position, spacing)
     drawn = _first_passes(position[kept], spacing)
     while len(drawn) > MAX_PIECES:
@@ -140,7 +140,8 @@ def _size_m(low_m: Array, high_m: Array, least_m: float) -> float:
     return max(float(np.linalg.norm(high_m - low_m)), least_m)
 
 
-def _radius_m(size_m: float) -> float:
+def radius_of(size_m: float) -> float:
+    """How thick a path of that size is drawn [m]."""
     return float(np.clip(0.009 * size_m, 0.0008, 0.012))
 
 

@@ -3,7 +3,6 @@
 import numpy as np
 import viser
 
-from keyphase.robot.pose import Placement
 from keyphase.robot.yumi import yumi
 from keyphase.simulation.replay.result import Frame, ReplayResult, ReplayState
 from keyphase.simulation.replay.shared_page import with_summary
@@ -14,14 +13,8 @@ from keyphase.web.scene.figures.robot_figure import RobotFigure
 from keyphase.web.scene.palette import LIGHT
 from keyphase.web.scene.recording.floor import Floor
 from keyphase.web.scene.recording.ground_shadow import GroundShadow
-from keyphase.web.scene.recording.viewpoint import viewpoint_with_robot
-from keyphase.web.scene.replaying.replay_scene import (
-    SEEN_M,
-    PartPoses,
-    ground_without_robot,
-    middle_of,
-    put_up,
-)
+from keyphase.web.scene.replaying.replay_scene import PartPoses, put_up
+from keyphase.web.scene.replaying.seen_replay import seen_replay
 from keyphase.web.transport.film import film_in
 from keyphase.workbench.replaying.running import Running
 
@@ -37,15 +30,11 @@ def film_of(server: viser.ViserServer, running: Running, shadow: GroundShadow | 
     dressing = Dressing(client)
     dressing.dress(LIGHT)
     dressing.paint_sky(LIGHT)
-    middle = middle_of(running)
-    ground = ground_without_robot(running)
-    has_yumi = ground is None
-    at = np.array([*middle[:2], ground or 0.0])
-    Floor(client, shadow).draw(LIGHT, at, SEEN_M, Placement() if has_yumi else None)
-    view = viewpoint_with_robot(middle, SEEN_M, Placement())
-    Camera(client, LastCamera()).point(view.position_m, view.look_at_m, None)
+    seen = seen_replay(running)
+    Floor(client, shadow).draw(LIGHT, seen.ground_m, seen.size_m, seen.base)
+    Camera(client, LastCamera()).point(seen.view.position_m, seen.view.look_at_m, None)
     robot = yumi()
-    figure = RobotFigure(client, robot, "/robot") if has_yumi else None
+    figure = None if seen.base is None else RobotFigure(client, robot, "/robot")
     drawn = put_up(client, running)
     drawn.label()
     for frame in result.frames:

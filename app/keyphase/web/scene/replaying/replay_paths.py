@@ -19,10 +19,13 @@ _MAX_POINTS = 60
 
 
 class ReplayPaths:
-    """Paths of one replay, below `root`; not for several threads at once."""
+    """Paths of one replay, below `root`, so thick; not for several threads at once."""
 
-    def __init__(self, client: viser.ClientHandle, root: str, plan: ReplayPlan) -> None:
+    def __init__(
+        self, client: viser.ClientHandle, root: str, plan: ReplayPlan, thickness: float = 1.0
+    ) -> None:
         self._scene, self._root, self._plan = client.scene, root, plan
+        self._thickness = thickness
         self._run_m: list[Array] = []
         self._run: viser.LineSegmentsHandle | None = None
         self._skill: int | None = None
@@ -59,7 +62,7 @@ class ReplayPaths:
             f"{self._root}/done/{'rest' if skill is None else skill}",
             pieces,
             np.array(IDLE if skill is None else _color(self._plan.planned[skill]), np.uint8),
-            thickness=_DONE_M,
+            thickness=self._thickness * _DONE_M,
         )
 
     def _draw_ghost(self, number: int, *, now: bool) -> None:
@@ -72,7 +75,7 @@ class ReplayPaths:
             f"{self._root}/ghost/{number}",
             np.stack([points[:-1], points[1:]], axis=1).astype(np.float32),
             np.array(_color(one) if now else IDLE, np.uint8),
-            thickness=_NOW_M if now else _GHOST_M,
+            thickness=self._thickness * (_NOW_M if now else _GHOST_M),
         )
 
 

@@ -15,20 +15,15 @@ from keyphase.web.scene.page_robot import PageRobot
 from keyphase.web.scene.replaying.lent_yumi import LentYumi
 from keyphase.web.scene.replaying.replay_paths import ReplayPaths
 from keyphase.web.scene.replaying.replay_push import PushGizmo
+from keyphase.web.scene.replaying.seen_replay import arrow_scale, seen_replay
 from keyphase.web.scene.stage import Stage
-from keyphase.workbench.replaying.plan_paths import middle_of_skill, path_of_skill
+from keyphase.workbench.replaying.plan_paths import middle_of_skill
 from keyphase.workbench.replaying.run import Tick
 from keyphase.workbench.replaying.running import Running
 
 PartPoses = Mapping[str, tuple[Array, Array]]
 
 ROOT = "/replay"
-
-SEEN_M = 0.36
-"""So much is seen at least."""
-
-GROUND_BELOW_M = 0.03
-"""So far below the path the ground is where no robot stands on it."""
 
 
 @dataclass
@@ -103,7 +98,8 @@ class ReplayScene:
             self._shown = put_up(self._client, running)
             if isinstance(simulation, Simulation):
                 self._yumi.pose(simulation.posture_rad)
-            self._stage.cover(middle_of(running), SEEN_M, running, ground_without_robot(running))
+            seen = seen_replay(running)
+            self._stage.cover(seen.view, seen.ground_m, seen.size_m, seen.base, running)
             self._tool_m = simulation.here().position_m
             self._show_gizmo()
         self._client.flush()
@@ -148,31 +144,14 @@ class ReplayScene:
 
 def put_up(client: viser.ClientHandle, running: Running) -> Drawn:
     """Draw parts, paths and force of a replay, as they are at its start; the robot is apart."""
-    scene = client.scene
+    scene, seen = client.scene, seen_replay(running)
     scene.add_frame(ROOT, show_axes=False)
     drawn = Drawn(
         running,
         PartFigures(client, f"{ROOT}/parts", running.shapes),
-        ReplayPaths(client, ROOT, running.plan),
-        ForceArrow(client, ROOT),
+        ReplayPaths(client, ROOT, running.plan, seen.thickness),
+        ForceArrow(client, ROOT, arrow_scale(running)),
         scene.add_label(f"{ROOT}/name", "", visible=False, anchor="center-right"),
     )
     drawn.parts.pose(running.run.replay.simulation.start_parts)
     return drawn
-
-
-def middle_of(running: Running) -> Array:
-    """(3,) the middle of what is to be run."""
-    path = _path_of(running)
-    return 0.5 * (path.min(axis=0) + path.max(axis=0))
-
-
-def ground_without_robot(running: Running) -> float | None:
-    """How high the ground is in a world made from a recording [m]; None where a YuMi runs."""
-    if isinstance(running.run.replay.simulation, Simulation):
-        return None
-    return float(_path_of(running)[:, 2].min()) - GROUND_BELOW_M
-
-
-def _path_of(running: Running) -> Array:
-    return np.concatenate([path_of_skill(running.plan, one.skill) for one in running.plan.planned])

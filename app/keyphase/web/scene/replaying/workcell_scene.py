@@ -3,11 +3,13 @@
 import numpy as np
 import viser
 
+from keyphase.robot.pose import Placement
 from keyphase.simulation.demonstrating.lead_through import LeadThroughState
 from keyphase.simulation.part_shapes import Shape
 from keyphase.web.scene.figures.force_arrow import ForceArrow
 from keyphase.web.scene.figures.part_figures import PartFigures
 from keyphase.web.scene.page_robot import PageRobot
+from keyphase.web.scene.recording.viewpoint import viewpoint_with_robot
 from keyphase.web.scene.replaying.lent_yumi import LentYumi
 from keyphase.web.scene.stage import Stage
 from keyphase.workbench.leading.session import LeadThroughSession
@@ -46,7 +48,9 @@ class WorkcellScene:
             self._gizmo = self._add_gizmo(state)
             self._draw(state)
             middle = state.parts["housing"][0] + [0.0, 0.0, 0.1]
-            self._stage.cover(middle, _SEEN_M, status.workcell)
+            base, ground = Placement(), np.array([*middle[:2], 0.0])
+            view = viewpoint_with_robot(middle, _SEEN_M, base)
+            self._stage.cover(view, ground, _SEEN_M, base, status.workcell)
         self._client.flush()
 
     def draw(self, status: LeadThroughStatus) -> None:

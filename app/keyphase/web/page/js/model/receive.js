@@ -7,12 +7,12 @@ import { takeWith } from "./recordings/take.js";
 /**
  * @param {import("../lib/store.js").Store} store
  * @param {{latency: any, playback: any, notices: any, signals: any, replay: any, upload: () => any,
- *   own: ReturnType<typeof import("./own_changes.js").createOwnChanges>}} parts
+ *   own: ReturnType<typeof import("./own_changes.js").createOwnChanges>, describe: (id: string) => void}} parts
  * @returns {(message: import("./types.js").Message) => void}
  */
 export function createReceiver(
   store,
-  { latency, playback, notices, signals, replay, upload, own },
+  { latency, playback, notices, signals, replay, upload, own, describe },
 ) {
   const { state } = store;
   let client = "";
@@ -109,9 +109,16 @@ export function createReceiver(
     notice(message) {
       store.set({ saving: false, exporting: null });
       if (message.level !== "info") own.refused(null);
-      if (!standsInTheMiddle(state, message)) notices.show(message);
+      if (!standsInTheMiddle(state, message)) notices.show({ ...message, act: wayOn(message) });
     },
   };
+
+  /** What can be done where a recording cannot be read. @param {{text: string}} notice */
+  function wayOn({ text }) {
+    const broken = state.recordings.items.find(({ error }) => error === text);
+    if (!broken || state.lookingOnly) return undefined;
+    return { text: "Say how it is read", run: () => describe(broken.id) };
+  }
 
   return (message) => /** @type {(message: any) => void} */ (hear[message.type])?.(message);
 }

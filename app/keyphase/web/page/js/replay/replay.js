@@ -108,7 +108,7 @@ function createReplayHud(store) {
         svg("path", { d: "M0 4h20", "stroke-width": 3, style: { stroke: "var(--origin-force)" } }),
         svg("path", { d: "M18 0l8 4-8 4z", style: { fill: "var(--origin-force)" } }),
       ),
-      "force, 5 N",
+      "measured force",
     ),
   );
 }

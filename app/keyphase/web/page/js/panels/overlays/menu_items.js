@@ -137,6 +137,9 @@ export function recordingItems(store, actions, item) {
   return [
     { heading: item.name },
     { text: "Open", off: isOpen, run: () => actions.open(item.id) },
+    ...(item.error
+      ? [{ text: "Say how it is read…", off, run: () => actions.describe(item.id) }]
+      : []),
     ...(isOpen
       ? [
           {

@@ -7,6 +7,10 @@
 import { byId, el, icon } from "../../lib/dom.js";
 
 const STAYS_MS = 7000;
+/** Somebody who reads it for the first time takes so long for a letter. */
+const READ_MS = 70;
+/** What can be pressed is not gone before it is understood. */
+const PRESSED_MS = 20_000;
 const MOST = 3;
 /** What asks for nothing: the newest says how things are now. */
 const TOLD = ".info:not(:has(.link))";
@@ -47,15 +51,16 @@ export function createNotices(store) {
       node.querySelectorAll(`:scope > ${TOLD}`).forEach((one) => one.remove());
     node.append(notice);
     while (node.children.length > MOST) node.firstChild.remove();
-    if (level !== "error") leaveLater(notice);
+    const stays = Math.max(STAYS_MS, READ_MS * text.length, act ? PRESSED_MS : 0);
+    if (level !== "error") leaveLater(notice, stays);
   }
 
-  /** Gone after a while, but not under the pointer or from under the focus. @param {HTMLElement} notice */
-  function leaveLater(notice) {
+  /** Gone after a while, but not under the pointer or from under the focus. @param {HTMLElement} notice @param {number} stays [ms] */
+  function leaveLater(notice, stays) {
     setTimeout(() => {
-      if (notice.matches(":hover, :focus-within")) leaveLater(notice);
+      if (notice.matches(":hover, :focus-within")) leaveLater(notice, STAYS_MS);
       else notice.remove();
-    }, STAYS_MS);
+    }, stays);
   }
 
   store.on(["recording"], ({ recording }) => {
