@@ -109,16 +109,10 @@ export function createReceiver(
     notice(message) {
       store.set({ saving: false, exporting: null });
       if (message.level !== "info") own.refused(null);
-      if (!standsInTheMiddle(state, message)) notices.show({ ...message, act: wayOn(message) });
+      if (standsInTheMiddle(state, message)) return;
+      notices.show({ ...message, act: wayOn(state, message, describe) });
     },
   };
-
-  /** What can be done where a recording cannot be read. @param {{text: string}} notice */
-  function wayOn({ text }) {
-    const broken = state.recordings.items.find(({ error }) => error === text);
-    if (!broken || state.lookingOnly) return undefined;
-    return { text: "Say how it is read", run: () => describe(broken.id) };
-  }
 
   return (message) => /** @type {(message: any) => void} */ (hear[message.type])?.(message);
 }
@@ -190,6 +184,13 @@ function fresh(doc) {
 /** Whether the card of a recording that cannot be read says the same. */
 const standsInTheMiddle = ({ document: doc, record, recordings }, { text }) =>
   !doc && !record?.workcell && recordings.items.some(({ error }) => error === text);
+
+/** What can be done where the notice says that a recording cannot be read. */
+function wayOn({ recordings, lookingOnly }, { text }, describe) {
+  const broken = recordings.items.find(({ error }) => error === text);
+  if (!broken || lookingOnly) return undefined;
+  return { text: "Say how it is read", run: () => describe(broken.id) };
+}
 
 /** What came of trials ends with its recording; what is on its way goes on. */
 const withoutResults = ({ trials, margin }) => ({
