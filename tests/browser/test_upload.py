@@ -32,6 +32,36 @@ def test_a_dropped_recording_opens(editor: KeyphasePage) -> None:
     assert editor.page.locator("#drop-target").is_hidden()
 
 
+def _drop_from_disk(page: KeyphasePage, path: Path) -> None:
+    """As a file manager drops files and folders."""
+    devtools = page.page.context.new_cdp_session(page.page)
+    data = {"items": [], "files": [str(path)], "dragOperationsMask": 1}
+    for kind in ("dragEnter", "dragOver", "drop"):
+        devtools.send("Input.dispatchDragEvent", {"type": kind, "x": 700, "y": 900, "data": data})
+
+
+def test_of_a_dropped_folder_the_recordings_come_and_a_dataset_is_told_the_way(
+    editor: KeyphasePage, tmp_path: Path
+) -> None:
+    some = tmp_path / "some"
+    (some / "within").mkdir(parents=True)
+    (some / "README.txt").write_text("two recordings")
+    for at in ("first.npz", "within/second.npz"):
+        (some / at).write_bytes((shipped("data") / "setup2.npz").read_bytes())
+    _drop_from_disk(editor, some)
+    editor.until("document.querySelectorAll('.queue-row').length === 3")
+    names = sorted(item["name"] for item in editor.state("recordings")["items"])
+    assert names == ["first", "second", "setup1"]
+
+    bag = tmp_path / "run_7"
+    bag.mkdir()
+    (bag / "metadata.yaml").write_text("rosbag2_bagfile_information: {}")
+    (bag / "run_7_0.mcap").write_bytes(b"MCAP")
+    _drop_from_disk(editor, bag)
+    editor.page.locator(".notice.warning", has_text="keyphase run_7").wait_for()
+    assert editor.page.locator(".notice.warning").count() == 1
+
+
 def test_a_chosen_recording_opens_by_keys_alone(editor: KeyphasePage, folder: Path) -> None:
     chosen = folder / "elsewhere" / "setup1.npz"
     chosen.parent.mkdir()
@@ -55,13 +85,20 @@ def test_the_page_shows_where_files_can_be_dropped(editor: KeyphasePage) -> None
     editor.picture("drop_target")
 
 
-@pytest.mark.parametrize("name", ["run.exe", "<img src=x onerror=alert(1)>.npz"])
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        ("run.exe", "of none of these kinds"),
+        ("<img src=x onerror=alert(1)>.npz", "onerror"),
+        ("run_0.db3", "keyphase FOLDER"),
+    ],
+)
 def test_what_is_no_recording_is_refused_with_the_reason(
-    editor: KeyphasePage, folder: Path, name: str
+    editor: KeyphasePage, folder: Path, name: str, told: str
 ) -> None:
     before = {path.name for path in folder.iterdir()}
     _drop(editor, name, b"MZ")
-    editor.page.locator(".notice.warning").wait_for()
+    editor.page.locator(".notice.warning", has_text=told).wait_for()
     editor.picture("upload_refused")
 
     assert {path.name for path in folder.iterdir()} == before

@@ -91,6 +91,8 @@ def test_too_large_a_file_is_refused_before_it_comes(
         page.send("upload", name="x.npz", size=(3 << 20) + 1)
 
         assert "up to 3 MB" in _refusal(page)
+        page.send("upload", name="x.npz", size=0)
+        assert "is empty" in _refusal(page)
 
 
 def test_more_than_was_announced_is_refused_and_leaves_nothing(

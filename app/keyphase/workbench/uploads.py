@@ -32,6 +32,16 @@ SUFFIXES = frozenset(
 DEMONSTRATION = "setup1.npz"
 """The recording one is shown who has none yet."""
 
+_OF_A_BAG = "it is part of a ROS 2 bag: open the bag's folder in a terminal, `keyphase FOLDER`"
+_VIDEO = "a video is shown when it lies beside its recording, under the same name"
+_ROBOT = "a robot is given in a terminal, `keyphase RECORDING --robot FILE`"
+_WAYS_ON = {
+    **dict.fromkeys((".db3", ".yaml"), _OF_A_BAG),
+    **dict.fromkeys((".mp4", ".m4v", ".mov", ".webm"), _VIDEO),
+    **dict.fromkeys((".urdf", ".xml"), _ROBOT),
+}
+"""What to do with files that are none of these, but belong to one."""
+
 _MAX_NAME_LENGTH = 80
 _RECIPE = ".toml"
 _UNSAFE = re.compile(r"[^A-Za-z0-9._-]+")
@@ -178,6 +188,9 @@ def safe_name(name: str) -> str:
     last = re.split(r"[/\\]", name)[-1]
     stem, suffix = _split(last)
     if suffix.lower() not in SUFFIXES | {SEGMENTS, _RECIPE}:
+        way_on = _WAYS_ON.get(suffix.lower())
+        if way_on:
+            raise RequestError(f"{last[:80]!r} is no recording by itself: {way_on}.")
         kinds = ", ".join(sorted(SUFFIXES))
         raise RequestError(
             f"Expected a recording ({kinds}), a segment file ({SEGMENTS}) or a recipe "
@@ -194,8 +207,10 @@ def upload_folder(recordings: Sequence[Path]) -> Path:
 
 
 def _check_size(name: str, size: int, limit_bytes: int, folder: Path) -> None:
+    if size <= 0:
+        raise RequestError(f"{name} is empty: there is nothing in it to read.")
     megabytes = size / (1 << 20)
-    if not 0 < size <= limit_bytes:
+    if size > limit_bytes:
         raise RequestError(
             f"A file sent from the browser has up to {limit_bytes >> 20} MB, but {name} has "
             f"{megabytes:.0f}; put it into the folder by hand."

@@ -1,6 +1,7 @@
 /** Files dropped on the page or chosen are sent to the server in pieces, one file at a time. */
 
 import { byId, el, icon } from "../lib/dom.js";
+import { droppedFiles } from "./dropped.js";
 
 /**
  * What the server says of a file.
@@ -10,7 +11,16 @@ import { byId, el, icon } from "../lib/dom.js";
 const PIECE_BYTES = 256 * 1024;
 /** No more than this waits in the browser, so that a large file does not fill its memory. */
 const WAITING_BYTES = 4 * PIECE_BYTES;
-const KINDS = ".npz,.csv,.tsv,.txt,.dat,.log,.asc,.hdf5,.h5,.zip,.bag,.mcap,.mat,.npy,.json,.toml";
+const KINDS =
+  ".npz,.csv,.tsv,.txt,.dat,.log,.asc,.hdf5,.h5,.zip,.bag,.mcap,.mat,.npy,.parquet,.json,.toml";
+
+/** Notes and settings lie beside recordings, too. */
+const BESIDE = [".json", ".toml", ".txt", ".log"];
+const RECORDINGS = KINDS.split(",").filter((kind) => !BESIDE.includes(kind));
+
+/** Whether a file of a folder that was dropped is a recording. @param {string} name */
+const isRecording = (name) =>
+  !name.startsWith(".") && RECORDINGS.some((kind) => name.toLowerCase().endsWith(kind));
 
 /**
  * @param {import("../lib/store.js").Store} store
@@ -36,7 +46,11 @@ export function createUpload(store, socket, actions) {
   byId("add-recording").addEventListener("click", () => input.click());
   store.later(["lookingOnly"], ({ lookingOnly }) => (byId("add-recording").hidden = lookingOnly));
 
-  watchDrops(store, target, add);
+  watchDrops(store, target, async (transfer) => {
+    const { files, refused } = await droppedFiles(transfer, isRecording);
+    if (refused.length) store.set({ notice: { level: "warning", text: refused.join(" ") } });
+    add(files);
+  });
 
   function add(files) {
     waiting.push(...files);
@@ -137,7 +151,7 @@ function createSending(store, cancel) {
  * Takes files that are dropped on the page or on the scene.
  * @param {import("../lib/store.js").Store} store
  * @param {HTMLElement} target what shows that they can be
- * @param {(files: FileList) => void} add
+ * @param {(transfer: DataTransfer) => void} add
  */
 function watchDrops(store, target, add) {
   /** Lets files be dropped on a window: ours, and that of the scene's frame. */
@@ -156,7 +170,7 @@ function watchDrops(store, target, add) {
       target.hidden = true;
       if (!drops(event)) return;
       event.preventDefault();
-      add(event.dataTransfer.files);
+      add(event.dataTransfer);
     });
   }
   watch(window);
