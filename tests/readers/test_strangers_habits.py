@@ -154,6 +154,8 @@ def records_of_parquet(folder: Path) -> Path:
 
 
 TUM = np.column_stack([TIME, POSITION, XYZW])
+T_AND_R = "stamp,TX,TY,TZ,RX_rad,RY_rad,RZ_rad"
+T_AND_R_ROWS = np.column_stack([1000 * TIME, 1000 * POSITION, ROTVEC, FORCE])
 VICON = ["Trajectories", str(RATE_HZ), ",,Tool:Tool,,", "Frame,Sub Frame,X,Y,Z", ",,mm,mm,mm"]
 COUNTED = np.column_stack([1 + np.arange(ROWS), 0 * TIME])
 OBJECTS = [*VICON[:2], ",,Tool,,,,,", "Frame,Sub Frame,RX,RY,RZ,TX,TY,TZ", ",,rad,rad,rad,mm,mm,mm"]
@@ -220,6 +222,10 @@ HABITS = {
     "Vicon, an object": Habit(
         table("o.csv", OBJECTS, np.hstack([COUNTED, ROTVEC, 1000 * POSITION])), force=False
     ),
+    "T and R beside loads": Habit(
+        table("l.csv", [f"{T_AND_R},load_a,load_b,load_c"], T_AND_R_ROWS), force=False
+    ),
+    "T and R beside a force": Habit(table("f.csv", [f"{T_AND_R},Fx,Fy,Fz"], T_AND_R_ROWS)),
     "OptiTrack": Habit(optitrack, force=False),
     "KUKA RSI": Habit(kuka),
     "Franka by rostopic": Habit(franka_of_rostopic),

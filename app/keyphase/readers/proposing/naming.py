@@ -14,7 +14,8 @@ POSITION = re.compile(
 NO_POSITION = re.compile(
     r"vel|speed|acc|cmd|soll|target|desired|action|goal|force|torque|wrench|quat|orient|ori[\W_]"
     r"|roll|pitch|yaw|kraft|moment|effort|couple|力|トルク|モーメント|扭矩|joint|gripper|finger|rot|covariance"
-    r"|(^|[\W_])[ftmq]\d?[\W_]?[xyz]($|[\W_])|(?-i:[a-z][FTM][xyz])",
+    r"|(^|[\W_])[ftmq]\d?[\W_]?[xyz]($|[\W_])|(?-i:[a-z][FTM][xyz])"
+    r"|(^|[\W_])r[xyz]($|[\W_])|[\W_](deg|rad)\W*$",
     re.I,
 )
 FORCE = re.compile(
