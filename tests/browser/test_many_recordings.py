@@ -30,6 +30,8 @@ def _one_gaussian(page: KeyphasePage) -> None:
 def test_a_name_once_given_is_a_number_key_in_the_next_recording(two: KeyphasePage) -> None:
     two.press("]")
     two.until("keyphase.state.selected === 0")
+    two.press("1")
+    two.page.locator(".notice", has_text="No name has the number 1 yet").wait_for()
     _name_selected(two, "Reach")
     color = two.document["segments"][0]["color"]
     two.press("PageDown")
@@ -43,6 +45,16 @@ def test_a_name_once_given_is_a_number_key_in_the_next_recording(two: KeyphasePa
     assert two.document["segments"][1]["color"] == color
     segments = two.document["segments"]
     assert two.state("selected") == next(k for k in range(2, 9) if segments[k]["kept"])
+
+
+def test_back_leads_to_the_recording_before_after_a_reload_too(two: KeyphasePage) -> None:
+    two.until("location.hash === '#setup1'")
+    two.page.reload()
+    two.wait_for_document()
+    two.press("PageDown")
+    two.until("location.hash === '#synthetic_setup1'")
+    two.page.go_back()
+    two.until("keyphase.state.document.name === 'setup1'")
 
 
 def test_a_name_is_completed_and_can_be_taken_out_of_the_vocabulary(two: KeyphasePage) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from two_pages import TalkingPage, run_pages, workbench_on
 
+from keyphase.workbench import workbench as workbench_module
 from keyphase.workbench.workbench import Workbench
 
 
@@ -152,3 +153,14 @@ def test_a_page_that_follows_sees_what_the_other_opens(workbench: Workbench) -> 
 @pytest.mark.slow
 def test_random_actions_of_two_pages_equal_a_replay_of_the_journals(tmp_path: Path) -> None:
     assert run_pages(tmp_path, actions=40, seed=1, slow=0.02, names="abc") >= 80
+
+
+def test_a_page_that_is_loaded_again_is_no_further_person(
+    workbench: Workbench, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(workbench_module, "KEPT_S", 0.0)
+    stays = TalkingPage(workbench, "stays")
+    for load in ("first load", "second load"):
+        assert workbench.enter(load).number == 2
+        workbench.leave(load)
+        stays.wait_for(lambda: len(workbench.views) == 1)

@@ -65,7 +65,7 @@ class Workbench:
         self._views: dict[str, View] = {}
         self._held: dict[str, int] = {}
         self._leaving: dict[str, threading.Timer] = {}
-        self._numbers, self._looks = itertools.count(1), itertools.count(1)
+        self._looks = itertools.count(1)
         self._spreads: dict[str, int] = {}
         self.second = SecondPerson(self.settings.beside) if self.settings.beside else None
         counted = self.second.counted if self.second else (lambda line: line)
@@ -128,7 +128,7 @@ class Workbench:
             self._held[page] = self._held.get(page, 0) + 1
             is_new = page not in self._views
             if is_new:
-                self._views[page] = View(page, next(self._numbers), self)
+                self._views[page] = View(page, self._free_number(), self)
             view = self._views[page]
         if has_come:
             self.view_changed(view)
@@ -139,6 +139,11 @@ class Workbench:
                 self.looking.begin()
                 self.proposals.begin()
         return view
+
+    def _free_number(self) -> int:
+        """The smallest that no page has: who loads a page again and again is no ninth person."""
+        taken = {view.number for view in self._views.values()}
+        return min(set(range(1, len(taken) + 2)) - taken)
 
     def leave(self, page: str) -> None:
         """One of those who entered has gone; after the last the view is kept KEPT_S, unseen."""

@@ -31,7 +31,11 @@ export function createAddress(store, actions) {
     const doc = state.document;
     if (!doc || wanted) return;
     const address = addressOf(doc.name, time);
-    if (address === location.hash) return;
+    if (address === location.hash) {
+      // It was opened by this address, or is shown anew.
+      shown = address;
+      return;
+    }
     // One step back for each recording, not for each place of the playhead.
     const other = addressIn(shown)?.name !== doc.name;
     history[other && shown ? "pushState" : "replaceState"](null, "", address);

@@ -92,7 +92,12 @@ export function createSegmentActions(store, given, others) {
     labelByNumber(number) {
       const known = state.labels[number - 1];
       const index = selectedSegment()?.index;
-      if (!known || index === undefined || state.readOnly) return;
+      if (index === undefined || state.readOnly) return;
+      if (!known) {
+        const text = `No name has the number ${number} yet. L names a segment; the phases of the task (Shift G) have the first numbers.`;
+        store.set({ notice: { level: "info", text } });
+        return;
+      }
       const last = several()?.[1] ?? index;
       actions.label(known.name, index);
       actions.selectKeptAfter(last);
