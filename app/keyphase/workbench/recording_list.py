@@ -1,7 +1,7 @@
 """The list of recordings of one workbench, and who is at which."""
 
 import threading
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -31,6 +31,12 @@ class Presence:
         """That of a page."""
         number = view.number
         return Presence(view.id, f"Page {number}", (number - 1) % PAGE_COLORS, view.recording)
+
+
+def free_number(views: Iterable["View"]) -> int:
+    """The smallest that no page has: who loads a page again and again is no ninth person."""
+    taken = {view.number for view in views}
+    return min(set(range(1, len(taken) + 2)) - taken)
 
 
 @dataclass(frozen=True)

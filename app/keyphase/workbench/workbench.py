@@ -21,7 +21,7 @@ from keyphase.workbench.leading.takes import Takes
 from keyphase.workbench.looking import Looking
 from keyphase.workbench.playback import Clock
 from keyphase.workbench.proposals import Proposals
-from keyphase.workbench.recording_list import Listing, Presence, RecordingList
+from keyphase.workbench.recording_list import Listing, Presence, RecordingList, free_number
 from keyphase.workbench.recordings import Recording
 from keyphase.workbench.selection import selected_by_others
 from keyphase.workbench.sharing import Sharing
@@ -128,7 +128,7 @@ class Workbench:
             self._held[page] = self._held.get(page, 0) + 1
             is_new = page not in self._views
             if is_new:
-                self._views[page] = View(page, self._free_number(), self)
+                self._views[page] = View(page, free_number(self._views.values()), self)
             view = self._views[page]
         if has_come:
             self.view_changed(view)
@@ -139,11 +139,6 @@ class Workbench:
                 self.looking.begin()
                 self.proposals.begin()
         return view
-
-    def _free_number(self) -> int:
-        """The smallest that no page has: who loads a page again and again is no ninth person."""
-        taken = {view.number for view in self._views.values()}
-        return min(set(range(1, len(taken) + 2)) - taken)
 
     def leave(self, page: str) -> None:
         """One of those who entered has gone; after the last the view is kept KEPT_S, unseen."""
