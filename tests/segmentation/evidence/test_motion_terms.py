@@ -61,3 +61,15 @@ def test_the_slow_ends_of_an_oval_are_told_from_turns_at_places_of_their_own():
     onwards = found.terms[(at > 2.0) & (at < 8.0), column]
     assert len(onwards)
     assert onwards.max() < 0.2
+
+
+def test_a_short_stop_at_both_ends_of_a_recording_has_its_inner_edge():
+    time = np.arange(0.0, 4.0, 0.01)
+    at, _ = candidates_s(time, strokes(time, (0.36, 3.64, (0.3, 0.0, 0.0))))
+    assert len(at) == 2
+    assert np.allclose(at, (0.6, 3.4), atol=0.15)
+
+
+def test_the_hand_that_starts_and_stops_the_recording_is_no_stop():
+    time = np.arange(0.0, 2.0, 0.01)
+    assert not len(candidates_s(time, strokes(time, (0.1, 1.9, (0.3, 0.0, 0.0))))[0])

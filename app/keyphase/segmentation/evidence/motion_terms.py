@@ -34,6 +34,9 @@ MIN_STROKE_M_S = 2e-3
 LONG_DWELL_S = 0.4
 """A longer valley has two edges, a shorter one a middle."""
 
+CUT_STOP_S = 0.3
+"""A shorter stop at the begin or end of a recording is the hand that starts and stops it."""
+
 REST_S = 0.5
 """A valley this long is a rest, a shorter one a mere turn."""
 
@@ -119,7 +122,10 @@ class _Valleys:
         early, late = self.edges(bottom)
         dwell = (late - early) / rate
         terms = self._terms(early, late, bottom / lower, dwell, lower, crowd)
-        rows = _edge_rows(early, late, dwell, terms, deep, LONG_DWELL_S)
+        # A stop that was there before the recording, or goes on after it, has an edge, no middle.
+        cut = (early <= 0) | (late >= len(s) - 1)
+        deep &= ~cut | (dwell >= CUT_STOP_S)
+        rows = _edge_rows(early, late, dwell, terms, deep, cut | (dwell > LONG_DWELL_S))
         return rows[(rows[:, 0] > 0) & (rows[:, 0] < len(s) - 1)]
 
     def edges(self, bottom: Array) -> tuple[Indices, Indices]:
@@ -223,10 +229,10 @@ def _inside_a_stop(cell: Array, stops: Indices, rate_hz: float) -> np.ndarray:
 
 
 def _edge_rows(
-    early: Indices, late: Indices, dwell: Array, terms: Array, use: np.ndarray, long_s: float
+    early: Indices, late: Indices, dwell: Array, terms: Array, use: np.ndarray, long: np.ndarray
 ) -> Array:
     """Two rows where a valley is long, else one in its middle: cell, interval, rest, terms."""
-    long, short = use & (dwell > long_s), use & (dwell <= long_s)
+    long, short = use & long, use & ~long
     middle = 0.5 * (early + late)
     half = 0.25 * (late - early)
     parts = (
@@ -274,7 +280,7 @@ def _standing(grid: Grid, speed: Speed, crowd: Indices) -> Array:
             ones,
         ]
     )
-    return _edge_rows(early, late, dwell, terms, np.ones(len(found), dtype=bool), 0.0)
+    return _edge_rows(early, late, dwell, terms, every := dwell > 0.0, every)
 
 
 def _distinct(tables: list[Array], rate_hz: float) -> Array:

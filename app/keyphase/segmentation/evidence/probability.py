@@ -1,5 +1,7 @@
 """From evidence to one calibrated probability for every candidate."""
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from keyphase.demonstration import Array
@@ -17,6 +19,7 @@ FAR = 0.2
 """A recording further than this from all that was fitted on is called unlike it."""
 
 _LIKELIEST = 12
+_OF_FREE_SPACE = ("over_core", "separation")
 _FADES = 2.0
 
 
@@ -58,12 +61,34 @@ def calibrated(odds: Array, calibration: Calibration, unlike: float) -> Array:
     return line + (z - line) / (1.0 + _FADES * unlike)
 
 
-def signature(terms: Array, odds: Array, names: tuple[str, ...]) -> Array | None:
-    """Mean (T,) of some terms over the likeliest candidates; None where there are too few."""
+@dataclass(frozen=True, eq=False)
+class Signature:
+    """What a recording looks like: the mean (T,) of some terms over `count` likeliest candidates.
+
+    NaN for terms that compare with free space, where there is no view of contact as a state.
+    """
+
+    mean: Array
+    count: int
+
+
+def signature(terms: Array, odds: Array, names: tuple[str, ...]) -> Signature | None:
+    """The signature of a recording; None where there are too few candidates."""
     if len(odds) < 4:
         return None
-    likeliest = np.argsort(-odds, kind="stable")[:_LIKELIEST]
-    return terms[likeliest][:, [CONTACT_COLUMNS[name] for name in names]].mean(axis=0)
+    likeliest = terms[np.argsort(-odds, kind="stable")[:_LIKELIEST]]
+    mean = likeliest[:, [CONTACT_COLUMNS[name] for name in names]].mean(axis=0)
+    if not likeliest[:, CONTACT_COLUMNS["separation"]].any():
+        mean[np.isin(names, _OF_FREE_SPACE)] = np.nan
+    return Signature(mean, len(likeliest))
+
+
+def distance_from(here: Signature, centre: Array, spread: Array) -> float:
+    """From the nearest of some families (K, T), over the terms that are known, in spreads (T,) of
+    a mean over all the candidates that are looked at: one over fewer lies further off by chance.
+    """
+    apart = np.nanmean(np.square((centre - here.mean) / spread), axis=1).min()
+    return float(np.sqrt(apart * here.count / _LIKELIEST))
 
 
 def unlike(terms: Array, odds: Array, kinds: Kinds) -> float:
@@ -71,5 +96,5 @@ def unlike(terms: Array, odds: Array, kinds: Kinds) -> float:
     here = signature(terms, odds, kinds.names)
     if here is None:
         return 0.0
-    distance = np.sqrt(np.square((kinds.centre - here) / kinds.spread).mean(axis=1)).min()
+    distance = distance_from(here, kinds.centre, kinds.spread)
     return max(0.0, float(np.log(max(distance, 1e-9) / kinds.usual)))

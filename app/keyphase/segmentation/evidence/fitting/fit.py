@@ -21,7 +21,9 @@ from keyphase.segmentation.evidence.fitting.taught import Side, Taught, labels, 
 from keyphase.segmentation.evidence.probability import (
     CONTACT_COLUMNS,
     MOTION_COLUMNS,
+    Signature,
     contact_odds,
+    distance_from,
     motion_odds,
     sigmoid,
     signature,
@@ -234,20 +236,26 @@ def _mean_f1(given: Array, families: Array, hits: Array, events: Mapping[str, in
 
 def _kinds(recordings: Sequence[Taught], weights: Weights) -> Kinds:
     """Where each family lies in the terms of its likeliest candidates, and how far is usual."""
-    seen: dict[str, list[Array]] = {}
+    seen: dict[str, list[Signature]] = {}
     for recording in recordings:
         terms = recording.contact.terms
         here = signature(terms, contact_odds(terms, weights), KIND_TERMS)
         if here is not None:
             seen.setdefault(recording.family, []).append(here)
-    centre = np.array([np.mean(seen[family], axis=0) for family in sorted(seen)])
-    inside = np.vstack([np.array(seen[f]) - c for f, c in zip(sorted(seen), centre, strict=True)])
-    spread = inside.std(axis=0) + 0.05
-    distances = [
-        float(np.sqrt(np.square((centre - here) / spread).mean(axis=1)).min())
-        for family in sorted(seen)
+    centre = np.array([_mean_known(seen[family]) for family in sorted(seen)])
+    inside = [
+        here.mean - middle
+        for family, middle in zip(sorted(seen), centre, strict=True)
         for here in seen[family]
     ]
+    spread = np.nanstd(inside, axis=0) + 0.05
+    distances = [distance_from(here, centre, spread) for f in sorted(seen) for here in seen[f]]
     return Kinds(
         tuple(sorted(seen)), KIND_TERMS, centre, spread, float(np.quantile(distances, 0.9))
     )
+
+
+def _mean_known(signatures: Sequence[Signature]) -> Array:
+    """Mean (T,) of signatures; 0 for a term that is known of none."""
+    known = np.ma.masked_invalid(np.array([each.mean for each in signatures]))
+    return np.asarray(known.mean(axis=0).filled(0.0))
