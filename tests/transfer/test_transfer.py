@@ -75,6 +75,27 @@ def test_boundaries_and_names_arrive_on_another_recording(
     assert found.teachers == (first.name,)
 
 
+def resting(demonstration: Demonstration, at: int, seconds: float) -> Demonstration:
+    """The same, standing still at a row for some seconds."""
+    count = int(seconds * demonstration.rate_hz)
+    rows = np.concatenate([np.arange(at), np.full(count, at), np.arange(at, len(demonstration))])
+    time_s = demonstration.start_s + np.arange(len(rows)) / demonstration.rate_hz
+    channels = ("position_m", "orientation_wxyz", "force_N", "torque_Nm")
+    changed = {name: getattr(demonstration, name)[rows] for name in channels}
+    return Demonstration("rested", time_s, **changed)
+
+
+def test_a_long_rest_that_was_not_taught_is_part_of_the_phase_it_interrupts(
+    first: Taught, second: Demonstration
+) -> None:
+    """The program's own boundaries are taken there, of which its end is one."""
+    rested = resting(second, 0, 5.0)
+    own = segment(rested)
+    assert len(own.boundaries) == len(NAMES)
+    found = propose([first], rested, own)
+    assert [phase.name for phase in found.phases] == list(NAMES)
+
+
 def test_another_task_is_an_outlier_and_nothing_is_forced_on_it(first: Taught) -> None:
     found = propose([first], record("setup2", seed=1))
     assert found.outlier

@@ -12,17 +12,20 @@ from keyphase.segmentation.order_statistics import median
 BIN_S = 0.02
 """Width of a bin: 50 Hz is enough for a hand's motion and for finding a contact."""
 
+_EARLY = 0.45
+
 Indices = NDArray[np.intp]
 
 
 def bin_starts(time_s: Array, width_s: float = BIN_S) -> Indices:
     """Index of the first sample of every bin that holds one, from `time_s` (N,) [s].
 
-    Bins are counted in time, not in samples, because rates are irregular. They begin half a
-    sample early, so that jitter does not move samples of a regular recording between bins.
+    Bins are counted in time, not in samples, because rates are irregular. They begin nearly half a
+    sample early, so that jitter does not move samples of a regular recording between bins. (With
+    just half a one every fifth sample at 125 Hz lay on the edge of two.)
     """
-    half_a_step = 0.5 * median(np.diff(time_s)) if len(time_s) > 1 else 0.0
-    bins = np.floor((time_s - time_s[0] + half_a_step) / width_s)
+    early_s = _EARLY * median(np.diff(time_s)) if len(time_s) > 1 else 0.0
+    bins = np.floor((time_s - time_s[0] + early_s) / width_s)
     return np.flatnonzero(np.diff(bins, prepend=-1.0))
 
 
@@ -75,3 +78,9 @@ def typical_step_s(time_s: Array) -> float:
 def count_in(duration_s: float, step_s: float, least: int, most: int) -> int:
     """How many steps a duration is, rounded and kept from `least` to `most`."""
     return int(min(max(round(min(duration_s / step_s, 1e9)), least), most))
+
+
+def whole_in(duration_s: float, rate_hz: float) -> int:
+    """How many whole cells a duration is, at least one; a clock that is slightly off, or times
+    that were rounded, do not decide over one more."""
+    return max(1, int(duration_s * rate_hz + 1e-3))

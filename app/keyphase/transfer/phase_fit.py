@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from keyphase.transfer.placing import MIN_GAP_S, Teacher
+from keyphase.transfer.rests import LONGEST_S, STILL
 from keyphase.transfer.signals import Signals
 
 _LEFT = 0.6
@@ -36,6 +37,13 @@ class PhaseFit:
         ratio = self._log_ratio(number, start_s, end_s)
         doubt += _SHORT * max(-ratio - _USUAL_RATIO, 0.0) + _LONG * max(ratio - _USUAL_RATIO, 0.0)
         return float(_LEFT + (1.0 - _LEFT) * np.exp(-doubt))
+
+    def rests(self, start_s: float, end_s: float) -> bool:
+        """Whether the tool stands still there for long."""
+        inside = (self.signals.time_s >= start_s) & (self.signals.time_s <= end_s)
+        if end_s - start_s < LONGEST_S or not inside.any():
+            return False
+        return float(self.signals.only(["speed"]).values[inside].mean()) < STILL
 
     def _residual(self, start_s: float, end_s: float) -> float:
         alignment = self.teacher.alignment

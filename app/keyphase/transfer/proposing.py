@@ -164,7 +164,8 @@ def _phases(
 ) -> tuple[ProposedPhase, ...]:
     """Each phase is called what most of its time is called in the best fitting recording.
 
-    `joined`: neighbours that are parts of one phase there are one phase here, too.
+    `joined`: neighbours that are parts of one phase there are one phase here, too; else only a rest
+    that the finished recording has not, and what it interrupts.
     """
     best, alignment = fit.teacher.taught, fit.teacher.alignment
     edges = [demonstration.start_s, *(b.time_s for b in boundaries), demonstration.end_s]
@@ -172,7 +173,7 @@ def _phases(
     inner = [phase.end_s for phase in best.phases[:-1]]
     at = np.searchsorted(inner, alignment.from_s, side="right")
     found: list[ProposedPhase] = []
-    before = -1
+    before, rested = -1, False
     for i in range(len(edges) - 1):
         inside = (alignment.to_s >= edges[i]) & (alignment.to_s <= edges[i + 1])
         votes = np.bincount(at[inside], minlength=len(best.phases))
@@ -182,9 +183,10 @@ def _phases(
         confidence = _name_confidence(share, min(sure[i], sure[i + 1]))
         confidence *= fit.of(index, edges[i], edges[i + 1])
         start_s = edges[i]
-        if joined and index == before:
+        rests = fit.rests(edges[i], edges[i + 1])
+        if index == before and (joined or rests or rested):
             last = found.pop()
             start_s, confidence = last.start_s, min(confidence, last.confidence)
-        before = index
+        before, rested = index, rests
         found.append(ProposedPhase(start_s, edges[i + 1], phase.name, phase.kept, confidence))
     return tuple(found)

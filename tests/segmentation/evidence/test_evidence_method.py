@@ -9,6 +9,7 @@ import pytest
 
 import synthetic
 from keyphase.demonstration import Demonstration
+from keyphase.making import make
 from keyphase.readers import read
 from keyphase.segmentation import Parameters, Segmenter, segment
 from keyphase.segmentation.evidence.telling.counts import HIGHEST, LOWEST
@@ -170,3 +171,14 @@ def test_a_stop_too_short_for_two_boundaries_has_one_in_its_middle():
     boundaries = [b.time_s for b in segment(recording).boundaries]
     stops = (np.arange(strokes - 1) + 1) * (1.0 + stop_s) - 0.5 * stop_s
     np.testing.assert_allclose(boundaries, stops, atol=0.1)
+
+
+@pytest.mark.parametrize(("family", "seed"), [("press", 1_000_004), ("two-handed", 1_000_005)])
+def test_times_since_1970_give_the_candidates_that_seconds_from_zero_give(family, seed):
+    """They are rounded to 0.2 us, by which samples and durations lay on edges of cells."""
+    made = make(family, seed).demonstration
+    later = segment(dataclasses.replace(made, time_s=made.time_s + 1.7e9)).candidates
+    first = segment(made).candidates
+    found = [(one.time_s - 1.7e9, one.probability) for one in later]
+    expected = [(one.time_s, one.probability) for one in first]
+    np.testing.assert_allclose(found, expected, atol=1e-4)

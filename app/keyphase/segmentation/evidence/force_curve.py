@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from keyphase.demonstration import Array
-from keyphase.segmentation.bins import Indices
+from keyphase.segmentation.bins import Indices, whole_in
 from keyphase.segmentation.evidence.grid import Grid
 from keyphase.segmentation.order_statistics import quantile
 
@@ -96,7 +96,7 @@ def peaks(curves: ForceCurves, rate_hz: float) -> Indices:
     found = []
     for row, scale in zip(curves.step, SCALES_S, strict=True):
         height = max(_MIN_PEAK, 3.0 * quantile(row, 0.1))
-        distance = max(1, int(scale * rate_hz))
+        distance = whole_in(scale, rate_hz)
         padded = np.concatenate([[0.0], row, [0.0]])
         found.append(find_peaks(padded, height=height, distance=distance)[0] - 1)
     return np.unique(np.concatenate(found))

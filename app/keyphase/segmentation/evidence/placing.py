@@ -9,13 +9,13 @@ it lies where the force changes fastest, too.
 import numpy as np
 
 from keyphase.demonstration import Array
-from keyphase.segmentation.bins import Indices
+from keyphase.segmentation.bins import Indices, whole_in
 from keyphase.segmentation.evidence.force_curve import FINE, ForceCurves
 from keyphase.segmentation.evidence.grid import Grid
 from keyphase.segmentation.evidence.rises import rises
 from keyphase.segmentation.evidence.state_view import StateView
 
-_STEP_REACH_S = 0.16
+_STEP_REACH_S = 0.14
 _STEP, _PART = 0.75, 0.3
 """A step is seen at the finest scale almost as large as over a quarter of a second, and is no small
 part of a slow change on whose way it lies."""
@@ -36,7 +36,7 @@ def placed(
     tops (5, C) are the largest steps near each at every scale.
     """
     begin, end = rises(grid, at)
-    cell = _steepest(curves.step[0], at, max(1, int(_STEP_REACH_S * grid.rate_hz)))
+    cell = _steepest(curves.step[0], at, whole_in(_STEP_REACH_S, grid.rate_hz))
     if len(view.crossings):
         # Here, over 0.12 and 0.24 s, and over the longer of both times in which ramps are seen.
         here, (short, long), slow = curves.step[0, cell], tops[1:FINE], tops[FINE:].max(axis=0)

@@ -24,7 +24,7 @@ def rests(grid: Grid, fast_m_s: float) -> Indices:
     """
     from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
-    width = int(np.ceil(MIN_DURATION_S * grid.rate_hz)) + 1
+    width = int(np.ceil(MIN_DURATION_S * grid.rate_hz - 1e-3)) + 1
     if len(grid) < width:
         return np.zeros((0, 2), dtype=np.intp)
     slow = max(SLOW_SHARE * fast_m_s * MIN_DURATION_S, MIN_PLACE_M) if fast_m_s > 0.0 else PLACE_M
