@@ -131,24 +131,41 @@ def test_one_taught_recording_has_no_usual_cost(first: Taught) -> None:
     assert usual_cost_of([first, first]) == pytest.approx(0.0, abs=1e-6)
 
 
+def in_frame(shown: Demonstration, matrix: np.ndarray) -> Demonstration:
+    """The same by a robot whose base stands otherwise, or in a mirror."""
+    assert shown.orientation_wxyz is not None
+    assert shown.force_N is not None
+    own = Rotation.from_quat(shown.orientation_wxyz, scalar_first=True).as_matrix()
+    mirrored = matrix @ own @ np.diag([1.0, 1.0, np.linalg.det(matrix)])
+    return replace(
+        shown,
+        position_m=shown.position_m @ matrix.T,
+        orientation_wxyz=Rotation.from_matrix(mirrored).as_quat(scalar_first=True),
+        force_N=shown.force_N @ matrix.T,
+    )
+
+
 @pytest.mark.parametrize("turned_rad", [0.7, 3.0])
 def test_a_recording_that_stands_turned_to_the_robot_is_turned_back(
     shown: Demonstration, first: Taught, turned_rad: float
 ) -> None:
-    turn = Rotation.from_rotvec([0.0, 0.0, turned_rad])
-    matrix = turn.as_matrix().T
-    assert shown.orientation_wxyz is not None
-    assert shown.force_N is not None
-    orientation = turn * Rotation.from_quat(shown.orientation_wxyz, scalar_first=True)
-    turned = replace(
-        shown,
-        position_m=shown.position_m @ matrix,
-        orientation_wxyz=orientation.as_quat(scalar_first=True),
-        force_N=shown.force_N @ matrix,
-    )
+    turned = in_frame(shown, Rotation.from_rotvec([0.0, 0.0, turned_rad]).as_matrix())
     alignment = align(first.signals, signals_of(turned))
     assert alignment.standing.turned_rad == pytest.approx(-turned_rad, abs=0.02)
     assert alignment.cost < 0.1
+
+
+@pytest.mark.parametrize(
+    "matrix",
+    [np.diag([1.0, -1.0, -1.0]), np.roll(np.eye(3), 1, axis=0), np.diag([1.0, 1.0, -1.0])],
+    ids=["hangs upside down", "stands at a wall", "mirror image"],
+)
+def test_what_was_taught_arrives_by_a_robot_in_any_other_place(
+    first: Taught, second: Demonstration, matrix: np.ndarray
+) -> None:
+    other = in_frame(second, matrix)
+    found = propose([first], other, segment(other))
+    assert [phase.name for phase in found.phases] == list(NAMES)
 
 
 def test_a_recording_that_began_at_another_place_is_moved_back(

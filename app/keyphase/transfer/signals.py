@@ -6,7 +6,7 @@ opening over its range. A recording of another operator, another place or anothe
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -23,6 +23,9 @@ MAX_SAMPLES = 400
 
 VECTORS = ("velocity", "place", "turn", "force")
 """Kinds of three columns, x y z in the base frame."""
+
+SIZES = ("speed", "size", "gripper")
+"""Kinds that are the same in every frame."""
 
 GRIPPER = "gripper"
 """The kind of one column, the opening."""
@@ -64,15 +67,18 @@ class Signals:
         part = (place - row)[..., None]
         return (1.0 - part) * self.values[row] + part * self.values[row + 1]
 
-    def turned(self, angle_rad: float) -> "Signals":
-        """The same in a frame that was turned about the vertical, by which it looks turned back."""
+    def turned(self, turn: Array) -> "Signals":
+        """The same in another frame: vectors times an orthogonal matrix (3, 3).
+
+        In a mirror image rotations go the other way round.
+        """
         values = self.values.copy()
-        cosine, sine = np.cos(angle_rad), np.sin(angle_rad)
         for kind in VECTORS:
             if kind in self.kinds:
                 x = self.kinds.index(kind)
-                values[:, x] = cosine * self.values[:, x] - sine * self.values[:, x + 1]
-                values[:, x + 1] = sine * self.values[:, x] + cosine * self.values[:, x + 1]
+                values[:, x : x + 3] = self.values[:, x : x + 3] @ turn.T
+                if kind == "turn":
+                    values[:, x : x + 3] *= np.sign(np.linalg.det(turn))
         return replace(self, values=values)
 
     def moved(self, by: Sequence[float]) -> "Signals":
@@ -97,15 +103,31 @@ class Signals:
         return Signals(self.time_s, self.values[:, chosen], tuple(self.kinds[i] for i in chosen))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Standing:
-    """How a recording has to be turned about the vertical, and then moved, to lie on another.
+    """How a recording has to be turned, and then moved, to lie on another.
 
+    turn   (3, 3) orthogonal; its determinant is -1 where the other is its mirror image
     moved  (3,) of its places relative to the start, in parts of its extent: it began elsewhere
     """
 
-    turned_rad: float = 0.0
+    turn: Array = field(default_factory=lambda: np.eye(3))
     moved: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    @property
+    def turned_rad(self) -> float:
+        """The angle about the vertical, where that is all it is turned about [rad]."""
+        return float(np.arctan2(self.turn[1, 0], self.turn[0, 0]))
+
+    def after(self, turn: Array) -> "Standing":
+        """As it stands where it is turned before."""
+        return replace(self, turn=self.turn @ turn)
+
+
+def about_vertical(angle_rad: float) -> Array:
+    """The turn (3, 3) by an angle about the vertical."""
+    cosine, sine = np.cos(angle_rad), np.sin(angle_rad)
+    return np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
 
 
 AS_IT_STANDS = Standing()
@@ -114,7 +136,7 @@ AS_IT_STANDS = Standing()
 def in_common(
     first: Signals, second: Signals, standing: Standing = AS_IT_STANDS
 ) -> tuple[Signals, Signals]:
-    """Both with the kinds that both have, the second turned about the vertical and moved.
+    """Both with the kinds that both have, the second turned and moved.
 
     A gripper that only one has stands still in the other: what is done with one and without one is
     not the same task.
@@ -122,7 +144,7 @@ def in_common(
     if (GRIPPER in first.kinds) != (GRIPPER in second.kinds):
         first, second = first.with_gripper(), second.with_gripper()
     shared = [kind for kind in dict.fromkeys(first.kinds) if kind in second.kinds]
-    return first.only(shared), second.only(shared).turned(standing.turned_rad).moved(standing.moved)
+    return first.only(shared), second.only(shared).turned(standing.turn).moved(standing.moved)
 
 
 def signals_of(demonstration: Demonstration) -> Signals:

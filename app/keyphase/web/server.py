@@ -58,6 +58,8 @@ class PageServer:
             beside=beside,
         )
         self.workbench = Workbench(paths, settings)
+        for path in paths[:1]:
+            self.workbench.library.reading.begin(path)
         self.latencies_ms: deque[float] = deque(maxlen=1000)
         self.sockets = PageSockets(self._begin, self._hear, self._end)
         self._conversations: dict[Page, Conversation] = {}

@@ -19,6 +19,7 @@ from keyphase.labeling.segment_file import SUFFIX as SEGMENTS
 from keyphase.labeling.segment_file import read_segment_file
 from keyphase.readers import Recipe, load_recipe, read
 from keyphase.readers.finding import parts_of
+from keyphase.workbench.apart.apart import Calls, right_here
 
 DEFAULT_LIMIT_BYTES = 2 << 30
 """The largest file a browser may send unless the server is told otherwise."""
@@ -107,7 +108,12 @@ class Upload:
             raise RequestError(f"{self.name} cannot be written ({error.strerror}).") from error
         self._left -= len(piece)
 
-    def finish(self, recipe: Recipe | None = None, open_sha256: str | None = None) -> Path:
+    def finish(
+        self,
+        recipe: Recipe | None = None,
+        open_sha256: str | None = None,
+        calls: Calls = right_here,
+    ) -> Path:
         """Read the whole file and give it its name, beside others of that name; where it now is.
 
         Raises RequestError with the reason where it is no recording, or no segment file of the
@@ -115,7 +121,7 @@ class Upload:
         """
         try:
             self.settle()
-            self._check(recipe, open_sha256)
+            self._check(recipe, open_sha256, calls)
             return self._named()
         except (KeyphaseError, OSError) as error:
             raise RequestError(str(error).replace(str(self._part), self.name)) from error
@@ -132,13 +138,15 @@ class Upload:
         self._file.close()
         self._part.unlink(missing_ok=True)
 
-    def _check(self, recipe: Recipe | None, open_sha256: str | None) -> None:
+    def _check(self, recipe: Recipe | None, open_sha256: str | None, calls: Calls) -> None:
         if self.is_recipe:
             load_recipe(self._part)
             return
         if not self.is_segment_file:
-            inner = parts_of(self._part, recipe)
-            read(with_part(self._part, inner[0]) if inner else self._part, recipe)
+            inner = calls(self._part, parts_of, self._part, recipe)
+            calls(
+                self._part, read, with_part(self._part, inner[0]) if inner else self._part, recipe
+            )
             return
         about = read_segment_file(self._part, check_recording=False).demonstration
         if about.sha256 != open_sha256:

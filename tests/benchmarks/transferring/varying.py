@@ -48,6 +48,17 @@ def turned(vector_rad: Sequence[float]) -> Vary:
     return vary
 
 
+def mirrored(known: Known, _: np.random.Generator) -> Known:
+    """By the other hand, all to the other side."""
+    channels = _channels(known)
+    aside = np.array([1.0, -1.0, 1.0])
+    channels["position_m"] = channels["position_m"] * aside
+    channels["force_N"] = channels["force_N"] * aside
+    channels["torque_Nm"] = channels["torque_Nm"] * -aside
+    channels["orientation_wxyz"] = channels["orientation_wxyz"] * [1.0, -1.0, 1.0, -1.0]
+    return _known(known, channels)
+
+
 def with_force(constant_N: float, drift_N: float) -> Vary:
     """By a sensor that reads too much, and ever more, in one direction."""
 
@@ -181,6 +192,8 @@ VARIED: dict[str, Vary] = {
     "turned by 90 degrees": turned([0.0, 0.0, 0.5 * np.pi]),
     "turned by 180 degrees": turned([0.0, 0.0, np.pi]),
     "upside down": turned([np.pi, 0.0, 0.0]),
+    "at a wall": turned([0.0, 0.5 * np.pi, 0.0]),
+    "mirror image": mirrored,
     "20 N too much": with_force(20.0, 0.0),
     "drift of 3 N": with_force(0.0, 3.0),
     "no force": without_force,

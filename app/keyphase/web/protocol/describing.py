@@ -21,7 +21,7 @@ class Describing:
 
     def __init__(self, workbench: Workbench, view: View, send: Send) -> None:
         self._workbench, self._view, self._send = workbench, view, send
-        self._importing = Importing()
+        self._importing = Importing(workbench.library.reading.call)
 
     def close(self) -> None:
         """The page has left; nothing is left of what it sent."""

@@ -12,6 +12,7 @@ from keyphase.errors import RequestError
 from keyphase.labeling.storage.folder_settings import FolderSettings, read_folder_settings
 from keyphase.labeling.storage.journal import Journal
 from keyphase.readers import Recipe, load_recipe, read
+from keyphase.workbench.apart.apart import ReadingApart
 from keyphase.workbench.desks.desk import Desk
 from keyphase.workbench.desks.desk_state import DeskState
 from keyphase.workbench.desks.folder import Folder
@@ -29,6 +30,8 @@ class Library:
 
     recipe      how to read tables that are not in keyphase's own form
     read_only   journals are opened for looking only
+
+    reading     what reads for it, in a process of its own where a file could end that
     """
 
     def __init__(
@@ -46,6 +49,7 @@ class Library:
         self._desks: OrderedDict[str, Desk] = OrderedDict()
         self._loans: dict[str, int] = {}
         self._closed = False
+        self.reading = ReadingApart()
 
     @property
     def recipe(self) -> Recipe | None:
@@ -122,7 +126,7 @@ class Library:
 
         Raises RequestError with the reason where it cannot be used.
         """
-        return upload.finish(self._recipe, open_sha256)
+        return upload.finish(self._recipe, open_sha256, self.reading.call)
 
     def tidy(self) -> None:
         """Close desks nobody has looked at for long."""
@@ -140,6 +144,7 @@ class Library:
         with self._lock:
             self._closed = True
             desks = tuple(self._desks.values())
+        self.reading.close()
         for desk in desks:
             desk.stop()
         with self._lock:
@@ -171,7 +176,7 @@ class Library:
         return self._opened(recording, task, self._read_only)
 
     def _opened(self, recording: Recording, task: Task | None, read_only: bool) -> OpenRecording:
-        demonstration = read(recording.path, self._recipe)
+        demonstration = self.reading.call(recording.path, read, recording.path, self._recipe)
         folder = self._folder(recording.path.parent)
         journal = Journal(demonstration, folder.settings.parameters, read_only=read_only)
         if task is not None:

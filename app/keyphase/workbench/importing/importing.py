@@ -11,6 +11,7 @@ from keyphase.files.parts import split_part
 from keyphase.files.writing import write_whole
 from keyphase.readers import FOLDER_RECIPE, RECIPE_SUFFIX, find_recordings
 from keyphase.readers.proposing.answers import Answers
+from keyphase.workbench.apart.apart import Calls, right_here
 from keyphase.workbench.importing.alike_tables import alike_tables
 from keyphase.workbench.importing.unknown_table import Tried, UnknownTable
 from keyphase.workbench.uploads import Upload
@@ -35,9 +36,13 @@ class Waiting:
 
 
 class Importing:
-    """The tables one page is asked about, in the order they came. For many threads."""
+    """The tables one page is asked about, in the order they came. For many threads.
 
-    def __init__(self) -> None:
+    calls  how what reads them is called: here, or in another process
+    """
+
+    def __init__(self, calls: Calls = right_here) -> None:
+        self._calls = calls
         self._lock = threading.Lock()
         self._waiting: dict[str, Waiting] = {}
         self._numbers = itertools.count(1)
@@ -53,7 +58,7 @@ class Importing:
 
         Raises DemonstrationError where it holds no numbers.
         """
-        table = UnknownTable(upload.part, upload.name)
+        table = UnknownTable(upload.part, upload.name, self._calls)
         return self._wait(table, upload.folder, upload)
 
     def ask_about(self, path: Path) -> Waiting:
@@ -65,7 +70,7 @@ class Importing:
         path = split_part(path)[0]
         with self._lock:
             known = next((one for one in self._waiting.values() if one.table.path == path), None)
-        return known or self._wait(UnknownTable(path, path.name), path.parent, None)
+        return known or self._wait(UnknownTable(path, path.name, self._calls), path.parent, None)
 
     def find(self, id: str) -> Waiting:
         """One that waits. Raises RequestError where it does not any more."""
@@ -102,7 +107,9 @@ class Importing:
         paths: list[Path] = []
         for one in waiting:
             try:
-                file = one.table.path if one.upload is None else one.upload.finish()
+                file = (
+                    one.table.path if one.upload is None else one.upload.finish(calls=self._calls)
+                )
                 paths += _recordings_in(file)
             except KeyphaseError:
                 continue
@@ -143,7 +150,7 @@ class Importing:
     def _named(self, waiting: Waiting, recipe: str) -> Path:
         if waiting.upload is None:
             return waiting.table.path
-        return waiting.upload.finish(waiting.table.recipe(recipe))
+        return waiting.upload.finish(waiting.table.recipe(recipe), calls=self._calls)
 
     def _wait(self, table: UnknownTable, folder: Path, upload: Upload | None) -> Waiting:
         there = alike_tables(table, folder)

@@ -17,6 +17,7 @@ from keyphase.readers.proposing.answers import Answers, answers_to, with_parts
 from keyphase.readers.proposing.proposal import propose
 from keyphase.readers.recipes.sections import ENCODINGS, SEPARATORS
 from keyphase.readers.table import TableForm, open_table, split_cells
+from keyphase.workbench.apart.apart import Calls, right_here
 
 SHOWN_ROWS = 20
 MAX_COLUMNS = 2000
@@ -72,16 +73,24 @@ class UnknownTable:
     It is a table of text, or columns of a binary format (`is_text`), of which the first of several
     recordings, `part`, is looked at; the others are read alike.
 
+    `calls` says where what reads it is called.
+
     Raises DemonstrationError where it holds no numbers.
     """
 
-    def __init__(self, path: Path, name: str, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> None:
+    def __init__(
+        self,
+        path: Path,
+        name: str,
+        calls: Calls = right_here,
+        limit_bytes: int = DEFAULT_LIMIT_BYTES,
+    ) -> None:
         self.path, self.name = path, name
-        self._limit_bytes = limit_bytes
-        parts = _recordings_in(path)
+        self._calls, self._limit_bytes = calls, limit_bytes
+        parts = calls(path, _recordings_in, path)
         self.part, self.others_inside = (parts[0], len(parts) - 1) if parts else (None, 0)
         self._first = with_part(path, self.part) if self.part else path
-        self._proposal = proposal = propose(self._first, limit_bytes)
+        self._proposal = proposal = calls(path, propose, self._first, limit_bytes)
         if len(proposal.names) > MAX_COLUMNS:
             raise DemonstrationError(
                 f"{name}: the page shows at most {MAX_COLUMNS} columns, but there are "
@@ -119,7 +128,7 @@ class UnknownTable:
 
     def _looks(self, recipe: Recipe) -> tuple[Look, ...]:
         """The first recording by a recipe, which may find two tools in it, or several tables."""
-        parts = parts_of(self.path, recipe)
+        parts = self._calls(self.path, parts_of, self.path, recipe)
         if not recipe.parts:
             return (self._look("", with_part(self.path, parts[0]) if parts else self.path, recipe),)
         # Of `take_0+left` and `take_0+right` the tool is the last word.
@@ -129,7 +138,7 @@ class UnknownTable:
         )
 
     def _look(self, name: str, recording: Path, recipe: Recipe) -> Look:
-        demonstration = read(recording, recipe, limit_bytes=self._limit_bytes)
+        demonstration = self._calls(self.path, _read, recording, recipe, self._limit_bytes)
         return _look(name, demonstration, tuple(map(self._in_words, demonstration.notices)))
 
     def _split(self, answers: Answers) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]:
@@ -152,6 +161,10 @@ def _recordings_in(path: Path) -> tuple[str, ...]:
     """The recordings of a binary format in one file; none where it is one, or a table."""
     form = format_of(path)
     return () if form is None else form.parts(path)
+
+
+def _read(recording: Path, recipe: Recipe, limit_bytes: int) -> Demonstration:
+    return read(recording, recipe, limit_bytes=limit_bytes)
 
 
 def _form(answers: Answers) -> TableForm:

@@ -1,0 +1,1 @@
+"""Reading by libraries in C in a process of its own, which a damaged file may end."""
