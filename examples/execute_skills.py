@@ -197,7 +197,12 @@ class Plan:
             return time >= (press.least_s if still else press.most_s)
 
         yield from self.stay(settled, press)
-        while seek and not self.is_in():
+        presses = 1
+        while seek and (not self.is_in() or (self.sinks() and presses < self.n.seat_presses)):
+            if self.is_in():
+                presses += 1
+                yield from self.stay(settled, press)
+                continue
             pressed = self.pressed
             if self.s.squaring:
                 self.aside = beside(self.goes_to - self.here[0], self.s.squaring.normal)
@@ -221,6 +226,10 @@ class Plan:
         self.places.append(self.here[0] @ d)
         recent = self.places[-max(1, round(self.n.seat_fall_s / self.h)) :]
         self.fell |= self.places[-1] - min(recent) >= self.n.seat_fall * depth
+
+    def sinks(self):
+        late = self.places[-round(self.n.seat_sinking_s / self.h) :]
+        return bool(self.s.search) and late[-1] - late[0] >= self.n.seat_sinks_m
 
     def is_in(self):
         if not self.s.search:

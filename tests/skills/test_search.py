@@ -19,7 +19,7 @@ from keyphase.skills.execution.executor import STEP_S
 from keyphase.skills.execution.seeking import Seeking
 from keyphase.skills.library import skills_of
 from keyphase.skills.pressed import Press
-from keyphase.skills.search import Search, before_touch, search_for
+from keyphase.skills.search import MAX_PRESSES, SINKING_S, Search, before_touch, search_for
 from keyphase.skills.skill import Skill
 
 DOWN = np.array([0.0, 0.0, -1.0])
@@ -152,3 +152,16 @@ def test_what_a_sensor_reads_too_much_catches_no_search(felt_before_N, follows) 
     aside = [seeking.moving(at, now, time_s).position_m for time_s in (0.5, 1.0)]
     wanted = [seeking.search.aside(DOWN, time_s) for time_s in (0.5, 1.0)]
     assert np.allclose(aside, wanted) is follows
+
+
+@pytest.mark.parametrize(("sinking_mm", "presses_on"), [(0.3, True), (0.02, False)])
+def test_a_part_that_still_goes_in_is_pressed_once_more(sinking_mm, presses_on) -> None:
+    seeking, _ = gone_in(0.0025, 0.1)
+    for deep_mm in np.linspace(2.5, 2.5 + sinking_mm, round(SINKING_S / STEP_S)):
+        seeking.watch(sensed(1e-3 * float(deep_mm), 6.0), lasts=True)
+    assert seeking.presses_on() is presses_on
+
+
+def test_what_gives_way_on_and_on_is_not_pressed_for_ever() -> None:
+    seeking, _ = gone_in(0.0025, 0.1)
+    assert sum(seeking.presses_on() for _ in range(20)) == MAX_PRESSES - 1

@@ -38,6 +38,13 @@ CREPT_SHARE = 2.0
 """So many times the demonstrated depth has only a part that is in, though it crept: a tilted one
 touches early and goes in one edge after the other."""
 
+SINKING_S, SINKS_M = 0.5, 0.0001
+"""A part that still goes in so far within so long, pressed and not rocked, is wedged: it tilts yet,
+and is pressed and rocked once more."""
+
+MAX_PRESSES = 4
+"""So often it is pressed at the most."""
+
 YIELDS = 0.8
 """Largest force aside, as a part of the press, that a search exerts: more than friction resists
 means that the part has been caught, and the spiral gives way to where it is."""

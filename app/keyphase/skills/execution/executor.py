@@ -172,11 +172,15 @@ class Executor:
 
     def _settled(self) -> None:
         """A contact is made: that is all, or the part has to go in, or to be squared, too."""
-        if self._seeking is None or self._seeking.is_in(self._sensed):
+        if self._seeking is None:
             self._end_skill(_AT_REST)
-        else:
+        elif not self._seeking.is_in(self._sensed):
             self._seeking.again(self._sensed, self._shift)
             self._enter("searching")
+        elif self._seeking.presses_on():
+            self._enter("pressing")
+        else:
+            self._end_skill(_AT_REST)
 
     def _search_on(self, time_s: float) -> None:
         assert self._seeking is not None

@@ -1,6 +1,7 @@
 """While a skill runs: has the part gone into its seat, and if not, where is it?"""
 
 from collections import deque
+from itertools import islice
 from math import sqrt
 
 import numpy as np
@@ -16,6 +17,9 @@ from keyphase.skills.search import (
     FALL_S,
     FALL_SHARE,
     FELL_SHARE,
+    MAX_PRESSES,
+    SINKING_S,
+    SINKS_M,
     YIELDS,
     across,
     before_touch,
@@ -57,7 +61,8 @@ class Seeking:
         self.searched, self._fell = False, False
         self._free_N = sensed.force_N
         self._touch = before_touch(self.press.direction, self._free_N)
-        self._places: deque[float] = deque(maxlen=max(1, round(FALL_S / step_s)))
+        self._places: deque[float] = deque(maxlen=max(2, round(SINKING_S / step_s)))
+        self._falls_within, self._presses = max(1, round(FALL_S / step_s)), 1
         self._yielded = np.zeros(3)
 
     @property
@@ -78,7 +83,8 @@ class Seeking:
             return
         place = float(sensed.position_m.dot(self.press.direction))
         self._places.append(place)
-        self._fell = self._fell or place - min(self._places) >= FALL_SHARE * self.search.depth_m
+        lately = islice(self._places, max(0, len(self._places) - self._falls_within), None)
+        self._fell = self._fell or place - min(lately) >= FALL_SHARE * self.search.depth_m
 
     def is_in(self, sensed: Sensed) -> bool:
         """Whether the part went in as deep as the demonstration after its touch, and at once.
@@ -87,6 +93,12 @@ class Seeking:
         """
         least = FELL_SHARE if self._fell else CREPT_SHARE
         return self._touch.depth_m(sensed.position_m) >= least * self.search.depth_m
+
+    def presses_on(self) -> bool:
+        """Whether a part that was pressed goes in still, and is to be pressed once more."""
+        sinks = bool(self._places[-1] - self._places[0] >= SINKS_M)
+        self._presses += sinks
+        return sinks and self._presses <= MAX_PRESSES
 
     def again(self, _sensed: Sensed, _shift_m: Array) -> None:
         """A search begins, around where the tool is."""

@@ -38,6 +38,10 @@ class Squared:
         """Whether all strokes are done."""
         return self._done_s >= self.search.strokes_s
 
+    def presses_on(self) -> bool:
+        """Never: it is pressed for as long as it is, wherever it stands."""
+        return False
+
     def again(self, sensed: Sensed, shift_m: Array) -> None:
         """The strokes begin where the tool is, and go around where the demonstration was.
 
