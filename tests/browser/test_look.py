@@ -92,6 +92,8 @@ def test_a_small_window_leaves_room_for_the_scene(editor: KeyphasePage, resize: 
     for size in ((1024, 576), (800, 600)):
         resize(size)
         assert editor.box("#viser").height >= 0.95 * editor.box("#timeline").height
+    resize((1024, 512))
+    assert editor.box("#queue-rows").height > 0.5 * editor.box("#queue").height
 
 
 def test_beside_the_evidence_the_error_is_folded_and_draws_no_line_that_decides(
