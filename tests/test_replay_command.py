@@ -84,7 +84,7 @@ def test_trials_print_the_rate_with_its_interval_last_and_draw_it(
     status = keyphase("replay", segments, "--trials", 2, "--jobs", 1, *spread, "--plot", picture)
     last = capsys.readouterr().out.splitlines()[-1]
     assert status == 0
-    assert last.startswith("success in 2 of 2 worlds (100.0 %, 95 % confidence 34.2 to 100.0 %)")
+    assert last.startswith("Success in 2 of 2 worlds (100.0 %, 95 % confidence 34.2 to 100.0 %)")
     assert ElementTree.parse(picture).getroot().tag.endswith("svg")
 
 

@@ -13,10 +13,13 @@ def test_the_timeline_shows_the_take_while_it_is_recorded_and_it_is_cut_afterwar
     page = visit(serve(folder=tmp_path), size=(1280, 720), scene=False)
     page.until("keyphase.state.record")
     page.panel.get_by_role("tab", name="Record").click()
+    page.page.evaluate("keyphase.store.set({ notice: { level: 'info', text: 'Of before' } })")
+    page.page.locator(".notice").wait_for()
     page.panel.get_by_role("button", name="Record", exact=True).click()
     page.until("keyphase.state.take?.times.length > 5")
     live = page.page.locator(".take")
     assert "Recording setup1" in live.inner_text()
+    assert page.page.locator(".notice").count() == 0, "over what is led by hand"
     assert live.locator("polyline").first.get_attribute("points")
     page.picture("live_take")
     row = live.locator(".take-row").first.bounding_box()

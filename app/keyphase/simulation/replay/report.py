@@ -64,7 +64,7 @@ def trials_outcome(trials: Trials) -> str:
     low, high = trials.interval()
     peaks = trials.peak_forces()
     return (
-        f"success in {trials.successes} of {len(trials.trials)} worlds "
+        f"Success in {trials.successes} of {len(trials.trials)} worlds "
         f"({100 * trials.rate:.1f} %, 95 % confidence {100 * low:.1f} to {100 * high:.1f} %), "
         f"peak force {peaks.max():.1f} N, median {np.median(peaks):.1f} N"
     )

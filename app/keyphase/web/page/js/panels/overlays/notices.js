@@ -19,6 +19,10 @@ const TOLD = ".info:not(:has(.link))";
 export function createNotices(store) {
   const node = byId("notices");
 
+  /** @param {string} which @returns {HTMLElement[]} */
+  const all = (which) =>
+    /** @type {HTMLElement[]} */ ([...node.querySelectorAll(`:scope > ${which}`)]);
+
   /**
    * @param {{level: string, text: string, act?: {text: string, run: () => void}, of?: string}} notice
    *   `of`: the recording it is for, where that is still on its way
@@ -47,8 +51,7 @@ export function createNotices(store) {
       );
     }
     notice.append(close);
-    if (notice.matches(TOLD))
-      node.querySelectorAll(`:scope > ${TOLD}`).forEach((one) => one.remove());
+    if (notice.matches(TOLD)) for (const one of all(TOLD)) one.remove();
     node.append(notice);
     while (node.children.length > MOST) node.firstChild.remove();
     const stays = Math.max(STAYS_MS, READ_MS * text.length, act ? PRESSED_MS : 0);
@@ -64,8 +67,14 @@ export function createNotices(store) {
   }
 
   store.on(["recording"], ({ recording }) => {
-    for (const notice of /** @type {HTMLElement[]} */ ([...node.children]))
-      if (!notice.matches(".error") && notice.dataset.of !== recording) notice.remove();
+    for (const notice of all(":not(.error)")) if (notice.dataset.of !== recording) notice.remove();
+  });
+  let led = /** @type {string|null} */ (null);
+  store.on(["record"], ({ record }) => {
+    const workcell = record?.workcell ?? null;
+    // What is led by hand stands where notices are.
+    if (workcell && workcell !== led) for (const one of all(":not(.error)")) one.remove();
+    led = workcell;
   });
   store.on(["notice"], ({ notice }) => {
     if (notice) show(notice);
