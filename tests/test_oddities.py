@@ -135,6 +135,21 @@ def test_a_sensor_at_its_limit_is_noticed():
     assert "6 N" in found[0]
 
 
+def test_a_sensor_that_stopped_for_a_while_is_noticed():
+    force = pressing()
+    force[100:300] = force[100]
+    (text,) = texts(demonstration(force_N=force), "frozen")
+    assert "stands exactly still for" in text
+    assert "(row 101)" in text
+
+
+def test_no_force_where_nothing_is_touched_and_a_slow_sensor_have_not_stopped():
+    force = pressing()
+    force[100:300] = 0.0
+    assert not texts(demonstration(force_N=force), "frozen")
+    assert not texts(demonstration(force_N=np.repeat(pressing()[::10], 10, 0)), "frozen")
+
+
 def test_a_force_that_wanders_at_rest_is_noticed():
     time = np.arange(2000) / RATE
     still = np.tile([0.4, 0, 0.3], (2000, 1)) + 1e-5 * np.sin(time)[:, None]

@@ -6,6 +6,7 @@ from keyphase.demonstration import Demonstration
 from keyphase.oddities.breaks import breaks_of, breaks_within
 from keyphase.oddities.forces import (
     constant_force,
+    frozen_force,
     helping_force,
     odd_size,
     saturated_force,
@@ -30,6 +31,7 @@ _CHECKS = (
     odd_reach,
     odd_size,
     constant_force,
+    frozen_force,
     saturated_force,
     wandering_force,
     helping_force,

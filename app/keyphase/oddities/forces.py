@@ -4,7 +4,7 @@ import numpy as np
 
 from keyphase.demonstration import Demonstration
 from keyphase.doubtful_force import doubtful_force
-from keyphase.oddities.oddity import Oddity
+from keyphase.oddities.oddity import Oddity, at_row, first_few
 
 _MAX_FORCE_N = 5000.0
 _MIN_FORCE_N = 0.05
@@ -14,6 +14,7 @@ _MIN_LIMIT_N = 2.0
 _SATURATED_SHARE = 0.01
 _MIN_LEVELS = 30
 _REST_M = 2e-3
+_FROZEN_S, _FROZEN_TIMES, _FROZEN_M = 0.5, 10.0, 2e-3
 _WINDOW_S = 5.0
 _SMOOTHED_S = 0.2
 _MIN_WANDER_N = 0.5
@@ -46,6 +47,34 @@ def constant_force(demonstration: Demonstration) -> list[Oddity]:
     what = "force_N never changes" if len(still) == 3 else f"force_N {' and '.join(still)} never"
     text = f"{what}{'' if len(still) == 3 else ' changes'}: was it measured?"
     return [Oddity("constant", "warning" if len(still) == 3 else "note", text)]
+
+
+def frozen_force(demonstration: Demonstration) -> list[Oddity]:
+    """A force that stands exactly still for long while the tool moves, and changes elsewhere.
+
+    A force of zero is none: what subtracts small forces gives it where nothing is touched.
+    """
+    force, place = demonstration.force_N, demonstration.position_m
+    if force is None or len(force) < _MIN_ROWS:
+        return []
+    edges = np.flatnonzero((force[1:] != force[:-1]).any(axis=1)) + 1
+    first, last = np.append(0, edges), np.append(edges, len(force)) - 1
+    lasting = demonstration.time_s[last] - demonstration.time_s[first]
+    usual = float(np.quantile(lasting, 0.9))
+    found = []
+    for run in np.flatnonzero(lasting >= max(_FROZEN_S, _FROZEN_TIMES * usual)):
+        rows = slice(int(first[run]), int(last[run]) + 1)
+        moved = float(np.linalg.norm(np.ptp(place[rows], axis=0)))
+        if len(lasting) < _MIN_ROWS or not force[rows.start].any() or moved < _FROZEN_M:
+            continue
+        text = (
+            f"The force stands exactly still for {lasting[run]:.1f} s "
+            f"{at_row(demonstration, rows.start)}, while the tool moves by {1e3 * moved:.0f} mm: "
+            "the sensor or its link may have stopped; no contact is seen there."
+        )
+        span = float(demonstration.time_s[rows.start]), float(demonstration.time_s[last[run]])
+        found.append(Oddity("frozen", "warning", text, span))
+    return first_few(found)
 
 
 def saturated_force(demonstration: Demonstration) -> list[Oddity]:

@@ -6,8 +6,8 @@ from typing import Literal
 from keyphase.demonstration import Demonstration
 from keyphase.notices import Severity
 
-Kind = Literal["time", "gap", "jump", "zero rows", "constant", "saturated", "still pose", "wander",
-               "sign", "scale"]  # fmt: skip
+Kind = Literal["time", "gap", "jump", "zero rows", "constant", "saturated", "frozen",
+               "still pose", "wander", "sign", "scale"]  # fmt: skip
 
 
 @dataclass(frozen=True)
