@@ -20,6 +20,7 @@ from keyphase.robot.arms import robot_arms
 from keyphase.robot.link_frames import link_frames
 from keyphase.robot.pose import Placement, matrix
 from keyphase.robot.yumi import yumi
+from keyphase.web.scene.page_robot import PageRobot
 from keyphase.workbench.placing.placements import save_placement, saved_placement
 from keyphase.workbench.view import View
 
@@ -101,14 +102,22 @@ def test_a_recording_without_joints_is_followed_too(tmp_path: Path, opened: Open
 
 
 def test_beside_a_recording_that_is_not_its_own_the_robot_is_a_ghost(
-    recorded: Path, tmp_path: Path, opened: Opened
+    recorded: Path, tmp_path: Path, opened: Opened, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """It is one before its joints are known, so that it is never seen otherwise."""
+    work_out, looks = PageRobot._work_out, []
+    monkeypatch.setattr(
+        PageRobot,
+        "_work_out",
+        lambda robot, task: (looks.append(robot.figure._look), work_out(robot, task)),
+    )
     demonstration = replace(read(recorded), joints_rad=None, source=None, metadata={})
     save_npz(demonstration, tmp_path / "hand.npz")
     framed, _ = opened(tmp_path / "hand.npz")
 
     mesh, _ = framed.scene.robot.figure._meshes[0]
     assert framed.scene.robot.figure.visible
+    assert looks[0] == "ghost"
     assert mesh.opacity is not None
     assert mesh.opacity < 0.2
     assert framed.scene.robot.base is None

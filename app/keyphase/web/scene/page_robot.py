@@ -176,6 +176,9 @@ class PageRobot:
     def _begin(self, task: Task) -> None:
         self._task, self._path = task, self._shared.paths.known(task)
         self._sought = True
+        if not self._lent:
+            # Before it is seen: a browser that draws in software takes a while for it.
+            self.figure.be("solid" if self._own else "ghost")
         self._stand(task)
         self._shared.joints.submit(lambda: self._work_out(task), f"robot of {id(self)}")
         self._on_stand()
@@ -230,14 +233,14 @@ class PageRobot:
         task, path = self._task, self._path
         shown = self._wanted and task is not None and path is not None
         with self._client.atomic():
-            if shown != self.figure.visible:
-                self.figure.visible = shown
             if task is not None and path is not None and shown:
                 joints, reached = posture_at(
                     task.arm, task.demonstration, path, self._playhead.time_s, task.placement
                 )
                 self.figure.pose(task.arm.robot, joints)
                 self.figure.be("ghost" if not self._own else "solid" if reached else "faded")
+            if shown != self.figure.visible:
+                self.figure.visible = shown
 
     def _add_gizmo(self, base: Placement) -> viser.TransformControlsHandle:
         gizmo = self._client.scene.add_transform_controls(
