@@ -72,6 +72,7 @@ export function createNames(store, actions, inside) {
         width: viser.canvas.clientWidth,
         height: viser.canvas.clientHeight,
       },
+      coveredCorner(),
     );
     names.forEach((name, k) => put(name, seen[k].anchor, inView[k] ? places.shift() : null));
   }
@@ -103,7 +104,7 @@ export function createNames(store, actions, inside) {
 
   store.later(["document", "selected", "small", "replay"], build);
   store.later(["samples"], forceChanged);
-  store.later(["dark"], place);
+  store.later(["dark", "firstSteps"], place);
   setInterval(look, LOOK_MS);
 }
 
@@ -164,6 +165,15 @@ function drawn({ at, isSelected, title, color, mark, text, chosen }, actions) {
       )
     : el("div", look, mark, el("span", { text }));
   return { at, plate, line: svg("path"), dot: svg("circle", { r: 2.5, style: { fill: color } }) };
+}
+
+/** So much of the scene's lower right corner the first steps cover [px]. */
+function coveredCorner() {
+  const card = byId("first-steps");
+  if (card.hidden) return { width: 0, height: 0 };
+  const { right, bottom } = byId("viser").getBoundingClientRect();
+  const { left, top } = card.getBoundingClientRect();
+  return { width: right - left, height: bottom - top };
 }
 
 function isInside({ x, y }, canvas) {

@@ -16,9 +16,10 @@ const COVERED_PX = 50;
 /**
  * @param {Asked[]} asked
  * @param {{width: number, height: number}} canvas
+ * @param {{width: number, height: number}} corner what of its lower right corner is covered
  * @returns {Place[]} in the same order
  */
-export function placed(asked, canvas) {
+export function placed(asked, canvas, corner) {
   const across = asked.map(({ anchor }) => anchor.x);
   const order = asked.map((_, index) => index).sort((a, b) => across[a] - across[b] || a - b);
   const half = Math.ceil(order.length / 2);
@@ -29,9 +30,12 @@ export function placed(asked, canvas) {
     ["right", order.slice(half)],
   ])) {
     const column = indices.sort((a, b) => asked[a].anchor.y - asked[b].anchor.y);
+    const ends = Math.max(...across) + BESIDE_PX + Math.max(...column.map((k) => asked[k].width));
+    const meets = side === "right" && ends > canvas.width - corner.width - MARGIN_PX;
     const heights = apart(
       column.map((index) => asked[index].anchor.y),
       canvas.height,
+      meets ? Math.max(COVERED_PX, corner.height + LINE_PX / 2) : COVERED_PX,
     );
     column.forEach((index, k) => {
       const { width } = asked[index];
@@ -45,8 +49,8 @@ export function placed(asked, canvas) {
   return places;
 }
 
-/** Ascending heights, at least a line apart, around where they were, and in the canvas. */
-function apart(heights, canvasHeight) {
+/** Ascending heights, at least a line apart, around where they were, and above what is covered below. */
+function apart(heights, canvasHeight, covered) {
   const spread = downwards(heights, -Infinity);
   const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
   const shift = mean(heights) - mean(spread);
@@ -55,7 +59,7 @@ function apart(heights, canvasHeight) {
     COVERED_PX,
   );
   // From the lowest up, the same as from the highest down seen in a mirror.
-  return downwards(below.map((y) => -y).reverse(), COVERED_PX - canvasHeight)
+  return downwards(below.map((y) => -y).reverse(), covered - canvasHeight)
     .map((y) => -y)
     .reverse();
 }
