@@ -16,10 +16,10 @@ const COVERED_PX = 50;
 /**
  * @param {Asked[]} asked
  * @param {{width: number, height: number}} canvas
- * @param {{width: number, height: number}} corner what of its lower right corner is covered
+ * @param {{width: number, height: number}} [corner] what of its lower right corner is covered
  * @returns {Place[]} in the same order
  */
-export function placed(asked, canvas, corner) {
+export function placed(asked, canvas, corner = { width: 0, height: 0 }) {
   const across = asked.map(({ anchor }) => anchor.x);
   const order = asked.map((_, index) => index).sort((a, b) => across[a] - across[b] || a - b);
   const half = Math.ceil(order.length / 2);
