@@ -128,3 +128,6 @@ def test_it_is_readable_in_the_dark_and_small(annas: None, folder: Path, look_at
     page.picture("comparison_dark_1280")
 
     assert page.text("[data-gutter=comparison]").count("F1") == 1
+    page.resize(800, 600)
+    names = page.page.locator(".other-label").all_text_contents()
+    assert any(len(name) > 3 and name.endswith("…") for name in names), names

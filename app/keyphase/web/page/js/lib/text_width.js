@@ -24,3 +24,16 @@ export function textWidth(text, font) {
   known.set(key, measured);
   return measured;
 }
+
+/**
+ * A text, cut where it is too wide; "" where little would be left.
+ * @param {string} text
+ * @param {string} font
+ * @param {number} room px
+ */
+export function fitted(text, font, room) {
+  const whole = textWidth(text, font);
+  if (whole <= room) return text;
+  const letters = Math.floor((text.length * room) / whole) - 1;
+  return letters < 3 ? "" : `${text.slice(0, letters).trimEnd()}…`;
+}

@@ -6,7 +6,7 @@
 import { segmentFill } from "../../lib/colors.js";
 import { el, icon, svg } from "../../lib/dom.js";
 import { GIVEN, namesOf, PROPOSED, proposedHere } from "../../model/recordings/recording_list.js";
-import { textWidth } from "../../lib/text_width.js";
+import { fitted } from "../../lib/text_width.js";
 
 /** Height between the bands, for the links. */
 const LINK_PX = 9;
@@ -26,12 +26,19 @@ export function drawComparison({ document: doc, comparison, labels: known }, sca
     only_second_s: onlySecond,
   } = comparison;
   const edges = [doc.start_s, ...boundaries, doc.end_s];
+  const proposed = comparison.with === PROPOSED;
   const place = { top: y + LINK_PX, height: height - LINK_PX - 3 };
   const ground = svg("rect", { y, width: scale.width, height, class: "band-ground" });
   return [
     ground,
     ...labels.flatMap((label, k) =>
-      drawOther({ label, fill: fillOf(label, doc, known) }, edges[k], edges[k + 1], scale, place),
+      drawOther(
+        { label, fill: fillOf(label, doc, known, proposed) },
+        edges[k],
+        edges[k + 1],
+        scale,
+        place,
+      ),
     ),
     ...shared.map(([first, second]) => link(scale, first, second, y)),
     ...onlySecond.map((time) => tick(scale, time, place)),
@@ -40,16 +47,18 @@ export function drawComparison({ document: doc, comparison, labels: known }, sca
 }
 
 /**
- * A label has the colour it has in the shown segmentation or in the vocabulary, else none.
+ * A label has the colour it has in the shown segmentation or in the vocabulary, else none; a
+ * proposed one that of the vocabulary first, which it will have.
  * @param {string} label
  * @param {import("../../model/types.js").Doc} doc
  * @param {import("../../lib/store.js").State["labels"]} known
+ * @param {boolean} proposed
  */
-function fillOf(label, doc, known) {
+export function fillOf(label, doc, known, proposed) {
   const same = doc.segments.find((segment) => segment.label === label && segment.kept);
-  return same
-    ? segmentFill(same)
-    : (known.find(({ name }) => name === label)?.color ?? "var(--idle)");
+  const named = known.find(({ name }) => name === label);
+  if (same && !(proposed && named)) return segmentFill(same);
+  return named?.color ?? "var(--idle)";
 }
 
 /**
@@ -72,11 +81,9 @@ function drawOther({ label, fill }, from, to, scale, { top, height }) {
     class: "other-segment",
     style: { fill, stroke: fill },
   });
-  if (textWidth(label, "11px") > right - left - 12) return [box];
-  return [
-    box,
-    svg("text", { x: left + 6, y: top + height / 2 + 3.6, class: "other-label", text: label }),
-  ];
+  const text = fitted(label, "11px", right - left - 12);
+  if (!text) return [box];
+  return [box, svg("text", { x: left + 6, y: top + height / 2 + 3.6, class: "other-label", text })];
 }
 
 /**

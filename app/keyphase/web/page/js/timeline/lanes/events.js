@@ -1,7 +1,7 @@
 /** What the log says in words, and what its buttons did: a mark each, its words where there is room. */
 
 import { svg } from "../../lib/dom.js";
-import { textWidth } from "../../lib/text_width.js";
+import { fitted } from "../../lib/text_width.js";
 
 const MARK_PX = 3.5;
 const CLEAR_PX = 8;
@@ -32,10 +32,8 @@ function mark(x, middle, text) {
 /** The words right of the mark, cut where the next one begins; none where little would be left. */
 function words(text, x, until, middle) {
   const room = until - x - MARK_PX - CLEAR_PX;
-  const whole = textWidth(text, "10.5px");
-  const letters = whole <= room ? text.length : Math.floor((text.length * room) / whole) - 1;
-  if (letters < Math.min(text.length, 3)) return [];
-  const shown = letters < text.length ? `${text.slice(0, letters)}…` : text;
+  const shown = fitted(text, "10.5px", room);
+  if (!shown) return [];
   return [svg("text", { x: x + MARK_PX + 3, y: middle + 3.6, class: "event-words", text: shown })];
 }
 
