@@ -96,7 +96,8 @@ class Plan:
     def skill(self, s, velocity):
         """Load the contacts it begins in, move, and make the contact it ends in."""
         self.s, self.met, self.sought, self.places = s, False, False, []
-        self.fell, self.lost, self.further = False, 0.0, s.guard.further_m if s.guard else 0.0
+        self.fell, self.heavy, self.lost = False, False, 0.0
+        self.further = s.guard.further_m if s.guard else 0.0
         self.free, self.felt = self.force, -self.force @ s.press.direction if s.search else 0.0
         self.goes_to, self.pressed = s.end_position_m + self.shift, self.kept(0.0)
         if not self.is_loaded():
@@ -110,9 +111,11 @@ class Plan:
         if outcome == "contact" and s.press:
             outcome, velocity = (yield from self.made(s.pressing, s.seeking)), REST
         if outcome == "contact" and s.shift_beyond_m is not None:
-            d, there = s.travel_direction, s.end_position_m
-            d, there = (s.press.direction, s.press.position_m) if s.press else (d, there)
-            missing = (self.here[0] - self.shift - there) @ d
+            d, places = s.travel_direction, [s.end_position_m, s.met_m]
+            d, places = (s.press.direction, [s.press.position_m]) if s.press else (d, places)
+            places = [place @ d for place in places if place is not None]
+            at = (self.here[0] - self.shift) @ d
+            missing = at - np.clip(at, min(places), max(places))
             self.shift = self.shift + d * missing * (abs(missing) > s.shift_beyond_m)
         if outcome == "contact" and s.seeking:
             self.rotated = times(self.here[1], s.end_orientation_wxyz * [1, -1, -1, -1])
@@ -140,9 +143,10 @@ class Plan:
             if kept.force_N[near] > 0 and (kept.met or dragged is None or self.touches()):
                 d, force = kept.direction[near], at_share(kept.force_N, share)
                 if kept.carries and dragged is not None:
-                    drags = np.linalg.norm(beside(dragged, d))
-                    most = (n.gripped_below * self.s.force_limit_N) ** 2 - drags**2
+                    drags, now = (np.linalg.norm(beside(f, d)) for f in (dragged, self.force))
+                    most = (n.gripped_below * self.s.force_limit_N) ** 2 - max(drags, now) ** 2
                     grip = drags / kept.carries, n.gripped_firmer * force, max(most, 0) ** 0.5
+                    self.heavy |= now > n.heavy * kept.carries * force
                     force = max(force, min(grip))
                 pressed.append((d, force))
         return pressed
@@ -288,13 +292,14 @@ class Plan:
         return self.softly(at, self.yr[1], self.vr, share)
 
     def slow(self, guard):
-        """Stretch time to the speed that is allowed before the contact."""
-        if not guard:
-            return
-        ahead = (self.goes_to - self.y[0]) @ self.s.travel_direction - guard.stretch_m
-        allowed = np.sqrt(guard.speed_m_s**2 + 2 * self.n.brake_m_s2 * max(ahead, 0.0))
+        """Stretch time to the speed that is allowed before a contact, and with what is heavy."""
+        allowed = self.n.heavy_m_s if self.heavy else np.inf
+        if guard:
+            ahead = (self.goes_to - self.y[0]) @ self.s.travel_direction - guard.stretch_m
+            near = np.sqrt(guard.speed_m_s**2 + 2 * self.n.brake_m_s2 * max(ahead, 0.0))
+            allowed = min(allowed, near)
         tau = max(self.s.primitive.duration_s / 3, np.linalg.norm(self.z[:3]) / allowed)
-        if self.done >= 1:
+        if guard and self.done >= 1:
             step = min(guard.speed_m_s * self.h, self.further)
             self.goal = self.goal[0] + step * self.s.travel_direction, self.goal[1]
             self.further -= step
@@ -362,7 +367,8 @@ class Plan:
         self.armed = self.armed or (late and ahead >= -arming.within_m)
         if not self.armed:
             self.level += min(self.h / arming.level_s, 1.0) * (along - self.level)
-        rises = self.armed and along - self.level > end.threshold_N
+        gone = end.release and self.done >= 1.0 and not self.touches()
+        rises = self.armed and (gone or along - self.level > end.threshold_N)
         self.risen = self.risen + self.h if rises else 0.0
         return self.risen >= arming.debounce_s - 1e-9
 

@@ -183,7 +183,8 @@ def pushed_into(stiffness_N_m: float) -> tuple[Demonstration, object]:
 def test_only_a_stiff_contact_tells_to_a_tenth_where_it_is() -> None:
     hard, soft = pushed_into(20_000.0), pushed_into(600.0)
     assert shift_beyond(hard[0], skill_of(*hard), np.zeros(3)) == 0.0
-    assert shift_beyond(soft[0], skill_of(*soft), np.zeros(3)) == pytest.approx(0.003)
+    # A slower tool sinks in as far again as the force took to rise, 10 mm here.
+    assert shift_beyond(soft[0], skill_of(*soft), np.zeros(3)) == pytest.approx(0.01, rel=0.1)
 
 
 def test_a_connecting_move_presses_nothing() -> None:

@@ -218,3 +218,12 @@ def test_a_release_has_begun_once_the_gripper_opens():
 
 def test_of_whom_nobody_measures_no_gripper_is_asked():
     assert at_the_goal(GRASP, [None]) == (1, "reached")
+
+
+@pytest.mark.parametrize(("left_N", "outcome"), [(0.0, "contact"), (1.0, "timeout")])
+def test_a_release_is_over_with_the_motion_where_nothing_presses_any_more(left_N, outcome):
+    """A robot may press less than the hand did: what falls is then less than the threshold."""
+    skill = skill_of(lowered(), segment(0.0, 1.2, ContactEnd((0.0, 0.0, -1.0), 3.0, release=True)))
+    ended, time_s = outcome_of(skill, lambda time, _: (0.0, 0.0, 2.0 if time < 0.5 else left_N))
+    assert ended == outcome
+    assert time_s > 1.19

@@ -1,5 +1,7 @@
 """From the plan's segments to skills, with connecting moves where needed."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -23,6 +25,7 @@ CONTACT = ContactEnd((0.0, 0.0, 1.0), 3.0)
 DOWN = segment(0.0, 1.2, CONTACT, "down until contact")
 REST = segment(1.2, 2.0, label="press")
 UPRIGHT = np.array(quaternions.IDENTITY)
+UP = np.array([0.0, 0.0, 1.0])
 
 
 def test_segments_that_follow_each_other_need_no_connecting_move():
@@ -122,6 +125,16 @@ def test_what_follows_a_contact_is_shifted_to_where_it_was_met():
     shift = shift_after(down, met, np.zeros(3))
     assert_allclose(shift, [0.0, 0.0, 0.008], atol=1e-6)
     assert_allclose(shift_after(rest, met, shift), shift)
+
+
+def test_between_its_contact_and_where_it_was_cut_nothing_was_met_elsewhere():
+    """A hand that does not stop at a contact is 10 mm beyond it when it is cut."""
+    down = skill_of(lowered(), DOWN)
+    there = down.end_position_m
+    down = replace(down, met_m=there + 0.01 * UP)
+    assert_allclose(shift_after(down, there + 0.007 * UP, np.zeros(3)), np.zeros(3))
+    higher = shift_after(down, there + 0.012 * UP, np.zeros(3))
+    assert_allclose(higher, [0.0, 0.0, 0.002], atol=1e-6)
 
 
 def test_shifts_add_up():

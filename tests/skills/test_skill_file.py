@@ -82,6 +82,7 @@ skills = st.builds(
     end_condition=ends,
     end_position_m=vectors.map(np.array),
     end_orientation_wxyz=wxyz,
+    met_m=st.none() | arrays3,
     travel_direction=st.none() | directions,
     offset_m=st.floats(0.0, 1.0),
     travel_limit_m=st.floats(0.0, 1.0),

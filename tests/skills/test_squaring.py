@@ -1,5 +1,7 @@
 """A part that is put on what it then carries along is squared there, by strokes to its sides."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -7,6 +9,7 @@ from keyphase.files.shipped import shipped
 from keyphase.readers import read
 from keyphase.segmentation import segment
 from keyphase.skills.execution.pressing import still
+from keyphase.skills.execution.run import UNTURNED, SkillRun, Start
 from keyphase.skills.execution.seeking import giving
 from keyphase.skills.execution.sensed import Sensed
 from keyphase.skills.execution.squared import Squared
@@ -82,3 +85,34 @@ def test_of_the_bundled_recordings_only_what_carries_is_squared() -> None:
     assert press is not None
     assert squaring is not None
     assert press.direction == pytest.approx(squaring.normal)
+
+
+def test_what_leant_against_something_as_it_was_put_down_is_not_squared() -> None:
+    """A wall pushes square to the way: what is carried along drags no more for it."""
+    demonstration = read(shipped("data") / "setup2.npz")
+    kept = [one for one in segment(demonstration).segments if not one.idle]
+    force = demonstration.force_N
+    assert force is not None
+    leaning = force + np.outer(force[:, 2], [1.2, 0.0, 0.0])
+    free, leant = (skills_of(replace(demonstration, force_N=f), kept) for f in (force, leaning))
+    assert [one.squaring is not None for one in free] == [False, True, False, False]
+    assert not any(one.squaring for one in leant)
+    assert leant[-1].kept[0].carries == pytest.approx(free[-1].kept[0].carries, rel=0.05)
+
+
+@pytest.mark.parametrize(("drags_N", "fastest_m_s"), [(5.0, 0.037), (11.0, 0.01)])
+def test_what_drags_far_more_than_demonstrated_is_pushed_slowly(drags_N, fastest_m_s) -> None:
+    """Twice what was demonstrated; a tool that follows its reference to the millimetre."""
+    demonstration = read(shipped("data") / "setup2.npz")
+    kept = [one for one in segment(demonstration).segments if not one.idle]
+    skill = skills_of(demonstration, kept)[-1]
+    at = still(skill.primitive.start_position_m, skill.primitive.start_orientation_wxyz)
+    force, speeds = np.array([0.0, -drags_N, 3.0]), []
+    sensed = Sensed(at.position_m, at.orientation_wxyz, np.zeros(6), force)
+    run = SkillRun(skill, Start(sensed, at, np.zeros(6), np.zeros(3), UNTURNED), True, 2000.0)
+    for _ in range(300):
+        wanted = run.reference(sensed, 0.004)
+        position = sensed.position_m + 0.004 * run.velocity[:3]
+        sensed = Sensed(position, wanted.orientation_wxyz, run.velocity, force)
+        speeds.append(np.linalg.norm(run.velocity[:2]))
+    assert max(speeds[20:]) == pytest.approx(fastest_m_s, rel=0.1)

@@ -1,5 +1,7 @@
 """Whether a skill's own demonstration ends it: poses and forces through its monitor."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
@@ -12,22 +14,27 @@ from keyphase.skills.primitive import PHASE_SPAN
 from keyphase.skills.skill import Skill
 
 
-def agrees_with(skill: Skill, demonstration: Demonstration) -> bool | None:
-    """Whether the demonstration ends the skill as planned within 0.25 s of where it did.
+def tried(skill: Skill, demonstration: Demonstration) -> Skill:
+    """The skill, knowing whether and where its own demonstration ends it.
 
-    None for a skill that does not end at a contact, or was made without force: its end is the
-    demonstration's own pose.
+    It agrees if that is as planned, within 0.25 s of where the demonstration did. None for a skill
+    that does not end at a contact, or was made without force: its end is the demonstration's own
+    pose.
     """
-    if not isinstance(skill.end_condition, ContactEnd) or demonstration.force_N is None:
-        return None
-    if skill.end_condition.agrees is False:
-        return False
+    end = skill.end_condition
+    if not isinstance(end, ContactEnd) or demonstration.force_N is None:
+        return skill
+    if end.agrees is False:
+        return replace(skill, agrees=False)
     outcome, time_s = outcome_on(skill, demonstration)
     assert skill.demonstrated_s is not None
-    if outcome != "contact":
-        return False
     # One that was dragged by hand was found to agree about its contact, not about its end.
-    return bool(skill.end_condition.agrees) or abs(time_s - skill.demonstrated_s[1]) < WITHIN_S
+    near = bool(end.agrees) or abs(time_s - skill.demonstrated_s[1]) < WITHIN_S
+    if outcome != "contact" or not near:
+        return replace(skill, agrees=False)
+    at_s, columns = time_s - skill.debounce_s, demonstration.position_m.T
+    met = np.array([np.interp(at_s, demonstration.time_s, column) for column in columns])
+    return replace(skill, agrees=True, met_m=met)
 
 
 def outcome_on(skill: Skill, demonstration: Demonstration) -> tuple[Outcome | None, float]:

@@ -43,8 +43,9 @@ WINDOW_S = 0.2
 SOFT_N_M = 2000.0
 """A contact whose force rises less steeply than this says little about where it is."""
 
-SOFT_BEYOND_M = 0.003
-"""Out of a soft contact only so much counts as a part that lies elsewhere."""
+SOFT_BEYOND_M = 0.003, 0.01
+"""Out of a soft contact only what is more than its force took to rise, and more than this, counts
+as a part that lies elsewhere; more than the second counts in any case."""
 
 SLIDES_BELOW = 0.8
 """What is pushed aside by less than this part of its press may slide; by more, it is carried."""
@@ -88,14 +89,18 @@ def with_contacts(demonstration: Demonstration, skills: Sequence[Skill]) -> tupl
                 search=_search(demonstration, skill, press),
             )
         )
-    return tuple(_squared(skill, done[place + 1 :]) for place, skill in enumerate(done))
+    return tuple(
+        _squared(demonstration, skill, done[place + 1 :]) for place, skill in enumerate(done)
+    )
 
 
-def _squared(skill: Skill, following: Sequence[Skill]) -> Skill:
+def _squared(demonstration: Demonstration, skill: Skill, following: Sequence[Skill]) -> Skill:
     """The skill with a squaring, if it puts a part on what a later one carries along.
 
     A seat that is told by its depth has no play. What is put down at a slant is then pressed
-    square to the place: shaken, it would creep along with whatever it lies on.
+    square to the place: shaken, it would creep along with whatever it lies on. What was held
+    aside as it was put down leant against something: it has no play either, and pressed square to
+    the place it would slip off.
     """
     if skill.press is None or skill.search is not None or skill.kept:
         return skill
@@ -103,12 +108,25 @@ def _squared(skill: Skill, following: Sequence[Skill]) -> Skill:
         alike = [k for k in later.kept if k.direction[0] @ skill.press.direction > _ALIKE]
         carrying = [kept.direction[0] for kept in alike if kept.carries is not None]
         if carrying:
+            if _leans(demonstration, skill, carrying[0]):
+                return skill
             way = later.end_position_m - later.primitive.start_position_m
             at = squaring_at(carrying[0], skill.end_orientation_wxyz, way)
             return replace(skill, squaring=at, press=replace(skill.press, direction=carrying[0]))
         if not alike:
             break
     return skill
+
+
+def _leans(demonstration: Demonstration, skill: Skill, normal: Array) -> bool:
+    """Whether a part that was put down was pushed aside by more than slides on the place."""
+    assert skill.demonstrated_s is not None
+    assert demonstration.force_N is not None
+    end_s = skill.demonstrated_s[1]
+    after = demonstration.force_N[_inside(demonstration, (end_s + AFTER_S[0], end_s + AFTER_S[1]))]
+    force = after.mean(axis=0) if len(after) else np.zeros(3)
+    pressed = -float(force @ normal)
+    return float(np.linalg.norm(force + pressed * normal)) > SLIDES_BELOW * pressed
 
 
 def _search(demonstration: Demonstration, skill: Skill, press: Press | None) -> Search | None:
@@ -171,14 +189,24 @@ def kept_force(demonstration: Demonstration, skill: Skill, direction: Array) -> 
     smooth = _smoothed(force, demonstration.rate_hz)
     grid = np.linspace(0, len(smooth) - 1, GRID)
     profile = np.interp(grid, np.arange(len(smooth)), smooth)
-    carries = _carried(demonstration.force_N[inside], own, demonstration.rate_hz)
+    carries = _carried(
+        demonstration.force_N[inside], demonstration.position_m[inside], own, demonstration.rate_hz
+    )
     return KeptForce(np.tile(own, (GRID, 1)), np.maximum(profile, MIN_FORCE_N), carries=carries)
 
 
-def _carried(force_N: Array, direction: Array, rate_hz: float) -> float | None:
-    """Force aside per force pressed, where it was too much for anything to slide; else None."""
+def _carried(force_N: Array, path: Array, direction: Array, rate_hz: float) -> float | None:
+    """Drag per force pressed, where it was too much for anything to slide; else None.
+
+    What is carried along drags against the way; a wall that is slid along pushes square to it.
+    """
+    slid = path[-1] - path[0]
+    slid = slid - float(slid @ direction) * direction
+    length = float(np.linalg.norm(slid))
+    if length < MIN_SLIDE_M:
+        return None
     pressed = -(force_N @ direction)
-    aside = np.linalg.norm(force_N + pressed[:, None] * direction, axis=1)
+    aside = np.maximum(-(force_N @ (slid / length)), 0.0)
     smooth = _smoothed(pressed, rate_hz)
     firm = smooth >= MIN_FORCE_N
     if not firm.any():
@@ -201,26 +229,28 @@ def square(direction: Array, others: Sequence[Array]) -> Array | None:
 def shift_beyond(demonstration: Demonstration, skill: Skill, free_N: Array) -> float | None:
     """How much must be missing for a contact that is met elsewhere to shift what follows [m].
 
-    Nothing for a stiff contact, 3 mm for a soft one that the tool came to through free space; None
-    for a soft one out of another contact, and for a release: the tool sinks in, or slips, however
-    it was pressed.
+    Nothing for a stiff contact; for a soft one that the tool came to through free space 3 mm, or
+    the way over which its force rose, as a slower tool sinks in further; None for a soft one out of
+    another contact, and for a release: the tool sinks in, or slips, however it was pressed.
     """
     end = skill.end_condition
     if skill.demonstrated_s is None or not isinstance(end, ContactEnd):
         return 0.0
     if end.release:
         return None
-    if _stiffness(demonstration, skill) > SOFT_N_M:
+    stiffness, rose_N = _stiffness(demonstration, skill)
+    if stiffness > SOFT_N_M:
         return 0.0
     assert demonstration.force_N is not None
     inside = demonstration.force_N[_inside(demonstration, skill.demonstrated_s)]
     before = np.linalg.norm(inside - free_N, axis=1)
     free = len(before) and float(np.median(before)) < max(MIN_FORCE_N, end.threshold_N)
-    return SOFT_BEYOND_M if free else None
+    least_m, most_m = SOFT_BEYOND_M
+    return min(max(least_m, rose_N / max(stiffness, 1.0)), most_m) if free else None
 
 
-def _stiffness(demonstration: Demonstration, skill: Skill) -> float:
-    """How steeply the force rose with the way into the contact [N/m]."""
+def _stiffness(demonstration: Demonstration, skill: Skill) -> tuple[float, float]:
+    """How steeply the force rose with the way into the contact [N/m], and by how much [N]."""
     assert skill.demonstrated_s is not None
     assert demonstration.force_N is not None
     direction, end_s = pressing_direction(skill), skill.demonstrated_s[1]
@@ -228,11 +258,11 @@ def _stiffness(demonstration: Demonstration, skill: Skill) -> float:
     force = -(demonstration.force_N[inside] @ direction)
     depth = demonstration.position_m[inside] @ direction
     if len(force) < 3:
-        return 0.0
+        return 0.0, 0.0
     low, high = np.quantile(force, [0.05, 0.95])
     rising = (force > low + 0.2 * (high - low)) & (force < low + 0.8 * (high - low))
     way = float(np.ptp(depth[rising])) if rising.any() else 0.0
-    return 0.6 * float(high - low) / max(way, 1e-6)
+    return 0.6 * float(high - low) / max(way, 1e-6), float(high - low)
 
 
 def _off_the_way(direction: Array, path: Array) -> Array | None:

@@ -12,6 +12,7 @@ from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
 from keyphase.segmentation.end_condition.watch import Arming
 from keyphase.skills.changed import changed
 from keyphase.skills.execution.grip import Grip, gripped
+from keyphase.skills.execution.pressing import TOUCHING_N
 from keyphase.skills.primitive import progress
 from keyphase.skills.skill import Skill
 
@@ -105,7 +106,10 @@ class EndMonitor:
         if not (self.armed or _is_near(self.skill, arming, beyond_m, done)):
             following = min(h / arming.level_s, 1.0)
             return {"level_N": self.level_N + following * (along - self.level_N)}
-        over = along - self.level_N > end.threshold_N
+        over = along - self.level_N > end.threshold_N or (
+            # What presses no more cannot be released again.
+            end.release and done >= 1.0 and float(force_N.dot(force_N)) < TOUCHING_N**2
+        )
         return {"armed": True, "over_s": self.over_s + h if over else 0.0}
 
     def _outcome(self, at_m: Array, beyond_m: float, wxyz: Array, done: float) -> Outcome | None:

@@ -14,7 +14,7 @@ from keyphase.segmentation.end_condition.agreement import LEAST_S, met_later_s
 from keyphase.segmentation.end_condition.derived import ALONG_THE_WAY
 from keyphase.segmentation.end_condition.watch import Arming, arming_for
 from keyphase.segmentation.windows import AFTER_S
-from keyphase.skills.agreement import agrees_with
+from keyphase.skills.agreement import tried
 from keyphase.skills.connecting import connecting_skill, is_apart
 from keyphase.skills.contacts import with_contacts
 from keyphase.skills.fitting import Fit, fit_primitive
@@ -172,7 +172,7 @@ def skill_of(
         arming=None if direction is None else _arming(path, direction),
         further_m=further_m,
     )
-    return replace(skill, agrees=agrees_with(skill, demonstration))
+    return tried(skill, demonstration)
 
 
 def beyond_m(end: EndCondition, travel: Array | None, offset_m: float) -> float:

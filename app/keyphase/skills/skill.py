@@ -29,6 +29,8 @@ class Skill:
     end_condition         when it is over
     end_position_m        (3,) where the demonstration ended, at a contact the contact itself
     end_orientation_wxyz  (4,)
+    met_m                 (3,) where its demonstration met the contact, which a boundary may lie
+                          behind; None without a contact that its demonstration agrees about
     travel_direction      unit vector towards the contact, None without a contact
     offset_m              how far the goal lies beyond the contact
     further_m             how far it goes on beyond its goal, slowly, where it met nothing
@@ -70,6 +72,7 @@ class Skill:
     agrees: bool | None = None
     spread: Spread | None = None
     further_m: float = 0.0
+    met_m: Array | None = None
 
     @property
     def debounce_s(self) -> float:

@@ -5,7 +5,7 @@ Time is stretched there, so that the path stays what it is.
 """
 
 from dataclasses import dataclass, replace
-from math import sqrt
+from math import inf, sqrt
 
 import numpy as np
 
@@ -41,23 +41,12 @@ class Guard:
     further_m: float
     tau: float
 
-    def slowed(self, state: State, k_c: float) -> State:
+    def slowed(self, state: State, k_c: float, most_m_s: float = inf) -> State:
         """The state with its time stretched to the speed that is allowed where it is.
 
-        `k_c` is the primitive's: the temporal coupling stretches time on top of it.
+        That is `most_m_s` at the most; `k_c` is the primitive's.
         """
-        speed = state.z[:3]
-        free = sqrt(speed.dot(speed)) / self.tau
-        tau = self.tau * max(1.0, free / self._allowed(state.position_m))
-        before = float(state.tau)
-        if tau == before:
-            return state
-        # The reference has to know of the change of speed, as if it were in its acceleration.
-        coupled = 1.0 + k_c * float(state.error_m.dot(state.error_m))
-        change = state.z * (1.0 / tau - 1.0 / before) / coupled
-        return changed(
-            state, tau=np.asarray(tau), reference_velocity=state.reference_velocity + change
-        )
+        return stretched(state, self.tau, min(self._allowed(state.position_m), most_m_s), k_c)
 
     def gone_on(self, state: State, goal_m: Array, h: float) -> State:
         """The state with its goal moved on for `h` seconds, from `goal_m` (3,) where it was.
@@ -73,6 +62,22 @@ class Guard:
     def _allowed(self, position_m: Array) -> float:
         ahead = float((self.contact_m - position_m).dot(self.direction)) - self.stretch_m
         return sqrt(self.speed_m_s**2 + 2.0 * BRAKE_M_S2 * max(ahead, 0.0))
+
+
+def stretched(state: State, tau: float, allowed_m_s: float, k_c: float) -> State:
+    """The state with its time, of constant `tau` where free, stretched to a speed at the most.
+
+    `k_c` is the primitive's: the temporal coupling stretches time on top of it.
+    """
+    speed = state.z[:3]
+    tau = tau * max(1.0, sqrt(speed.dot(speed)) / tau / allowed_m_s)
+    before = float(state.tau)
+    if tau == before:
+        return state
+    # The reference has to know of the change of speed, as if it were in its acceleration.
+    coupled = 1.0 + k_c * float(state.error_m.dot(state.error_m))
+    change = state.z * (1.0 / tau - 1.0 / before) / coupled
+    return changed(state, tau=np.asarray(tau), reference_velocity=state.reference_velocity + change)
 
 
 def guard_of(skill: Skill, shift_m: Array) -> Guard | None:

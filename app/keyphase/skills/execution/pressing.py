@@ -34,6 +34,10 @@ DRAGGED_S = 0.1
 GRIPPED_BELOW = 0.9
 """Part of a skill's force limit up to which gripping harder may bring the whole force."""
 
+HEAVY, HEAVY_M_S = 2.0, 0.010
+"""What is carried along is heavy once it drags so many times as much as demonstrated; from then on
+it is pushed no faster than this, so that little is needed besides what overcomes its friction."""
+
 Pressed = tuple[Array, float]
 """Direction (3,) and force [N]."""
 
@@ -46,11 +50,13 @@ def pressed_now(
     `dragged_N` (3,) is the force that tells how much what is carried drags, the measured one if
     None.
     """
-    drags = force_N if dragged_N is None else dragged_N
+    averaged = force_N if dragged_N is None else dragged_N
     touching = float(force_N.dot(force_N)) > TOUCHING_N**2
     now = ((each, each.at(fraction)) for each in skill.kept if each.met or touching)
     most_N = GRIPPED_BELOW * skill.force_limit_N
-    return [_gripped(each, one, drags, most_N) for each, one in now if one is not None]
+    return [
+        _gripped(each, one, (averaged, force_N), most_N) for each, one in now if one is not None
+    ]
 
 
 def pushed_now(skill: Skill, fraction: float, force_N: Array) -> Array:
@@ -63,18 +69,36 @@ def pushed_now(skill: Skill, fraction: float, force_N: Array) -> Array:
     return pushed
 
 
-def _gripped(kept: KeptForce, now: Pressed, force_N: Array, most_N: float) -> Pressed:
+def _gripped(
+    kept: KeptForce, now: Pressed, forces_N: tuple[Array, Array], most_N: float
+) -> Pressed:
     """What is pressed, as much harder as what is carried drags more than demonstrated.
 
-    Not so hard that the whole force would come to more than `most_N`.
+    Not so hard that the whole force would come to more than `most_N`. The forces (3,) are averaged
+    and as measured: the press grows with the first, and stays below what either leaves.
     """
     if kept.carries is None:
         return now
     direction, pressed = now
+    drags, at_once = (_aside(force, direction) for force in forces_N)
+    left = sqrt(max(most_N**2 - max(drags, at_once) ** 2, 0.0))
+    return direction, max(pressed, min(drags / kept.carries, FIRMER * pressed, left))
+
+
+def _aside(force_N: Array, direction: Array) -> float:
+    """Size of the part of a force (3,) at right angles to a direction (3,)."""
     aside = force_N - float(force_N.dot(direction)) * direction
-    drags = float(aside.dot(aside))
-    left = sqrt(max(most_N**2 - drags, 0.0))
-    return direction, max(pressed, min(sqrt(drags) / kept.carries, FIRMER * pressed, left))
+    return sqrt(float(aside.dot(aside)))
+
+
+def is_heavy(skill: Skill, fraction: float, force_N: Array) -> bool:
+    """Whether what a skill carries along drags far more than demonstrated, under a force (3,)."""
+    for kept in skill.kept:
+        if kept.carries is not None and (one := kept.at(fraction)) is not None:
+            direction, pressed = one
+            if _aside(force_N, direction) > HEAVY * kept.carries * pressed:
+                return True
+    return False
 
 
 def given_way(measured: Measured, state: State, pressed: Sequence[Pressed]) -> Measured:

@@ -1,6 +1,7 @@
 """One skill being executed: its primitive, its end monitor, and the forces it keeps up."""
 
 from dataclasses import dataclass, replace
+from math import inf
 
 import numpy as np
 
@@ -8,20 +9,22 @@ from keyphase.demonstration import Array
 from keyphase.rotations import quaternions
 from keyphase.skills import coupling
 from keyphase.skills.changed import changed
-from keyphase.skills.coupling import Reference
+from keyphase.skills.coupling import Reference, State
 from keyphase.skills.end_monitor import Outcome, start_monitor
-from keyphase.skills.execution.guard import guard_of
+from keyphase.skills.execution.guard import guard_of, stretched
 from keyphase.skills.execution.pressing import (
     DRAGGED_S,
+    HEAVY_M_S,
     PUSHED_S,
     given_way,
+    is_heavy,
     pressed_now,
     pressing,
     pushed_now,
 )
 from keyphase.skills.execution.sensed import Sensed
 from keyphase.skills.execution.softly import softly
-from keyphase.skills.primitive import Primitive, progress
+from keyphase.skills.primitive import Primitive, progress, tau_of
 from keyphase.skills.skill import Skill
 
 UNTURNED = np.array([1.0, 0.0, 0.0, 0.0])
@@ -67,6 +70,7 @@ class SkillRun:
         self._monitor = start_monitor(skill, begin.sensed.force_N, begin.shift_m)
         self._pressed = pressed_now(skill, 0.0, begin.sensed.force_N)
         self._dragged_N = begin.sensed.force_N
+        self._heavy = is_heavy(skill, 0.0, begin.sensed.force_N)
         self._pushed_N = pushed_now(skill, 0.0, begin.sensed.force_N)
         self.velocity = begin.velocity
         """What it moves with (6,), as the next skill takes it over: nowhere soft."""
@@ -95,17 +99,23 @@ class SkillRun:
 
     def reference(self, sensed: Sensed, h: float) -> Reference:
         """What is to be followed for the coming `h` seconds."""
-        state = self._state
-        if self._guard is not None:
-            state = self._guard.slowed(state, self._primitive.constants.k_c)
-            if self.fraction >= 1.0:
-                state = self._guard.gone_on(state, self._goal_m, h)
+        state = self._slowed(h)
         followed = given_way(sensed, state, self._pressed)
         self._state, wanted = coupling.step(self._primitive, state, followed, h)
         self.fraction = progress(self._primitive, float(self._state.phase))
         wanted = self._pressing(wanted, sensed, h)
         self.velocity = wanted.velocity
         return softly(wanted, sensed, self._pressed, self.skill, self.demonstrated_fraction)
+
+    def _slowed(self, h: float) -> State:
+        """The primitive's state, time stretched by its guard and by what is heavy to push."""
+        state, k_c = self._state, self._primitive.constants.k_c
+        most_m_s = HEAVY_M_S if self._heavy else inf
+        if self._guard is None:
+            tau = float(tau_of(self._primitive.duration_s))
+            return stretched(state, tau, most_m_s, k_c) if self._heavy else state
+        state = self._guard.slowed(state, k_c, most_m_s)
+        return self._guard.gone_on(state, self._goal_m, h) if self.fraction >= 1.0 else state
 
     def _pressing(self, wanted: Reference, sensed: Sensed, h: float) -> Reference:
         if not self.skill.kept:
@@ -116,7 +126,9 @@ class SkillRun:
         self._pressed = pressed_now(
             self.skill, self.demonstrated_fraction, sensed.force_N, self._dragged_N
         )
-        pushed = pushed_now(self.skill, self.demonstrated_fraction, sensed.force_N)
+        fraction = self.demonstrated_fraction
+        self._heavy = self._heavy or is_heavy(self.skill, fraction, sensed.force_N)
+        pushed = pushed_now(self.skill, fraction, sensed.force_N)
         self._pushed_N = self._pushed_N + min(h / PUSHED_S, 1.0) * (pushed - self._pushed_N)
         at = pressing(wanted, sensed.position_m, self._pressed, self._stiffness_N_m)
         return changed(at, position_m=at.position_m + self._pushed_N / self._stiffness_N_m)

@@ -50,6 +50,7 @@ def _skill(values: Values) -> Skill:
         end_condition=_end(values["end_condition"]),
         end_position_m=_numbers(values["end_position_m"]),
         end_orientation_wxyz=_quaternion(values["end_orientation_wxyz"]),
+        met_m=None if values["met_m"] is None else _numbers(values["met_m"]),
         travel_direction=None if direction is None else _triple(direction),
         offset_m=float(values["offset_m"]),
         travel_limit_m=float(values["travel_limit_m"]),
