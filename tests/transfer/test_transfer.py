@@ -96,6 +96,22 @@ def test_a_long_rest_that_was_not_taught_is_part_of_the_phase_it_interrupts(
     assert [phase.name for phase in found.phases] == list(NAMES)
 
 
+def test_a_rest_does_not_make_the_program_right_where_persons_mean_other_places(
+    first: Taught, second: Demonstration
+) -> None:
+    """It finds one boundary more there, but nothing is missing or doubled."""
+    late_s = [*(end_s + 0.2 for end_s in first.ends_s), first.phases[-1].end_s]
+    begun_s = [first.phases[0].start_s, *late_s]
+    marks = zip(first.phases, begun_s, late_s, strict=False)
+    late = tuple(replace(phase, start_s=start_s, end_s=end_s) for phase, start_s, end_s in marks)
+    rested = resting(second, 0, 5.0)
+    own = segment(rested)
+    found = propose([replace(first, phases=late)], rested, own)
+    own_s = [boundary.time_s for boundary in own.boundaries[1:]]
+    late_by = np.subtract([boundary.time_s for boundary in found.boundaries], own_s)
+    assert float(np.median(late_by)) == pytest.approx(0.2, abs=0.1)
+
+
 def test_another_task_is_an_outlier_and_nothing_is_forced_on_it(first: Taught) -> None:
     found = propose([first], record("setup2", seed=1))
     assert found.outlier

@@ -68,6 +68,11 @@ def is_better(
         return False
     if len(segmentation.boundaries) != len(proposed):
         return True
+    return means_own(aligned)
+
+
+def means_own(aligned: Sequence[Teacher]) -> bool:
+    """Whether persons mean the places that the program finds, as all that were aligned say."""
     return meant_elsewhere_s(aligned) < CLOSE_S
 
 

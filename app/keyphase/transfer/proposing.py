@@ -16,7 +16,7 @@ from keyphase.errors import LabelingError
 from keyphase.segmentation.segmentation import Segmentation
 from keyphase.transfer.alignment import align
 from keyphase.transfer.evidence_places import NO_PLACES, Places, places_of
-from keyphase.transfer.own_boundaries import ProposedBoundary, own_where_better
+from keyphase.transfer.own_boundaries import ProposedBoundary, means_own, own_where_better
 from keyphase.transfer.phase_fit import PhaseFit
 from keyphase.transfer.placing import Teacher, placed_ends
 from keyphase.transfer.signals import Signals, signals_of
@@ -95,8 +95,12 @@ def propose(
     boundaries = _boundaries(same, signals, places)
     fitting = [one for one in aligned if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
     own = segmentation and own_where_better(fitting, aligned, boundaries, segmentation)
-    boundaries = boundaries if own is None else own
-    phases = _phases(PhaseFit(aligned[0], signals), boundaries, demonstration, joined=own is None)
+    fit = PhaseFit(aligned[0], signals)
+    phases = _phases(fit, own or (), demonstration, joined=False)
+    if own is None or (_same_but_for_rests(own, phases, boundaries) and not means_own(aligned)):
+        phases = _phases(fit, boundaries, demonstration, joined=True)
+    else:
+        boundaries = own
     inner = {phase.end_s for phase in phases[:-1]}
     boundaries = tuple(b for b in boundaries if b.time_s in inner)
     teachers = tuple(one.taught.name for one in same)
@@ -146,6 +150,16 @@ def _confidence(residual: float, spread_s: float, probability: float) -> float:
 def _name_confidence(share: float, sure: float) -> float:
     """A name is right far more often than its ends: half a phase under it is enough."""
     return float(np.sqrt(share)) * (NAME_WORTH + (1.0 - NAME_WORTH) * sure)
+
+
+def _same_but_for_rests(
+    own: Sequence[ProposedBoundary],
+    phases: Sequence[ProposedPhase],
+    proposed: Sequence[ProposedBoundary],
+) -> bool:
+    """Whether the program finds another number only by rests that belong to phases: then nothing
+    is missing or doubled."""
+    return len(own) != len(proposed) == len(phases) - 1
 
 
 def _limit(usual_cost: float | None) -> float:
