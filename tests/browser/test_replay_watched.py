@@ -25,7 +25,8 @@ _WATCH_NAMES = """() => {
   window.heights = {};
   const look = () => {
     for (const name of document.querySelectorAll("#names .name"))
-      if (name.checkVisibility({ visibilityProperty: true }))
+      // A force has a digit at its beginning, too: "5.3 N".
+      if (/^\\d /.test(name.textContent) && name.checkVisibility({ visibilityProperty: true }))
         (window.heights[name.textContent[0]] ??= []).push(name.getBoundingClientRect().y);
     requestAnimationFrame(look);
   };
