@@ -1,6 +1,7 @@
 """The command line: what it answers, and how it ends."""
 
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -90,3 +91,13 @@ def test_a_parameter_out_of_its_range_is_one_line(
     message = capsys.readouterr().err.strip()
     assert message.startswith("keyphase: force_ratio must be")
     assert "\n" not in message
+
+
+def test_what_is_printed_may_be_read_only_in_part() -> None:
+    read, write = os.pipe()
+    os.close(read)
+    code = "from keyphase.cli import main; main(['--help'])"
+    command = [sys.executable, "-c", code]
+    done = subprocess.run(command, stdout=write, stderr=subprocess.PIPE, check=False)
+    os.close(write)
+    assert (done.returncode, done.stderr) == (1, b"")

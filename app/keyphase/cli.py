@@ -4,6 +4,7 @@ Everything heavy is imported where it is used, so that `--help` answers at once 
 where what they do not use is not installed.
 """
 
+import os
 import sys
 from collections.abc import Sequence
 from functools import reduce
@@ -54,6 +55,18 @@ COMMANDS = {
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run the command line and exit; what a user can mend is said in one line on standard error."""
     given = list(sys.argv[1:] if arguments is None else arguments)
+    try:
+        try:
+            _main(given)
+        finally:
+            sys.stdout.flush()
+    except BrokenPipeError:
+        # Who read along has closed the pipe, as `head` does; Python would flush once more.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
+
+
+def _main(given: list[str]) -> None:
     if given == ["--version"]:
         print(f"keyphase {__version__}")
         sys.exit(0)

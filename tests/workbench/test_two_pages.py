@@ -70,6 +70,7 @@ def test_undo_of_another_pages_step_is_told_to_both(workbench: Workbench) -> Non
     assert one.told["notice"]["text"] == f"Took back “Add boundary at 0.40 s” of page 2{again}"
     assert two.told["notice"]["text"] == f"Page 1 took back your “Add boundary at 0.40 s”{again}"
 
+    two.wait_for(lambda: two.told["document"]["edits"] == 0)
     two.say("redo", two.document())
     two.wait_for(lambda: two.told["document"]["edits"] == 1)
     del two.told["notice"]

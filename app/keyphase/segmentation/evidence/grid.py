@@ -73,17 +73,16 @@ def grid_of(demonstration: Demonstration, motion: Motion) -> Grid:
     return Grid(time, 1.0 / step, pose, wrench, size, vibration)
 
 
-_RATE_DIGITS, _HAIR = 2, 1e-9
+_RATE_DIGITS, _HAIR = 2, 1e-5
 """Times since 1970 are rounded to 0.2 us and clocks are off by parts in a hundred thousand: neither
-may decide over a cell more or less. With a hair more or less than the step, cells just a duration
-apart are on the same side of it in every recording: of 50 Hz, by which weights are fitted, short
-of it, of slower ones beyond."""
+may decide over a cell more or less. With cells a hair shorter than the step, those that are just a
+duration apart are beyond it in no recording."""
 
 
 def _even_times(motion: Motion) -> tuple[Array, Array, float]:
     """Times of the bins with gaps shortened, the uniform cells over them, and their step."""
     rate_hz = round(1.0 / motion.step_s, _RATE_DIGITS)
-    step = BIN_S * (1.0 + _HAIR) if rate_hz >= 1.0 / BIN_S else (1.0 - _HAIR) / rate_hz
+    step = (1.0 - _HAIR) * max(BIN_S, 1.0 / rate_hz)
     steps = np.minimum(np.diff(motion.time_s), max(MAX_GAP_S, 3.0 * step))
     even = np.concatenate([[0.0], np.cumsum(steps)])
     return even, step * np.arange(int(even[-1] / step + 1e-6) + 1, dtype=np.float64), step

@@ -98,7 +98,8 @@ _CONTACT_AS_GOOD = 0.01
 """A line as low as costs this much F1: a contact change too many is seen and taken away, one that
 is missing is not."""
 _MOTION_AS_GOOD = 0.002
-"""Where motion ends and begins anybody sees; here the best line counts."""
+"""Where motion ends and begins anybody sees; here the best line counts: of those that are as good
+the middle one, which a few other recordings would move least."""
 _UNCALIBRATED = Calibration((-1.0, 1.0), (-1.0, 1.0), 0.5)
 _NO_KINDS = Kinds((), (), np.zeros((1, 0)), np.zeros(0), 1.0)
 
@@ -108,8 +109,14 @@ def fit(recordings: Sequence[Taught], say: Callable[[str], None] = lambda _: Non
     weights = fitted_lines(recordings)
     say("lines fitted")
     outside = scores_left_out(recordings, say)
-    contact = _calibration([(t.family, t.contact, s) for t, (s, _) in outside], _CONTACT_AS_GOOD)
-    motion = _calibration([(t.family, t.motion, s) for t, (_, s) in outside], _MOTION_AS_GOOD)
+    contact = _calibration(
+        [(t.family, t.contact, s) for t, (s, _) in outside],
+        lambda lines, worth: float(lines[worth >= worth.max() - _CONTACT_AS_GOOD][0]),
+    )
+    motion = _calibration(
+        [(t.family, t.motion, s) for t, (_, s) in outside],
+        lambda lines, worth: middle_line(lines[worth >= worth.max() - _MOTION_AS_GOOD]),
+    )
     return replace(
         weights,
         contact_calibration=contact,
@@ -202,11 +209,15 @@ def scores_left_out(
     return found
 
 
-def _calibration(scored: Sequence[tuple[str, Side, Array]], as_good: float) -> Calibration:
-    """What scores are worth, and the automatic line.
+def middle_line(lines: Array) -> float:
+    """The middle one of lines in their order, the lower one of two."""
+    return float(lines[(len(lines) - 1) // 2])
 
-    The line is the lowest whose mean F1 over the families is within `as_good` of the best.
-    """
+
+def _calibration(
+    scored: Sequence[tuple[str, Side, Array]], chosen: Callable[[Array, Array], float]
+) -> Calibration:
+    """What scores are worth, and the automatic line, `chosen` by the mean F1 over the families."""
     families = np.concatenate([np.repeat(f, len(s)) for f, _, s in scored])
     scores = np.concatenate([s for _, _, s in scored])
     hits = np.concatenate([right(side, s) for _, side, s in scored])
@@ -220,8 +231,7 @@ def _calibration(scored: Sequence[tuple[str, Side, Array]], as_good: float) -> C
     probability = sigmoid(calibration.log_odds(scores))
     lines = np.round(np.arange(0.1, 0.9, 0.02), 2)
     worth = [_mean_f1(probability >= line, families, hits, events) for line in lines]
-    good = np.array(worth) >= max(worth) - as_good
-    return replace(calibration, line=float(lines[int(np.argmax(good))]))
+    return replace(calibration, line=chosen(lines, np.array(worth)))
 
 
 def _mean_f1(given: Array, families: Array, hits: Array, events: Mapping[str, int]) -> float:
