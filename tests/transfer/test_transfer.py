@@ -9,7 +9,9 @@ from scipy.spatial.transform import Rotation
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import LabelingError
+from keyphase.files.shipped import shipped
 from keyphase.labeling.label import label
+from keyphase.readers import read
 from keyphase.segmentation import segment
 from keyphase.segmentation.segmentation import Segmentation
 from keyphase.simulation import record
@@ -116,6 +118,14 @@ def test_another_task_is_an_outlier_and_nothing_is_forced_on_it(first: Taught) -
     found = propose([first], record("setup2", seed=1))
     assert found.outlier
     assert (found.boundaries, found.phases) == ((), ())
+
+
+def test_a_stranger_whose_mirror_image_fits_less_badly_is_an_outlier() -> None:
+    """Places and forces alone, which a wipe upside down has half in common with a snap."""
+    snap, wipe = (read(shipped("data") / f"{name}.npz") for name in ("setup1", "wipe"))
+    plain = Demonstration("plain", snap.time_s, snap.position_m, force_N=snap.force_N)
+    found = propose([taught_by(label(segment(plain)))], wipe)
+    assert found.outlier
 
 
 def test_confidence_falls_where_nothing_of_its_own_is_near(
