@@ -98,7 +98,7 @@ class Plan:
         self.s, self.met, self.sought, self.places = s, False, False, []
         self.fell, self.heavy, self.lost = False, False, 0.0
         self.further = s.guard.further_m if s.guard else 0.0
-        self.free, self.felt = self.force, -self.force @ s.press.direction if s.search else 0.0
+        self.free = self.felt = self.force
         self.goes_to, self.pressed = s.end_position_m + self.shift, self.kept(0.0)
         if not self.is_loaded():
             most = self.n.pressed_most_s
@@ -182,7 +182,7 @@ class Plan:
         now, then = (rows[min(one, len(rows) - 1)] for one in (tick, tick + 1))
         way = now[:3] + now[3] * self.aside
         off = gap(there, self.here) + np.r_[way - self.yielded, 0, 0, 0]
-        felt = np.linalg.norm(beside(self.force - self.free, d))
+        felt = np.linalg.norm(beside(self.felt - self.free, d))
         left = max(stage.aside_left, min(1.0, stage.yields_N / (felt + 1e-9)))
         lost = (1 - left) * beside(off[:3], d)
         self.yielded = self.yielded + stage.stays_aside * lost
@@ -221,8 +221,8 @@ class Plan:
 
     def touch(self, d, depth):
         """Where the tool first touched what it is to go into, and whether it fell into it."""
-        self.felt += self.n.touch_smoothed * (-self.force @ d - self.felt)
-        self.lost = self.lost + self.h if self.felt + self.free @ d < self.n.touch_N else 0.0
+        self.felt = self.felt + self.n.touch_smoothed * (self.force - self.felt)
+        self.lost = self.lost + self.h if (self.free - self.felt) @ d < self.n.touch_N else 0.0
         forgotten = self.lost > self.n.bounce_s + 1e-9 and not self.met
         if self.lost and (forgotten or not self.places):
             self.places, self.fell = [], False
@@ -232,8 +232,9 @@ class Plan:
         self.fell |= self.places[-1] - min(recent) >= self.n.seat_fall * depth
 
     def sinks(self):
-        late = self.places[-round(self.n.seat_sinking_s / self.h) :]
-        return bool(self.s.search) and late[-1] - late[0] >= self.n.seat_sinks_m
+        now, last = self.places[-1:], len(self.places)
+        ago = ((self.places[-min(round(t / self.h), last)], m) for t, m in self.n.seat_sinking)
+        return bool(self.s.search) and any(now[0] - place >= m for place, m in ago)
 
     def is_in(self):
         if not self.s.search:

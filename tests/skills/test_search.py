@@ -19,7 +19,7 @@ from keyphase.skills.execution.executor import STEP_S
 from keyphase.skills.execution.seeking import Seeking
 from keyphase.skills.library import skills_of
 from keyphase.skills.pressed import Press
-from keyphase.skills.search import MAX_PRESSES, SINKING_S, Search, before_touch, search_for
+from keyphase.skills.search import MAX_PRESSES, Search, before_touch, search_for
 from keyphase.skills.skill import Skill
 
 DOWN = np.array([0.0, 0.0, -1.0])
@@ -149,19 +149,41 @@ def test_what_a_sensor_reads_too_much_catches_no_search(felt_before_N, follows) 
     seeking = Seeking(sought(), sensed(0.0, 0.0, felt_before_N), STEP_S)
     at = Reference(np.zeros(3), UPRIGHT, np.zeros(6), np.zeros(6))
     now = sensed(0.0, 6.0, 6.0)
+    for _ in range(50):
+        seeking.watch(now, lasts=True)
     aside = [seeking.moving(at, now, time_s).position_m for time_s in (0.5, 1.0)]
     wanted = [seeking.search.aside(DOWN, time_s) for time_s in (0.5, 1.0)]
     assert np.allclose(aside, wanted) is follows
 
 
-@pytest.mark.parametrize(("sinking_mm", "presses_on"), [(0.3, True), (0.02, False)])
-def test_a_part_that_still_goes_in_is_pressed_once_more(sinking_mm, presses_on) -> None:
+@pytest.mark.parametrize(
+    ("sinking_mm", "within_s", "presses_on"),
+    [(0.3, 0.5, True), (0.02, 0.5, False), (1.2, 1.2, True), (0.3, 1.2, False)],
+)
+def test_a_part_that_still_goes_in_is_pressed_once_more(
+    sinking_mm: float, within_s: float, presses_on: bool
+) -> None:
+    """0.3 mm at the end, or 1.2 mm by and by and then none for 0.3 s."""
     seeking, _ = gone_in(0.0025, 0.1)
-    for deep_mm in np.linspace(2.5, 2.5 + sinking_mm, round(SINKING_S / STEP_S)):
-        seeking.watch(sensed(1e-3 * float(deep_mm), 6.0), lasts=True)
+    went_mm = np.linspace(0.0, sinking_mm, round(within_s / STEP_S))
+    rests = round((1.5 - within_s) / STEP_S) if within_s > 0.5 else 0
+    for deeper_mm in (*np.zeros(500), *went_mm, *np.full(rests, sinking_mm)):
+        seeking.watch(sensed(1e-3 * (2.5 + float(deeper_mm)), 6.0), lasts=True)
     assert seeking.presses_on() is presses_on
 
 
 def test_what_gives_way_on_and_on_is_not_pressed_for_ever() -> None:
     seeking, _ = gone_in(0.0025, 0.1)
     assert sum(seeking.presses_on() for _ in range(20)) == MAX_PRESSES - 1
+
+
+def test_single_readings_lead_no_search_astray() -> None:
+    """Of a noise of 2 N one reading in sixty is more than a search exerts."""
+    seeking = Seeking(sought(), sensed(0.0, 0.0), STEP_S)
+    at = Reference(np.zeros(3), UPRIGHT, np.zeros(6), np.zeros(6))
+    for noise_N in np.random.default_rng(0).normal(0.0, 2.0, 250):
+        now = sensed(0.0, 6.0, float(noise_N))
+        seeking.watch(now, lasts=True)
+        seeking.moving(at, now, 1.0)
+    moved = seeking.moving(at, sensed(0.0, 6.0), 1.0).position_m
+    assert np.allclose(moved, seeking.search.aside(DOWN, 1.0))

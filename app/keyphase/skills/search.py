@@ -38,9 +38,10 @@ CREPT_SHARE = 2.0
 """So many times the demonstrated depth has only a part that is in, though it crept: a tilted one
 touches early and goes in one edge after the other."""
 
-SINKING_S, SINKS_M = 0.5, 0.0001
-"""A part that still goes in so far within so long, pressed and not rocked, is wedged: it tilts yet,
-and is pressed and rocked once more."""
+SINKING = ((0.5, 0.0001), (1.5, 0.001))
+"""Within so long so far: a part that still goes in as far at the end of a press, not rocked any
+more, or has come so far since it went in, is wedged: it tilts yet, and is pressed and rocked once
+more."""
 
 MAX_PRESSES = 4
 """So often it is pressed at the most."""

@@ -1,6 +1,7 @@
 """While a skill runs: has the part gone into its seat, and if not, where is it?"""
 
 from collections import deque
+from collections.abc import Iterator
 from itertools import islice
 from math import sqrt
 
@@ -18,8 +19,8 @@ from keyphase.skills.search import (
     FALL_SHARE,
     FELL_SHARE,
     MAX_PRESSES,
-    SINKING_S,
-    SINKS_M,
+    SINKING,
+    SMOOTHED,
     YIELDS,
     across,
     before_touch,
@@ -59,10 +60,12 @@ class Seeking:
         assert skill.press is not None
         self.search, self.press = skill.search, skill.press
         self.searched, self._fell = False, False
-        self._free_N = sensed.force_N
+        self._free_N = self._felt_N = sensed.force_N
         self._touch = before_touch(self.press.direction, self._free_N)
-        self._places: deque[float] = deque(maxlen=max(2, round(SINKING_S / step_s)))
-        self._falls_within, self._presses = max(1, round(FALL_S / step_s)), 1
+        self._places: deque[float] = deque(
+            maxlen=max(2, round(max(within_s for within_s, _ in SINKING) / step_s))
+        )
+        self._presses, self._step_s = 1, step_s
         self._yielded = np.zeros(3)
 
     @property
@@ -76,6 +79,7 @@ class Seeking:
 
     def watch(self, sensed: Sensed, lasts: bool) -> None:
         """Take in what was sensed at the end of a tick; a touch `lasts` once a contact was met."""
+        self._felt_N = self._felt_N + SMOOTHED * (sensed.force_N - self._felt_N)
         self._touch = self._touch.step(sensed.position_m, sensed.force_N, lasts)
         if self._touch.touched_m is None:
             self._places.clear()
@@ -83,8 +87,8 @@ class Seeking:
             return
         place = float(sensed.position_m.dot(self.press.direction))
         self._places.append(place)
-        lately = islice(self._places, max(0, len(self._places) - self._falls_within), None)
-        self._fell = self._fell or place - min(lately) >= FALL_SHARE * self.search.depth_m
+        fell_m = place - min(self._lately(FALL_S))
+        self._fell = self._fell or fell_m >= FALL_SHARE * self.search.depth_m
 
     def is_in(self, sensed: Sensed) -> bool:
         """Whether the part went in as deep as the demonstration after its touch, and at once.
@@ -96,9 +100,15 @@ class Seeking:
 
     def presses_on(self) -> bool:
         """Whether a part that was pressed goes in still, and is to be pressed once more."""
-        sinks = bool(self._places[-1] - self._places[0] >= SINKS_M)
+        place = self._places[-1]
+        sinks = any(place - next(self._lately(within_s)) >= far_m for within_s, far_m in SINKING)
         self._presses += sinks
         return sinks and self._presses <= MAX_PRESSES
+
+    def _lately(self, within_s: float) -> Iterator[float]:
+        """The places of so long, the newest last."""
+        count = max(1, round(within_s / self._step_s))
+        return islice(self._places, max(0, len(self._places) - count), None)
 
     def again(self, _sensed: Sensed, _shift_m: Array) -> None:
         """A search begins, around where the tool is."""
@@ -108,13 +118,14 @@ class Seeking:
         """The reference on its spiral, `time_s` after the search began.
 
         A part that is caught is not torn along: the spiral's middle gives way to it. What was
-        felt before the skill began is the sensor's, and catches nothing.
+        felt before the skill began is the sensor's, and catches nothing; nor do single readings,
+        each of which would leave the middle a little further off.
         """
         reference = turned_easily(reference, sensed, TURNING)
         direction = self.press.direction
         aside = self.search.aside(direction, time_s) - self._yielded
         wanted = reference.position_m + aside
-        resists_N = sensed.force_N - self._free_N
+        resists_N = self._felt_N - self._free_N
         off, felt = (_aside(v, direction) for v in (wanted - sensed.position_m, resists_N))
         size, most = sqrt(felt.dot(felt)), YIELDS * self.search.press_N
         if size > most:

@@ -30,7 +30,7 @@ def library_values(library: SkillLibrary) -> dict[str, Any]:
     }
 
 
-def execution_values() -> dict[str, float]:
+def execution_values() -> dict[str, Any]:
     """The numbers that an executor has for all skills."""
     return {
         "step_s": executor.STEP_S,
@@ -66,8 +66,7 @@ def execution_values() -> dict[str, float]:
         "seat_fall": search.FALL_SHARE,
         "seat_fell": search.FELL_SHARE,
         "seat_crept": search.CREPT_SHARE,
-        "seat_sinking_s": search.SINKING_S,
-        "seat_sinks_m": search.SINKS_M,
+        "seat_sinking": [list(one) for one in search.SINKING],
         "seat_presses": search.MAX_PRESSES,
         "seat_yields": search.YIELDS,
         "brake_m_s2": guard.BRAKE_M_S2,
