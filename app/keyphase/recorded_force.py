@@ -14,6 +14,13 @@ CONTACT_N, CONTACT_SHARE = 1.0, 0.1
 MOVING_M_S = 0.005
 MIN_SAMPLES = 10
 
+WINDOW_S = 5.0
+"""Over so long it is looked at how a force wanders."""
+
+_STILL_M = 2e-3
+_SMOOTHED_S = 0.2
+_MIN_WANDER_N = 0.5
+_MIN_WINDOWS = 2
 _FREE_M_S = 0.03
 _MIN_FREE = 40
 _CALM_S = 0.25
@@ -132,3 +139,23 @@ def in_contact(force_N: Array, velocity_m_s: Array) -> np.ndarray:
     least = max(CONTACT_N, CONTACT_SHARE * float(np.percentile(size, 98)))
     inside = (speed > MOVING_M_S) & (size > least)
     return inside if inside.sum() >= MIN_SAMPLES else np.zeros(len(inside), bool)
+
+
+def wander_at_rest(demonstration: Demonstration) -> float:
+    """How far the force changes within `WINDOW_S` while the tool stands still, as one that is
+    estimated does [N]; zero where that is little, or the tool hardly stands still."""
+    force, rate = demonstration.force_N, demonstration.rate_hz
+    width = round(WINDOW_S * rate)
+    if force is None or width < 4 or len(force) < _MIN_WINDOWS * width:
+        return 0.0
+    count = len(force) // width
+    place = demonstration.position_m[: count * width].reshape(count, width, 3)
+    still = np.ptp(place, axis=1).max(axis=1) < _STILL_M
+    if still.sum() < _MIN_WINDOWS:
+        return 0.0
+    part = max(1, min(width // 2, round(_SMOOTHED_S * rate)))
+    parts = width // part
+    kept = force[: count * width].reshape(count, width, 3)[still, : parts * part]
+    smooth = kept.reshape(len(kept), parts, part, 3).mean(axis=2)
+    wander = float(np.median(np.linalg.norm(np.ptp(smooth, axis=1), axis=1)))
+    return wander if wander >= _MIN_WANDER_N else 0.0

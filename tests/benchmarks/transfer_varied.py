@@ -4,7 +4,8 @@ python tests/benchmarks/transfer_varied.py --cache CACHE
 
 Six recordings of each simulated task teach, one or three of them; others are changed in one way
 each. Told are F1 of what is proposed, outliers, and boundaries and names that are wrong though they
-were given with 0.9 or more. The cache is that of accuracy_transfer.py.
+were given with 0.9 or more. Last, how many made recordings of every family by formula, of other
+tasks all, are told apart. The cache is that of accuracy_transfer.py.
 """
 
 import argparse
@@ -18,10 +19,13 @@ from transferring.known import GRIPPER, WORKCELLS, Known, made, simulated
 from transferring.trying import taught_by_truth, tries_of
 from transferring.varying import VARIED
 
+from keyphase.making import FAMILIES, make
 from keyphase.scoring.counting import together
+from keyphase.transfer.proposing import propose, usual_cost_of
 from keyphase.transfer.taught import Taught
 
 SURE = 0.9
+STRANGERS = "made, of other tasks"
 TEACHING = 6
 
 
@@ -42,7 +46,17 @@ def main() -> int:
                 varied = [vary(one, np.random.default_rng([5, i])) for i, one in others]
                 line = " | ".join(_line(some, varied) for some in (taught[3:4], taught[:3]))
                 print(f"{task:26}{way:24}{line}", flush=True)
+        if asked.only in STRANGERS:
+            line = " | ".join(_told_apart(some, asked.count) for some in (taught[3:4], taught[:3]))
+            print(f"{task:26}{STRANGERS:24}{line}", flush=True)
     return 0
+
+
+def _told_apart(taught: Sequence[Taught], count: int) -> str:
+    usual = usual_cost_of(taught) if len(taught) > 1 else None
+    strangers = [make(family, seed).demonstration for family in FAMILIES for seed in range(count)]
+    away = sum(propose(taught, one, usual_cost=usual).outlier for one in strangers)
+    return f"{len(taught)}: {away} of {len(strangers)} outliers"
 
 
 def _first(cached, task: str, count: int) -> list[Known]:

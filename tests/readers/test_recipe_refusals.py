@@ -58,7 +58,7 @@ REFUSED = {
     ),
     "no columns": (TIME + '[position]\ncolumns = []\nunit = "m"', "columns must be a list"),
     "order unknown": (SOUND + TURN + 'kind = "quaternion"\norder = "wxzy"', "'wxyz', 'xyzw'"),
-    "order not said": (SOUND + TURN + 'kind = "quaternion"', "the key 'order' is missing"),
+    "order not said": (SOUND + TURN + 'kind = "quaternion"', "is missing, which is one of 'wxyz'"),
     "sequence impossible": (
         SOUND + TURN + 'kind = "euler"\nsequence = "xxy"\nunit = "rad"',
         "sequence must be three axes",

@@ -163,3 +163,19 @@ def test_rows_in_which_the_recorder_read_nothing_make_no_segment(rows: int) -> N
     dropped = segment(Demonstration("dropped", time, position))
     assert [one.label for one in dropped.segments] == [one.label for one in whole.segments]
     assert [one.label for one in whole.segments] == ["idle", "Move forward", "idle"]
+
+
+def test_an_estimated_force_that_wanders_at_rest_is_no_contact() -> None:
+    """It rests above half a newton, as stiction leaves it; the one contact is a press of 6 N."""
+    time = np.arange(0.0, 40.0, 0.02)
+    went = np.clip(time - 10.0, 0.0, 2.0) / 2.0
+    place = np.c_[0.2 * synthetic.minimum_jerk(went), np.zeros((len(time), 2))]
+    steps = np.random.default_rng(3).choice([-0.25, 0.25], (40, 3)).cumsum(axis=0)
+    force = np.clip(steps, -0.7, 0.7)[time.astype(int)]
+    force[(time > 20.0) & (time < 30.0), 2] += 6.0
+    noise = np.random.default_rng(4).normal(0.0, 0.02, force.shape)
+    whole = Demonstration("wanders", time, place, force_N=force + noise)
+    evidence = Evidence.of(whole)
+    assert said(proposed_label(evidence, 0.0, 10.0, False)) == "idle"
+    assert said(proposed_label(evidence, 10.0, 12.0, False)) == "Move forward | 200 mm"
+    assert said(proposed_label(evidence, 12.0, 20.0, True)) == "idle until contact"

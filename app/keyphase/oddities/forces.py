@@ -5,6 +5,7 @@ import numpy as np
 from keyphase.demonstration import Demonstration
 from keyphase.doubtful_force import doubtful_force
 from keyphase.oddities.oddity import Oddity, at_row, first_few
+from keyphase.recorded_force import WINDOW_S, wander_at_rest
 
 _MAX_FORCE_N = 5000.0
 _MIN_FORCE_N = 0.05
@@ -13,12 +14,7 @@ _MIN_RUN = 5
 _MIN_LIMIT_N = 2.0
 _SATURATED_SHARE = 0.01
 _MIN_LEVELS = 30
-_REST_M = 2e-3
 _FROZEN_S, _FROZEN_TIMES, _FROZEN_M = 0.5, 10.0, 2e-3
-_WINDOW_S = 5.0
-_SMOOTHED_S = 0.2
-_MIN_WANDER_N = 0.5
-_MIN_WINDOWS = 2
 
 
 def odd_size(demonstration: Demonstration) -> list[Oddity]:
@@ -101,24 +97,11 @@ def saturated_force(demonstration: Demonstration) -> list[Oddity]:
 
 def wandering_force(demonstration: Demonstration) -> list[Oddity]:
     """A force that changes while the tool stands still, as an estimated one does."""
-    force, rate = demonstration.force_N, demonstration.rate_hz
-    width = round(_WINDOW_S * rate)
-    if force is None or width < 4 or len(force) < _MIN_WINDOWS * width:
-        return []
-    count = len(force) // width
-    place = demonstration.position_m[: count * width].reshape(count, width, 3)
-    still = np.ptp(place, axis=1).max(axis=1) < _REST_M
-    if still.sum() < _MIN_WINDOWS:
-        return []
-    part = max(1, min(width // 2, round(_SMOOTHED_S * rate)))
-    parts = width // part
-    kept = force[: count * width].reshape(count, width, 3)[still, : parts * part]
-    smooth = kept.reshape(len(kept), parts, part, 3).mean(axis=2)
-    wander = float(np.median(np.linalg.norm(np.ptp(smooth, axis=1), axis=1)))
-    if wander < _MIN_WANDER_N:
+    wander = wander_at_rest(demonstration)
+    if wander == 0.0:
         return []
     text = (
-        f"While the tool stands still the force wanders by {wander:.2g} N within {_WINDOW_S:g} s; "
+        f"While the tool stands still the force wanders by {wander:.2g} N within {WINDOW_S:g} s; "
         "steps of that size are no contacts."
     )
     return [Oddity("wander", "warning", text)]

@@ -5,13 +5,19 @@ from dataclasses import dataclass
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
+from keyphase.recorded_force import wander_at_rest
 from keyphase.segmentation.bins import bins_of
 from keyphase.segmentation.free_force import free_force, least_contact
+from keyphase.segmentation.order_statistics import quantile
 from keyphase.segmentation.paper.force import noise_variance
 from keyphase.segmentation.segmentation import Change
 from keyphase.segmentation.windows import WIDE_AFTER_S, WIDE_BEFORE_S
 
 _NOISE_LEVELS = 6.0
+_WANDERS = 2.0
+_SHARE_OF_STRONGEST = 0.25
+"""An estimated force wanders on: so many times what it does within some seconds is no contact, if
+that is no more than this part of the strongest."""
 _FALLEN = 0.75
 
 
@@ -54,7 +60,8 @@ def contact_force_of(demonstration: Demonstration) -> ContactForce | None:
     force = contact_force(demonstration)
     if force is None:
         return None
-    return ContactForce(bins_of(demonstration).time_s, force, in_contact(force))
+    touching = in_contact(force, wander_at_rest(demonstration))
+    return ContactForce(bins_of(demonstration).time_s, force, touching)
 
 
 def contact_force(demonstration: Demonstration) -> Array | None:
@@ -63,8 +70,12 @@ def contact_force(demonstration: Demonstration) -> Array | None:
     return None if force is None else force - free_force(demonstration)
 
 
-def in_contact(force_N: Array) -> np.ndarray:
-    """In which bins (n,) a force above the free level is more than noise and handling."""
+def in_contact(force_N: Array, wander_N: float = 0.0) -> np.ndarray:
+    """In which bins (n,) a force above the free level is more than noise and handling.
+
+    `wander_N` is what it does of itself while the tool stands still.
+    """
     size = np.linalg.norm(force_N, axis=1)
+    wander = min(_WANDERS * wander_N, _SHARE_OF_STRONGEST * quantile(size, 0.95))
     noise = float(np.sqrt(noise_variance(force_N).sum()))
-    return size > max(least_contact(size), _NOISE_LEVELS * noise)
+    return size > max(least_contact(size), _NOISE_LEVELS * noise, wander)

@@ -30,8 +30,8 @@ _FITS_POORLY = 0.5
 _CLEARLY_BETTER = 0.6
 _FITS_OTHERWISE = 0.4
 """A recording is turned in any other way only where it fits poorly, so much better then, and well:
-of right ones 19 in 20 cost at most 0.36 then (0.43 the worst), strangers, for which there is a
-mirror image, too, that fits less badly, at least 0.48."""
+of right ones 19 in 20 cost at most 0.36 then, and the worst 0.43. Strangers have a mirror image,
+too, that fits less badly."""
 _ANY_TURNS = 3
 
 

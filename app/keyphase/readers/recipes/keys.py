@@ -40,9 +40,9 @@ class Keys:
             raise RecipeError(f"{self.where}: the section [{key}] is missing; add it.")
         return section
 
-    def text(self, key: str, default: str | None = None) -> str:
-        """A text; required where there is no default."""
-        value = self._required(key, default)
+    def text(self, key: str, default: str | None = None, expected: str = "a text") -> str:
+        """A text; required where there is no default, `expected` to be what is told then."""
+        value = self._required(key, default, expected)
         if not isinstance(value, str) or not 0 < len(value) <= _MAX_TEXT_LENGTH:
             raise self._wrong(key, "a text", value)
         return value
@@ -51,12 +51,13 @@ class Keys:
         self, key: str, choices: Mapping[str, _Choice], default: str | None = None
     ) -> _Choice:
         """What stands for one of the words of `choices`."""
-        word = self.text(key, default)
+        expected = f"one of {', '.join(map(repr, choices))}"
+        word = self.text(key, default, expected)
         if word in choices:
             return choices[word]
         near = difflib.get_close_matches(word[:60], choices, n=1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
-        raise self._wrong(key, f"one of {', '.join(map(repr, choices))}", word, hint)
+        raise self._wrong(key, expected, word, hint)
 
     def flag(self, key: str, default: bool) -> bool:
         """True or false."""
@@ -92,13 +93,14 @@ class Keys:
 
     def sign(self) -> Literal[1, -1]:
         """Plus or minus one under `sign`."""
-        value = self._required("sign", None)
+        expected = "1 (what acts on the tool) or -1 (what the tool exerts)"
+        value = self._required("sign", None, expected)
         match value:
             case int(1) if value is not True:
                 return 1
             case int(-1):
                 return -1
-        raise self._wrong("sign", "1 (what acts on the tool) or -1 (what the tool exerts)", value)
+        raise self._wrong("sign", expected, value)
 
     def vector(self, key: str) -> tuple[float, float, float] | None:
         """Three finite numbers, or None where the key is not there."""
@@ -172,10 +174,11 @@ class Keys:
     def _take(self, key: str) -> Any:
         return self._values[key] if self.has(key) else None
 
-    def _required(self, key: str, default: Any) -> Any:
+    def _required(self, key: str, default: Any, expected: str = "") -> Any:
         value = self._take(key)
         if value is None and default is None:
-            raise RecipeError(f"{self.where}: the key {key!r} is missing; add it.")
+            told = f", which is {expected}" if expected else ""
+            raise RecipeError(f"{self.where}: the key {key!r} is missing{told}; add it.")
         return default if value is None else value
 
     def _wrong(self, key: str, expected: str, came: Any, hint: str = "") -> RecipeError:

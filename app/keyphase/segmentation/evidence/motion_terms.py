@@ -280,7 +280,7 @@ def _standing(grid: Grid, speed: Speed, crowd: Indices) -> Array:
             ones,
         ]
     )
-    return _edge_rows(early, late, dwell, terms, every := dwell > 0.0, every)
+    return _edge_rows(early, late, dwell, terms, *np.ones((2, len(found)), dtype=bool))
 
 
 def _distinct(tables: list[Array], rate_hz: float) -> Array:

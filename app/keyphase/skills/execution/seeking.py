@@ -99,10 +99,11 @@ class Seeking:
         return self._touch.depth_m(sensed.position_m) >= least * self.search.depth_m
 
     def presses_on(self) -> bool:
-        """Whether a part that was pressed goes in still, and is to be pressed once more."""
+        """Asked once a press is over: whether the part goes in still, and is pressed once more."""
         place = self._places[-1]
         sinks = any(place - next(self._lately(within_s)) >= far_m for within_s, far_m in SINKING)
-        self._presses += sinks
+        if sinks:
+            self._presses += 1
         return sinks and self._presses <= MAX_PRESSES
 
     def _lately(self, within_s: float) -> Iterator[float]:
