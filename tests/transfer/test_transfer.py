@@ -11,6 +11,7 @@ from keyphase.demonstration import Demonstration
 from keyphase.errors import LabelingError
 from keyphase.files.shipped import shipped
 from keyphase.labeling.label import label
+from keyphase.making import make
 from keyphase.readers import read
 from keyphase.segmentation import segment
 from keyphase.segmentation.segmentation import Segmentation
@@ -29,11 +30,15 @@ NAMES = ("reach", "wait", "lower", "settle", "slide")
 
 def named(demonstration: Demonstration) -> Taught:
     """Taught with a name for each of its phases."""
-    found = taught_by(label(segment(demonstration)))
+    found = taught_by_program(demonstration)
     phases = tuple(
         replace(phase, name=name) for phase, name in zip(found.phases, NAMES, strict=True)
     )
     return replace(found, phases=phases)
+
+
+def taught_by_program(demonstration: Demonstration) -> Taught:
+    return taught_by(label(segment(demonstration)))
 
 
 def teacher(taught: Taught, demonstration: Demonstration) -> Teacher:
@@ -126,6 +131,17 @@ def test_a_stranger_whose_mirror_image_fits_less_badly_is_an_outlier() -> None:
     plain = Demonstration("plain", snap.time_s, snap.position_m, force_N=snap.force_N)
     found = propose([taught_by(label(segment(plain)))], wipe)
     assert found.outlier
+
+
+@pytest.mark.parametrize("family", ["reach", "pick-and-place"])
+def test_where_no_force_was_recorded_a_stranger_is_an_outlier_too(
+    shown: Demonstration, second: Demonstration, family: str
+) -> None:
+    """Recordings with fewer kinds of signals have less to differ in."""
+    taught = taught_by_program(replace(shown, force_N=None, torque_Nm=None))
+    stranger = replace(make(family, 1).demonstration, force_N=None, torque_Nm=None, gripper=None)
+    assert propose([taught], stranger).outlier
+    assert not propose([taught], replace(second, force_N=None, torque_Nm=None)).outlier
 
 
 def test_confidence_falls_where_nothing_of_its_own_is_near(

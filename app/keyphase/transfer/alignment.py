@@ -17,6 +17,7 @@ from keyphase.transfer.signals import (
     Standing,
     about_vertical,
     in_common,
+    unlike,
 )
 
 BAND = 0.25
@@ -26,11 +27,11 @@ _MAX_TURNS = 2
 _FITS_WELL = 0.3
 _SAME_TURN_RAD = np.deg2rad(5.0)
 
-_FITS_POORLY = 0.5
+_FITS_POORLY = 0.43
 _CLEARLY_BETTER = 0.6
-_FITS_OTHERWISE = 0.4
+_FITS_OTHERWISE = 0.35
 """A recording is turned in any other way only where it fits poorly, so much better then, and well:
-of right ones 19 in 20 cost at most 0.36 then, and the worst 0.43. Strangers have a mirror image,
+of right ones 19 in 20 cost at most 0.31 then, and the worst 0.37. Strangers have a mirror image,
 too, that fits less badly."""
 _ANY_TURNS = 3
 
@@ -41,7 +42,8 @@ class Alignment:
 
     from_s, to_s  (K,) pairs of moments, neither ever falling
     residual      (K,) how far apart the signals are there
-    cost          their mean: how badly the recordings fit together
+    cost          how badly the recordings fit together: their mean, in parts of what it is between
+                  recordings of different tasks that have these kinds of signals (`unlike`)
     tempo         how much longer the second takes, long rests left out
     standing      how the second was turned and moved to fit
     """
@@ -61,7 +63,7 @@ class Alignment:
     def residual_near(self, time_s: float, within_s: float = 0.5) -> float:
         """How far apart the signals are around a moment of the first recording."""
         near = np.abs(self.from_s - time_s) <= within_s
-        return float(self.residual[near].mean()) if near.any() else self.cost
+        return float(self.residual[near].mean() if near.any() else self.residual.mean())
 
 
 def align(first: Signals, second: Signals) -> Alignment:
@@ -84,7 +86,7 @@ def _upright(first: Signals, second: Signals) -> Alignment:
     """Turned about the vertical at the most."""
     best = _aligned(first, second, AS_IT_STANDS)
     for _ in range(_MAX_TURNS):
-        if best.cost < _FITS_WELL:
+        if best.residual.mean() < _FITS_WELL:
             break
         again = [_aligned(first, second, one) for one in _standings(first, second, best)]
         better = min(again, key=lambda one: one.cost, default=best)
@@ -139,7 +141,7 @@ def _aligned(first: Signals, second: Signals, standing: Standing) -> Alignment:
     total = _accumulated(distance)
     rows, columns = _path(total)
     residual = distance[rows, columns]
-    cost = float(residual.mean())
+    cost = float(residual.mean()) / unlike(ours.kinds)
     lasting = [len(one.time_s) * one.step_s for one in (first, second)]
     tempo = lasting[1] / lasting[0]
     return Alignment(first.time_s[rows], second.time_s[columns], residual, cost, tempo, standing)

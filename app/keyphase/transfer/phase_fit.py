@@ -48,7 +48,7 @@ class PhaseFit:
     def _residual(self, start_s: float, end_s: float) -> float:
         alignment = self.teacher.alignment
         inside = (alignment.to_s >= start_s) & (alignment.to_s <= end_s)
-        return float(alignment.residual[inside].mean()) if inside.any() else alignment.cost
+        return float(alignment.residual[inside if inside.any() else slice(None)].mean())
 
     def _log_ratio(self, number: int, start_s: float, end_s: float) -> float:
         """How much longer the stretch is than the phase in this tempo, long rests left out."""

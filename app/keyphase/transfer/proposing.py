@@ -25,9 +25,9 @@ from keyphase.transfer.taught import Taught
 NEARLY_AS_GOOD = 1.3
 """Finished recordings that fit worse than this many times the best one say nothing."""
 
-MAX_COST = 0.9
+MAX_COST = 0.7
 OUTLIER_FACTOR = 1.8
-LEAST_LIMIT = 0.6
+LEAST_LIMIT = 0.55
 """A recording that fits worse than OUTLIER_FACTOR times what the finished ones do among themselves,
 and than LEAST_LIMIT, or by more than MAX_COST, is of another kind."""
 

@@ -30,6 +30,11 @@ SIZES = ("speed", "size", "gripper")
 GRIPPER = "gripper"
 """The kind of one column, the opening."""
 
+_UNLIKE = 0.29
+_MORE_UNLIKE = {"turn": 0.16, "force": 0.90, GRIPPER: 0.43}
+"""The squared mean distance of recordings of different tasks once they are aligned, and what each
+kind that not every recording has adds to it (least squares over pairs of the made families)."""
+
 _LEVER_M = 0.2
 _FORCE_WEIGHT = 1.5
 _SMOOTHING_S = 0.12
@@ -145,6 +150,14 @@ def in_common(
         first, second = first.with_gripper(), second.with_gripper()
     shared = [kind for kind in dict.fromkeys(first.kinds) if kind in second.kinds]
     return first.only(shared), second.only(shared).turned(standing.turn).moved(standing.moved)
+
+
+def unlike(kinds: Sequence[str]) -> float:
+    """How far apart recordings of different tasks are that have these kinds of signals.
+
+    The fewer there are to differ in, the nearer are strangers.
+    """
+    return float(np.sqrt(_UNLIKE + sum(_MORE_UNLIKE.get(kind, 0.0) for kind in set(kinds))))
 
 
 def signals_of(demonstration: Demonstration) -> Signals:
