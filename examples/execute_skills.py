@@ -185,7 +185,8 @@ class Plan:
         felt = np.linalg.norm(beside(self.felt - self.free, d))
         left = max(stage.aside_left, min(1.0, stage.yields_N / (felt + 1e-9)))
         lost = (1 - left) * beside(off[:3], d)
-        self.yielded = self.yielded + stage.stays_aside * lost
+        back = stage.returns_1_s * self.h if left == 1 else 0.0
+        self.yielded = (1 - back) * self.yielded + stage.stays_aside * lost
         turning = stage.turning_left[int(self.fell or self.sought)]
         at, q = moved(self.here, np.r_[off[:3] - lost, turning * off[3:]])
         velocity = stage.leads * (then[:3] + then[3] * self.aside - way) / self.h

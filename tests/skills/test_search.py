@@ -187,3 +187,17 @@ def test_single_readings_lead_no_search_astray() -> None:
         seeking.moving(at, now, 1.0)
     moved = seeking.moving(at, sensed(0.0, 6.0), 1.0).position_m
     assert np.allclose(moved, seeking.search.aside(DOWN, 1.0))
+
+
+def test_a_search_that_gave_way_comes_back_to_where_the_seat_is_looked_for() -> None:
+    """Caught for half a second, then free: a fifth of what it gave way is left after 1.6 s."""
+    seeking = Seeking(sought(), sensed(0.0, 0.0), STEP_S)
+    at = Reference(np.zeros(3), UPRIGHT, np.zeros(6), np.zeros(6))
+    off_m: list[float] = []
+    for aside_N in (*np.full(125, 8.0), *np.zeros(400)):
+        now = sensed(0.0, 6.0, float(aside_N))
+        seeking.watch(now, lasts=True)
+        reached = seeking.moving(at, now, 1.0).position_m - seeking.search.aside(DOWN, 1.0)
+        off_m.append(float(np.linalg.norm(reached)))
+    assert off_m[124] > 0.001
+    assert off_m[-1] == pytest.approx(np.exp(-1.6) * off_m[124], rel=0.1)

@@ -50,6 +50,10 @@ YIELDS = 0.8
 """Largest force aside, as a part of the press, that a search exerts: more than friction resists
 means that the part has been caught, and the spiral gives way to where it is."""
 
+RETURNS_1_S = 1.0
+"""While nothing is caught the spiral comes back to its middle, at this rate: what only dragged has
+moved it away from where the seat is looked for."""
+
 
 @dataclass(frozen=True)
 class Search:

@@ -19,6 +19,7 @@ from keyphase.skills.search import (
     FALL_SHARE,
     FELL_SHARE,
     MAX_PRESSES,
+    RETURNS_1_S,
     SINKING,
     SMOOTHED,
     YIELDS,
@@ -120,7 +121,7 @@ class Seeking:
 
         A part that is caught is not torn along: the spiral's middle gives way to it. What was
         felt before the skill began is the sensor's, and catches nothing; nor do single readings,
-        each of which would leave the middle a little further off.
+        each of which would leave the middle a little further off. It comes back where nothing is.
         """
         reference = turned_easily(reference, sensed, TURNING)
         direction = self.press.direction
@@ -133,6 +134,8 @@ class Seeking:
             beyond = (1.0 - most / size) * off
             self._yielded = self._yielded + beyond
             wanted = wanted - beyond
+        else:
+            self._yielded = (1.0 - RETURNS_1_S * self._step_s) * self._yielded
         return changed(reference, position_m=wanted)
 
 

@@ -14,7 +14,7 @@ from keyphase.demonstration import Array
 from keyphase.skills.execution.executor import PRESSED_S, STEP_S
 from keyphase.skills.execution.seeking import GIVING, SEATING_S, TURNING, rocked
 from keyphase.skills.execution.squared import FLATTENING, HELD
-from keyphase.skills.search import YIELDS, Search
+from keyphase.skills.search import RETURNS_1_S, YIELDS, Search
 from keyphase.skills.skill import Skill
 from keyphase.skills.squaring import Squaring
 
@@ -34,6 +34,7 @@ def pressing_of(skill: Skill) -> dict[str, Any] | None:
     aside_left      part of the stiffness aside of the press that is left in any case
     yields_N        what the tool exerts aside at the most, if that leaves more
     stays_aside     1 where it stays where it gave way to, 0 where it comes back
+    returns_1_s     at which rate it comes back from there all the same, while it does not give way
     turning_left    part of the stiffness in rotation that is left; second: once the part fell in
                     or was found
     leads           1 where the moves' velocity is the reference's, 0 where that is at rest
@@ -70,6 +71,7 @@ def seeking_of(skill: Skill) -> dict[str, Any] | None:
             aside_left=0.0,
             yields_N=YIELDS * skill.search.press_N,
             stays_aside=1,
+            returns_1_s=RETURNS_1_S,
             turning_left=(TURNING, TURNING),
             moves=_spiral(skill.search, (x, y, z)),
         )
@@ -85,6 +87,7 @@ def _stage(
     aside_left: float = 1.0,
     yields_N: float = 0.0,
     stays_aside: int = 0,
+    returns_1_s: float = 0.0,
     turning_left: tuple[float, float] = (1.0, 1.0),
     leads: int = 0,
 ) -> dict[str, Any]:
@@ -95,6 +98,7 @@ def _stage(
         "aside_left": aside_left,
         "yields_N": yields_N,
         "stays_aside": stays_aside,
+        "returns_1_s": returns_1_s,
         "turning_left": list(turning_left),
         "leads": leads,
         "moves": moves,
