@@ -83,7 +83,7 @@ def test_all_are_seen_aligned_changed_and_opened_there(page: KeyphasePage, tmp_p
     assert AXE.exists(), "axe-core is missing; `make page-scripts` installs it"
     page.page.evaluate(AXE.read_text())
     standings = page.page.locator(".grid-standing").all_inner_texts()
-    assert standings == ["outlier", "unsure", "unsure", "done", *7 * ["proposed"]]
+    assert standings == ["outlier", "differs", "differs", "done", *7 * ["proposed"]]
     _look(page, "start", dark=False)
     _align(page)
     _rename_in_all(page)

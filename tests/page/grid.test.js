@@ -49,16 +49,17 @@ const two = row("two", [
 ]);
 const lies = (pieces) => pieces.map(({ from, width }) => [from, width]);
 
-test("outliers first, then what is unsure, then by name as people count", () => {
+test("outliers first, then what differs or is unsure, then by name as people count", () => {
   const rows = [
     row("take_10", []),
     row("take_9", []),
     row("z", [], { standing: "unsure" }),
+    row("x", [], { standing: "differs" }),
     row("y", [], { standing: "outlier" }),
   ];
   assert.deepEqual(
     inOrder(rows).map(({ id }) => id),
-    ["y", "z", "take_9", "take_10"],
+    ["y", "x", "z", "take_9", "take_10"],
   );
 });
 

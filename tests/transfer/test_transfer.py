@@ -244,6 +244,30 @@ def test_a_long_rest_moves_what_comes_after_it_and_nothing_else(
     assert alignment.tempo == pytest.approx(1.0, abs=0.1)
 
 
+def test_a_recording_without_one_of_the_phases_differs_at_what_is_called_so(
+    second: Demonstration, first: Taught
+) -> None:
+    """The way down into the contact is left out; what follows begins where it did."""
+    own = segment(second).boundaries
+    first_row, last_row = np.searchsorted(second.time_s, [own[0].time_s, own[2].time_s])
+    gone = second.position_m[last_row] - second.position_m[first_row]
+
+    def without(values: np.ndarray, moved: np.ndarray | float = 0.0) -> np.ndarray:
+        return np.concatenate([values[:first_row], values[last_row:] - moved])
+
+    assert second.force_N is not None
+    short = Demonstration(
+        "short",
+        without(second.time_s, second.time_s[last_row] - second.time_s[first_row]),
+        without(second.position_m, gone),
+        force_N=without(second.force_N),
+    )
+    found = propose([first], short, segment(short))
+    assert found.differs_at is not None
+    assert not found.outlier
+    assert propose([first], second, segment(second)).differs_at is None
+
+
 def test_a_name_is_unsure_where_its_phase_is_not_there(shown: Demonstration, first: Taught) -> None:
     until = int(np.searchsorted(shown.time_s, first.ends_s[-1]))
     stopped = replace(

@@ -114,6 +114,11 @@ def _tell(taught: "list[Taught]", proposed: "list[Proposed]") -> int:
         if not transfer.outlier:
             least = min((b.confidence for b in transfer.boundaries), default=1.0)
             say(f"{recording}: {len(transfer.phases)} phases, least confidence {least:.2f}")
+        if transfer.differs_at is not None:
+            complain(
+                f"{recording}: differs from them at {transfer.differs_at!r}: a phase may be "
+                "missing, doubled or in another order; look at what is proposed"
+            )
     for one in proposed:
         if one.refusal:
             complain(f"{one.recording}: cannot be read: {one.refusal}")
@@ -131,6 +136,7 @@ def _values(proposed: "Proposed") -> dict[str, Any]:
     return {
         "recording": str(proposed.recording),
         "outlier": transfer.outlier,
+        "differs_at": transfer.differs_at,
         "cost": round(transfer.cost, 4),
         "from": list(transfer.teachers),
         "boundaries": [

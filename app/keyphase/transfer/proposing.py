@@ -25,7 +25,7 @@ from keyphase.transfer.taught import Taught
 NEARLY_AS_GOOD = 1.3
 """Finished recordings that fit worse than this many times the best one say nothing."""
 
-MAX_COST = 0.7
+MAX_COST = 0.78
 OUTLIER_FACTOR = 1.8
 LEAST_LIMIT = 0.55
 """A recording that fits worse than OUTLIER_FACTOR times what the finished ones do among themselves,
@@ -33,6 +33,10 @@ and than LEAST_LIMIT, or by more than MAX_COST, is of another kind."""
 
 NAME_WORTH = 0.85
 """How sure a name is whose ends are not sure at all, were all of its time called so."""
+
+DIFFERS_BELOW = 0.7
+"""A name less sure than this is squeezed onto a stretch that is not its phase: one is missing,
+doubled or in another order. Of recordings that do not differ nineteen in twenty are surer."""
 
 _BIAS, _FIT, _SPREAD, _EVIDENCE = 2.9, -2.2, -2.0, 1.2
 _MAX_ALIGNED = 3
@@ -64,6 +68,13 @@ class Transfer:
     outlier: bool
     cost: float
     teachers: tuple[str, ...]
+
+    @property
+    def differs_at(self) -> str | None:
+        """The phase that least is what it is called, where the recording differs from the finished
+        ones in its phases."""
+        least = min(self.phases, key=lambda one: one.confidence, default=None)
+        return least.name if least and least.confidence < DIFFERS_BELOW else None
 
 
 def propose(

@@ -28,12 +28,14 @@ class Proposal:
     teachers    names of the recordings it is proposed from, the best first
     confidence  the least of its boundaries and names, 0 to 1
     edit        makes it the recording's own; None where it is an outlier, which fits none of them
+    differs_at  the phase that fits badly, where one seems missing, doubled or in another order
     """
 
     teachers: tuple[str, ...]
     confidence: float
     outline: Outline | None
     edit: TakeOver | None
+    differs_at: str | None = None
 
     @property
     def is_outlier(self) -> bool:
@@ -139,6 +141,7 @@ class Proposals:
             confidence=_confidence(transfer),
             outline=None if transfer.outlier else _outline(transfer),
             edit=None if transfer.outlier else as_edit(transfer, segmentation),
+            differs_at=transfer.differs_at,
         )
         with self._lock:
             self._found = {**self._found, line.id: found}

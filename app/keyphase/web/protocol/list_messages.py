@@ -49,6 +49,7 @@ class RecordingLine(Struct, frozen=True):
     proposed_from, proposed_confidence  from which finished recordings its segmentation is proposed,
                                         and how sure the least sure of it is
     outlier                             it fits none of the finished ones
+    differs_at                          the phase that fits badly, where phases seem to be others
     differences                         how often another person's segments differ; null where
                                         there are none to compare with
     marked                              what is said of single segments
@@ -67,6 +68,7 @@ class RecordingLine(Struct, frozen=True):
     proposed_from: tuple[str, ...] = ()
     proposed_confidence: float | None = None
     outlier: bool = False
+    differs_at: str | None = None
     assessment: Assessment = NOTHING_SAID
     differences: int | None = None
     marked: tuple[Assessment, ...] = ()
@@ -177,6 +179,7 @@ class GridLine(Struct, frozen=True):
     stretches      its segments, or what is proposed for it
     unsure         how many of its boundaries a person should look at
     proposed_from  from which recordings `stretches` are proposed; empty: they are its own
+    differs_at     the phase that fits badly, where phases seem to be others
     """
 
     id: str
@@ -187,6 +190,7 @@ class GridLine(Struct, frozen=True):
     unsure: int
     proposed_from: tuple[str, ...]
     error: str | None
+    differs_at: str | None = None
 
 
 class GridMessage(Struct, frozen=True, tag_field="type", tag="grid"):
@@ -219,6 +223,7 @@ def grid_line(row: GridRow) -> GridLine:
         unsure,
         row.teachers,
         line.error,
+        row.differs_at,
     )
 
 
@@ -265,12 +270,14 @@ def _line(
     )
 
 
-def _proposed(proposal: Proposal | None) -> tuple[tuple[str, ...], float | None, bool]:
+def _proposed(
+    proposal: Proposal | None,
+) -> tuple[tuple[str, ...], float | None, bool, str | None]:
     if proposal is None:
-        return (), None, False
+        return (), None, False, None
     if proposal.is_outlier:
-        return (), None, True
-    return proposal.teachers, proposal.confidence, False
+        return (), None, True, None
+    return proposal.teachers, proposal.confidence, False, proposal.differs_at
 
 
 def _spread_line(item: SpreadItem) -> SpreadLine:

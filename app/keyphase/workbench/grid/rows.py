@@ -13,9 +13,18 @@ from keyphase.workbench.recordings import Recording
 from keyphase.workbench.showing.doubts import UNSURE_BELOW
 
 Standing = Literal[
-    "outlier", "unsure", "proposed", "done", "touched", "automatic", "waiting", "broken"
+    "outlier",
+    "differs",
+    "unsure",
+    "proposed",
+    "done",
+    "touched",
+    "automatic",
+    "waiting",
+    "broken",
 ]
-"""How a recording stands; `waiting`: nobody has looked at it yet, `broken`: it cannot be read."""
+"""How a recording stands; `differs`: its phases seem to be others, `waiting`: nobody has looked at
+it yet, `broken`: it cannot be read."""
 
 
 @dataclass(frozen=True)
@@ -24,12 +33,14 @@ class GridRow:
 
     stretches  its segments; of one for which something is proposed, those that are proposed
     teachers   names of the recordings these are proposed from
+    differs_at the phase that fits badly, where phases seem to be others
     """
 
     recording: Recording
     standing: Standing
     stretches: tuple[Stretch, ...]
     teachers: tuple[str, ...] = ()
+    differs_at: str | None = None
 
 
 def grid_rows(listing: Listing, folder: Path) -> tuple[GridRow, ...]:
@@ -50,6 +61,8 @@ def grid_row(line: Recording, proposal: Proposal | None) -> GridRow:
             return GridRow(line, "outlier", line.stretches)
         sure = proposal.confidence >= UNSURE_BELOW
         shown = _proposed(proposal, proposal.outline)
+        if proposal.differs_at is not None:
+            return GridRow(line, "differs", shown, proposal.teachers, proposal.differs_at)
         return GridRow(line, "proposed" if sure else "unsure", shown, proposal.teachers)
     if not line.stretches:
         return GridRow(line, "waiting", ())

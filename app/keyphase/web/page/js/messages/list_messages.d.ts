@@ -26,9 +26,10 @@ export interface Recordings {
 /**
  * One line of the list. proposed_from, proposed_confidence  from which finished recordings its
  * segmentation is proposed,                                     and how sure the least sure of it
- * is outlier                             it fits none of the finished ones differences
- * how often another person's segments differ; null where                                     there
- * are none to compare with marked                              what is said of single segments
+ * is outlier                             it fits none of the finished ones differs_at
+ * the phase that fits badly, where phases seem to be others differences                         how
+ * often another person's segments differ; null where                                     there are
+ * none to compare with marked                              what is said of single segments
  * changed_since_done                  segments were changed after it was done
  * - folder: name of the folder it lies in
  * - strip: its segments in small; `color` null: idle or dropped
@@ -48,6 +49,7 @@ export interface RecordingLine {
   proposed_from: string[];
   proposed_confidence: number | null;
   outlier: boolean;
+  differs_at: string | null;
   assessment: Assessment;
   differences: number | null;
   marked: Assessment[];
@@ -157,16 +159,18 @@ export interface GridMessage {
  * - stretches: its segments, or what is proposed for it
  * - unsure: how many of its boundaries a person should look at
  * - proposed_from: from which recordings `stretches` are proposed; empty: they are its own
+ * - differs_at: the phase that fits badly, where phases seem to be others
  */
 export interface GridLine {
   id: string;
   name: string;
   state: "automatic" | "done" | "touched";
-  standing: "automatic" | "broken" | "done" | "outlier" | "proposed" | "touched" | "unsure" | "waiting";
+  standing: "automatic" | "broken" | "differs" | "done" | "outlier" | "proposed" | "touched" | "unsure" | "waiting";
   stretches: Stretch[];
   unsure: number;
   proposed_from: string[];
   error: string | null;
+  differs_at: string | null;
 }
 
 /**

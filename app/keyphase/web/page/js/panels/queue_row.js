@@ -3,7 +3,7 @@
 import { segmentFill } from "../lib/colors.js";
 import { el, svg } from "../lib/dom.js";
 import { plural } from "../lib/format.js";
-import { asksForALook, namesOf, stateOf } from "../model/recordings/recording_list.js";
+import { asksForALook, misfitAt, namesOf, stateOf } from "../model/recordings/recording_list.js";
 import { nameInTwo } from "./name_in_two.js";
 
 const MOST_PIECES = 90;
@@ -106,7 +106,7 @@ function differing(count) {
  * @param {string} sure
  */
 function certainty(
-  { state, proposed_from: from, proposed_confidence: proposed, outlier },
+  { state, proposed_from: from, proposed_confidence: proposed, outlier, differs_at: at },
   low,
   sure,
 ) {
@@ -115,6 +115,12 @@ function certainty(
       class: "queue-confidence low",
       text: "unlike",
       title: "It fits none of the recordings that are done, so nothing is proposed for it.",
+    });
+  if (state === "automatic" && at !== null)
+    return el("span", {
+      class: "queue-confidence low",
+      text: "differs",
+      title: `Proposed from ${namesOf(from)}, but ${misfitAt(at)}`,
     });
   if (state === "automatic" && from.length > 0)
     return el("span", {

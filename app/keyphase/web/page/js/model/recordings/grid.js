@@ -24,12 +24,12 @@ export function withGrid(before, { folder, ids, rows, task, phases, undo }) {
   return { folder, rows: present, task, phases, undo };
 }
 
-/** Outliers first, then those that ask for a look, then by name. @param {Line[]} rows */
+/** Outliers first, those whose phases differ, those that ask for a look, then by name. @param {Line[]} rows */
 export function inOrder(rows) {
-  const rank = { outlier: 0, unsure: 1 };
+  const rank = { outlier: 0, differs: 1, unsure: 2 };
   const names = new Intl.Collator("en", { numeric: true });
   return rows.toSorted(
-    (a, b) => (rank[a.standing] ?? 2) - (rank[b.standing] ?? 2) || names.compare(a.name, b.name),
+    (a, b) => (rank[a.standing] ?? 3) - (rank[b.standing] ?? 3) || names.compare(a.name, b.name),
   );
 }
 

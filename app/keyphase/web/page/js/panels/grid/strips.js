@@ -11,7 +11,7 @@ import {
   laidOut,
   phaseNames,
 } from "../../model/recordings/grid.js";
-import { namesOf } from "../../model/recordings/recording_list.js";
+import { misfitAt, namesOf } from "../../model/recordings/recording_list.js";
 import { nameInTwo } from "../name_in_two.js";
 import { stateMark } from "../queue_row.js";
 
@@ -138,12 +138,13 @@ function drawPiece(row, { stretch, from, width, astray }, { grid, names, how, wi
 }
 
 /** How it stands, in a word. @param {Line} row */
-function standing({ standing: stands, unsure, proposed_from: from }) {
+function standing({ standing: stands, unsure, proposed_from: from, differs_at: at }) {
   const [text, title] = {
     outlier: [
       "outlier",
       "It fits none of the recordings that are done; nothing is proposed for it",
     ],
+    differs: ["differs", `Proposed from ${namesOf(from)}, but ${misfitAt(at)}`],
     unsure: from.length
       ? ["unsure", `Proposed from ${namesOf(from)}, and not sure of all of it`]
       : [`${unsure} unsure`, `${plural(unsure, "boundary", "boundaries")} to look at`],
