@@ -160,7 +160,16 @@ function createHead(store, actions) {
 function summary(rows) {
   const counts = standings(rows);
   /** @type {import("../../model/recordings/grid.js").Line["standing"][]} */
-  const order = ["outlier", "differs", "unsure", "proposed", "done", "touched", "automatic", "broken"];
+  const order = [
+    "outlier",
+    "differs",
+    "unsure",
+    "proposed",
+    "done",
+    "touched",
+    "automatic",
+    "broken",
+  ];
   return order
     .filter((standing) => counts.has(standing))
     .map((standing) => `${counts.get(standing)} ${standing}`)
