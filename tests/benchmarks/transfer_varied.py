@@ -3,14 +3,16 @@
 python tests/benchmarks/transfer_varied.py --cache CACHE
 
 Six recordings of each simulated task teach, one or three of them; others are changed in one way
-each. Told are F1 of what is proposed, outliers, and boundaries and names that are wrong though they
-were given with 0.9 or more. Last, how many made recordings of every family by formula, of other
-tasks all, are told apart. The cache is that of accuracy_transfer.py.
+each. Told are F1 of what is proposed, outliers, those told to differ, and boundaries and names
+that are wrong though they were given with 0.9 or more. Last, how many made recordings of every
+family by formula, of other tasks all, are told apart, as they are and without force and gripper.
+The cache is that of accuracy_transfer.py.
 """
 
 import argparse
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,13 +21,14 @@ from transferring.known import GRIPPER, WORKCELLS, Known, made, simulated
 from transferring.trying import taught_by_truth, tries_of
 from transferring.varying import VARIED
 
+from keyphase.demonstration import Demonstration
 from keyphase.making import FAMILIES, make
 from keyphase.scoring.counting import together
 from keyphase.transfer.proposing import propose, usual_cost_of
 from keyphase.transfer.taught import Taught
 
 SURE = 0.9
-STRANGERS = "made, of other tasks"
+STRANGERS, PLAIN_STRANGERS = "made, of other tasks", "made, without force"
 TEACHING = 6
 
 
@@ -38,7 +41,7 @@ def main() -> int:
     asked = parser.parse_args()
     cached = Memory(asked.cache, verbose=0).cache(made)
     for task in (*WORKCELLS, GRIPPER):
-        known = _first(cached, task, TEACHING + asked.count)
+        known = first_known(cached, task, TEACHING + asked.count)
         taught = [taught_by_truth(one) for one in known[:TEACHING]]
         for way, vary in VARIED.items():
             if asked.only in way:
@@ -46,20 +49,38 @@ def main() -> int:
                 varied = [vary(one, np.random.default_rng([5, i])) for i, one in others]
                 line = " | ".join(_line(some, varied) for some in (taught[3:4], taught[:3]))
                 print(f"{task:26}{way:24}{line}", flush=True)
-        if asked.only in STRANGERS:
-            line = " | ".join(_told_apart(some, asked.count) for some in (taught[3:4], taught[:3]))
-            print(f"{task:26}{STRANGERS:24}{line}", flush=True)
+        plainly = [taught_by_truth(_plain(one)) for one in known[:TEACHING]]
+        for way, all_taught in ((STRANGERS, taught), (PLAIN_STRANGERS, plainly)):
+            if asked.only in way:
+                strangers = _strangers(asked.count, plain=way == PLAIN_STRANGERS)
+                parts = (all_taught[3:4], all_taught[:3])
+                line = " | ".join(_told_apart(some, strangers) for some in parts)
+                print(f"{task:26}{way:24}{line}", flush=True)
     return 0
 
 
-def _told_apart(taught: Sequence[Taught], count: int) -> str:
-    usual = usual_cost_of(taught) if len(taught) > 1 else None
-    strangers = [make(family, seed).demonstration for family in FAMILIES for seed in range(count)]
+def _strangers(count: int, *, plain: bool) -> list[Demonstration]:
+    found = [make(family, seed).demonstration for family in FAMILIES for seed in range(count)]
+    return [without_channels(one) for one in found] if plain else found
+
+
+def _plain(known: Known) -> Known:
+    return replace(known, demonstration=without_channels(known.demonstration))
+
+
+def without_channels(demonstration: Demonstration) -> Demonstration:
+    """Pose alone."""
+    return replace(demonstration, force_N=None, torque_Nm=None, gripper=None)
+
+
+def _told_apart(taught: Sequence[Taught], strangers: Sequence[Demonstration]) -> str:
+    usual = usual_cost_of(taught)
     away = sum(propose(taught, one, usual_cost=usual).outlier for one in strangers)
     return f"{len(taught)}: {away} of {len(strangers)} outliers"
 
 
-def _first(cached, task: str, count: int) -> list[Known]:
+def first_known(cached, task: str, count: int) -> list[Known]:
+    """The first recordings of a simulated task that did not fail."""
     found: list[Known] = []
     seed = 0
     while len(found) < count:
@@ -79,7 +100,9 @@ def _line(taught: Sequence[Taught], varied: Sequence[Known]) -> str:
         for what in ("sure_boundaries", "sure_names")
     ]
     away = len(tried) - len(fit)
-    return f"{len(taught)}: {told}, {away} outliers, sure and wrong {wrong[0]} and {wrong[1]} names"
+    differ = sum(one.differs for one in fit)
+    sure = f"sure and wrong {wrong[0]} and {wrong[1]} names"
+    return f"{len(taught)}: {told}, {away} outliers, {differ} differ, {sure}"
 
 
 if __name__ == "__main__":

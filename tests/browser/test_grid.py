@@ -84,6 +84,8 @@ def test_all_are_seen_aligned_changed_and_opened_there(page: KeyphasePage, tmp_p
     page.page.evaluate(AXE.read_text())
     standings = page.page.locator(".grid-standing").all_inner_texts()
     assert standings == ["outlier", "differs", "differs", "done", *7 * ["proposed"]]
+    listed = page.page.locator(".queue-confidence").all_text_contents()
+    assert (listed.count("differs"), listed.count("unlike")) == (2, 1)
     _look(page, "start", dark=False)
     _align(page)
     _rename_in_all(page)

@@ -12,6 +12,7 @@ import {
   laidOut,
   phaseNames,
   shifted,
+  summary,
   withGrid,
 } from "../../app/keyphase/web/page/js/model/recordings/grid.js";
 
@@ -61,6 +62,12 @@ test("outliers first, then what differs or is unsure, then by name as people cou
     inOrder(rows).map(({ id }) => id),
     ["y", "x", "z", "take_9", "take_10"],
   );
+});
+
+test("how many stand how is said in the same order, without those that wait", () => {
+  const stand = ["unsure", "waiting", "differs", "unsure", "differs", "outlier"];
+  const rows = stand.map((standing, number) => row(`${number}`, [], { standing }));
+  assert.equal(summary(rows), "1 outlier, 2 differ, 2 unsure");
 });
 
 test("a message tells only what has changed, and what is gone goes", () => {

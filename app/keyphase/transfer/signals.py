@@ -33,7 +33,7 @@ GRIPPER = "gripper"
 _UNLIKE = 0.29
 _MORE_UNLIKE = {"turn": 0.16, "force": 0.90, GRIPPER: 0.43}
 """The squared mean distance of recordings of different tasks once they are aligned, and what each
-kind that not every recording has adds to it (least squares over pairs of the made families)."""
+kind that not every recording has adds to it (tests/benchmarks/unlike_costs.py)."""
 
 _LEVER_M = 0.2
 _FORCE_WEIGHT = 1.5

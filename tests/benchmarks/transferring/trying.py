@@ -28,6 +28,7 @@ class Tried:
     counts: dict[str, Tally]
     names: dict[str, float]
     outlier: bool
+    differs: bool
     sure_boundaries: list[tuple[float, bool]] = field(default_factory=list)
     sure_names: list[tuple[float, bool]] = field(default_factory=list)
 
@@ -88,6 +89,7 @@ def _try(taught: Sequence[Taught], usual: float | None, known: Known) -> Tried:
         {method: tally(truth, some) for method, some in times.items()},
         names if known.named else {},
         found.outlier,
+        found.differs_at is not None,
         _sure_boundaries(known, found),
         _sure_names(known, found) if known.named else [],
     )

@@ -24,12 +24,27 @@ export function withGrid(before, { folder, ids, rows, task, phases, undo }) {
   return { folder, rows: present, task, phases, undo };
 }
 
+/** How recordings stand, in the order in which they are counted; so many ask for a look first. */
+const ORDER = /** @type {const} */ ([
+  "outlier",
+  "differs",
+  "unsure",
+  "proposed",
+  "done",
+  "touched",
+  "automatic",
+  "broken",
+]);
+const ASKING = 3;
+const OF_SEVERAL = { outlier: "outliers", differs: "differ" };
+
 /** Outliers first, those whose phases differ, those that ask for a look, then by name. @param {Line[]} rows */
 export function inOrder(rows) {
-  const rank = { outlier: 0, differs: 1, unsure: 2 };
+  const rank = Object.fromEntries(ORDER.slice(0, ASKING).map((one, place) => [one, place]));
   const names = new Intl.Collator("en", { numeric: true });
   return rows.toSorted(
-    (a, b) => (rank[a.standing] ?? 3) - (rank[b.standing] ?? 3) || names.compare(a.name, b.name),
+    (a, b) =>
+      (rank[a.standing] ?? ASKING) - (rank[b.standing] ?? ASKING) || names.compare(a.name, b.name),
   );
 }
 
@@ -38,6 +53,17 @@ export function standings(rows) {
   const counts = new Map();
   for (const { standing } of rows) counts.set(standing, (counts.get(standing) ?? 0) + 1);
   return counts;
+}
+
+/** How many stand how, in words; those that wait are not counted. @param {Line[]} rows */
+export function summary(rows) {
+  const counts = standings(rows);
+  return ORDER.filter((standing) => counts.has(standing))
+    .map((standing) => {
+      const count = counts.get(standing) ?? 0;
+      return `${count} ${count > 1 ? (OF_SEVERAL[standing] ?? standing) : standing}`;
+    })
+    .join(", ");
 }
 
 const kept = ({ color }) => color !== null;

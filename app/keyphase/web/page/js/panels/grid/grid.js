@@ -1,7 +1,14 @@
 /** All recordings of the folder beside each other, as strips; the phases of the task beside them. */
 
 import { byId, el } from "../../lib/dom.js";
-import { AT_START, atPhase, EQUAL, phaseNames, standings } from "../../model/recordings/grid.js";
+import {
+  AT_START,
+  atPhase,
+  EQUAL,
+  phaseNames,
+  standings,
+  summary,
+} from "../../model/recordings/grid.js";
 import { createChangeBar } from "./change_bar.js";
 import { createPhases } from "./phases.js";
 import { drawRows, rowId } from "./strips.js";
@@ -154,26 +161,6 @@ function createHead(store, actions) {
     close,
     progress,
   );
-}
-
-/** @param {import("../../model/recordings/grid.js").Line[]} rows */
-function summary(rows) {
-  const counts = standings(rows);
-  /** @type {import("../../model/recordings/grid.js").Line["standing"][]} */
-  const order = [
-    "outlier",
-    "differs",
-    "unsure",
-    "proposed",
-    "done",
-    "touched",
-    "automatic",
-    "broken",
-  ];
-  return order
-    .filter((standing) => counts.has(standing))
-    .map((standing) => `${counts.get(standing)} ${standing}`)
-    .join(", ");
 }
 
 /**
