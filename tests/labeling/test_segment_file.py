@@ -3,6 +3,8 @@
 import csv
 import json
 import os
+from dataclasses import replace
+from typing import get_args
 
 import jsonschema
 import pytest
@@ -19,7 +21,7 @@ from keyphase.labeling.segment_file import (
 from keyphase.labeling.segment_file_content import segment_file_content
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd
 from keyphase.segmentation.parameters import Parameters
-from keyphase.segmentation.segmentation import Segment
+from keyphase.segmentation.segmentation import Origin, Segment
 
 
 @pytest.fixture
@@ -112,6 +114,18 @@ def test_a_contact_end_condition_is_read_back(tmp_path):
         "threshold_N": 1.25,
     }
     assert read_segment_file(path).segments[0].end_condition == contact
+
+
+def test_a_boundary_of_every_origin_is_read_back(tmp_path):
+    made_from = demonstration(path=tmp_path / "demo.npz")
+    origins = get_args(Origin)
+    found = segmentation(tuple(1.0 + k for k in range(len(origins))), made_from=made_from)
+    boundaries = tuple(
+        replace(one, origin=origin) for one, origin in zip(found.boundaries, origins, strict=True)
+    )
+    path = tmp_path / "demo.segments.json"
+    write_segment_file(label(replace(found, boundaries=boundaries)), path)
+    assert tuple(one.origin for one in read_segment_file(path).boundaries) == origins
 
 
 def test_the_same_labeling_gives_the_same_bytes(labeled, written, tmp_path):
