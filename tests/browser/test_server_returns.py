@@ -16,10 +16,10 @@ from playwright.sync_api import Browser
 from keyphase.files.shipped import shipped
 
 
-def _open(recording: Path, port: int) -> tuple[subprocess.Popen[str], str]:
+def _open(recordings: Path, port: int) -> tuple[subprocess.Popen[str], str]:
     command = [sys.executable, "-c", "from keyphase.cli import main; main()", "open"]
     process = subprocess.Popen(
-        [*command, str(recording), "--no-browser", "--port", str(port)],
+        [*command, str(recordings), "--no-browser", "--port", str(port)],
         stdout=subprocess.PIPE,
         text=True,
     )
@@ -35,13 +35,18 @@ def _free_port() -> int:
 def test_a_killed_server_that_returns_is_used_again_without_a_reload(
     chromium: Browser, tmp_path: Path
 ) -> None:
-    recording = Path(shutil.copy(shipped("data") / "synthetic_setup1.npz", tmp_path))
+    for name in ("a", "b"):
+        shutil.copy(shipped("data") / "synthetic_setup1.npz", tmp_path / f"{name}.npz")
     port = _free_port()
-    server, link = _open(recording, port)
+    server, link = _open(tmp_path, port)
     page = KeyphasePage(chromium.new_page())
     try:
         page.page.goto(link)
         page.wait_for_document()
+        page.press("PageDown")
+        page.until("keyphase.state.document.name === 'b'")
+        page.page.evaluate("keyphase.actions.goTo(2)")
+        page.until("keyphase.state.clock === 2")
         page.page.evaluate("window.neverReloaded = true")
         page.scene.wait_for_function("() => window.__viserMutable?.nodeRefFromName['/path/pieces']")
         os.kill(server.pid, signal.SIGKILL)
@@ -51,10 +56,13 @@ def test_a_killed_server_that_returns_is_used_again_without_a_reload(
         told = page.text("#banners")
         assert re.search(r"stopped\. Everything up to \d\d:\d\d:\d\d is saved", told)
 
-        server, again = _open(recording, port)
+        server, again = _open(tmp_path, port)
         assert again == link
         page.until("keyphase.state.connected && !keyphase.state.readOnly")
+        page.until("keyphase.state.document.name === 'b' && keyphase.state.clock === 2")
+        assert page.page.locator(".notice").count() == 0
         page.change(lambda: page.press("i"))
+        assert page.document["name"] == "b"
         assert page.page.evaluate("window.neverReloaded")
         assert page.document["undo"]
         page.scene.wait_for_function("() => window.__viserMutable?.nodeRefFromName['/path/pieces']")

@@ -12,6 +12,7 @@ from keyphase.labeling.comparing.taking_over import taking_over
 from keyphase.labeling.edits import (
     Accept,
     Add,
+    Done,
     Keep,
     Label,
     Move,
@@ -23,6 +24,7 @@ from keyphase.labeling.edits import (
 )
 from keyphase.labeling.segment_file import read_segment_file, write_segment_file
 from keyphase.workbench.showing.doubts import unsure_count
+from keyphase.workbench.showing.reasons import Meeting, sentences
 
 
 @pytest.fixture
@@ -155,3 +157,16 @@ def test_what_a_proposal_was_not_sure_of_is_in_doubt_until_it_is_accepted_or_mov
     assert unsure_count(taken) == 2
     assert unsure_count(person.makes(Accept(5.0))) == 1
     assert unsure_count(person.makes(Move(9.0, 8.9))) == 0
+
+
+def test_a_boundary_that_was_taken_over_says_so_until_it_is_moved(found, annas):
+    person = Person(found)
+
+    def said(labeled):
+        added = (one for one in labeled.boundaries if one.origin == "user")
+        return [sentences(one, None, Meeting(())) for one in added]
+
+    taken = ["Taken over: anna.segments.json."]
+    assert said(person.makes(taking_over(annas, found))) == [taken, taken]
+    assert said(person.makes(Done())) == [taken, taken]
+    assert said(person.makes(Move(2.5, 2.7))) == [["Placed by you."], taken]

@@ -21,6 +21,13 @@ def test_the_command_writes_recordings_that_can_be_read_and_a_truth_for_each(tmp
     assert "4 demonstrations" in capsys.readouterr().out
 
 
+def test_what_was_made_in_the_folder_before_keeps_its_truth_while_it_is_there(tmp_path):
+    make_folder(["press"], 2, 0, tmp_path)
+    (tmp_path / "press" / "0.npz").unlink()
+    target = make_folder(["reach"], 1, 0, tmp_path)
+    assert list(json.loads(target.read_bytes())) == ["press/1", "reach/0"]
+
+
 @pytest.mark.parametrize(
     ("families", "count", "said"),
     [(["dance"], 1, "dance"), ([], 1, "none"), (["press"], 0, "count from 1")],

@@ -5,7 +5,9 @@ import { test } from "node:test";
 import {
   AT_START,
   atPhase,
+  calledAfter,
   changed,
+  colorOf,
   effectOf,
   EQUAL,
   inOrder,
@@ -148,4 +150,22 @@ test("a change leaves done ones unless they are meant, and never what is only pr
 test("a phase goes earlier or later, and stays at the ends", () => {
   assert.deepEqual(shifted(["a", "b", "c"], 2, -1), ["a", "c", "b"]);
   assert.deepEqual(shifted(["a", "b", "c"], 0, -1), ["a", "b", "c"]);
+});
+
+test("a new name is shown in the colour of the old one before it is given", () => {
+  const grid = gridOf(
+    [one],
+    [
+      { name: "reach", color: "#111111" },
+      { name: "press", color: "#222222" },
+    ],
+  );
+  const after = (to) => {
+    const change = { label: "press", to };
+    const called = calledAfter(grid, phaseNames(grid), change);
+    return colorOf(called.grid, changed(one.stretches[2], change), called.names);
+  };
+  assert.equal(after("push"), "#222222");
+  assert.equal(after("reach"), "#111111");
+  assert.equal(after(null), null);
 });

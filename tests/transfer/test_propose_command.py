@@ -25,7 +25,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_the_others_of_the_task_get_names_and_outliers_get_nothing(
-    folder: Path, tmp_path: Path
+    folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert keyphase("segment", folder / "a.npz", "--output", tmp_path) == 0
     file = tmp_path / "a.segments.json"
@@ -38,8 +38,10 @@ def test_the_others_of_the_task_get_names_and_outliers_get_nothing(
     assert [path.name for path in out.glob("*.json")] == ["b.segments.json"]
     labels = [s["label"] for s in json.loads((out / "b.segments.json").read_text())["segments"]]
     assert labels == [s["label"] for s in content["segments"]]
-    told = {Path(one["recording"]).name: one["outlier"] for one in json.loads(report.read_text())}
-    assert told == {"b.npz": False, "other.npz": True}
+    first, second = json.loads(report.read_text())
+    assert [first["outlier"], second["outlier"]] == [False, True]
+    least = min(part["confidence"] for part in (*first["boundaries"], *first["phases"]))
+    assert f"least confidence {least:.2f}" in capsys.readouterr().out
     (out / "b.segments.json").write_text("corrected by hand")
     assert keyphase("propose", folder / "b.npz", "--from", file, "--output", out) == 1
     assert (out / "b.segments.json").read_text() == "corrected by hand"

@@ -112,7 +112,8 @@ def _tell(taught: "list[Taught]", proposed: "list[Proposed]") -> int:
     transfers = [(one.recording, one.transfer) for one in proposed if one.transfer is not None]
     for recording, transfer in transfers:
         if not transfer.outlier:
-            least = min((b.confidence for b in transfer.boundaries), default=1.0)
+            parts = (*transfer.boundaries, *transfer.phases)
+            least = min((part.confidence for part in parts), default=1.0)
             say(f"{recording}: {len(transfer.phases)} phases, least confidence {least:.2f}")
         if transfer.differs_at is not None:
             complain(

@@ -22,6 +22,7 @@ class Mark:
     """A boundary under edit; spans of segments hold on to it, so it keeps its identity.
 
     proposed_confidence  how sure the proposal was that it was taken over from, where it was
+    taken_from           whose it was, where it was added by taking over
     """
 
     time_s: float
@@ -32,6 +33,7 @@ class Mark:
     accepted: bool = False
     taken_away: bool = False
     proposed_confidence: float | None = None
+    taken_from: str | None = None
     frozen: LabeledBoundary | None = None
 
     @property
@@ -61,6 +63,7 @@ class Mark:
             was_s=self.was_s,
             accepted=self.accepted,
             automatic=found,
+            taken_from=self.taken_from,
         )
 
 
@@ -123,7 +126,7 @@ class BoundaryLine:
         """Put a mark elsewhere by hand; where the program had it is remembered."""
         if not mark.by_hand and mark.automatic is not None:
             mark.was_s = mark.automatic.time_s
-        mark.proposed_confidence = None
+        mark.proposed_confidence = mark.taken_from = None
         self.place(mark, time_s)
 
     def take_away(self, mark: Mark) -> None:

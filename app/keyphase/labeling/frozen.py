@@ -32,6 +32,7 @@ class FrozenBoundary(msgspec.Struct, frozen=True, omit_defaults=True):
     contact_change: bool
     was_s: float | None = None
     accepted: bool = False
+    taken_from: str | None = None
 
     @classmethod
     def of(cls, boundary: LabeledBoundary) -> "FrozenBoundary":

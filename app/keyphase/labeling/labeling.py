@@ -15,6 +15,7 @@ class LabeledBoundary:
     was_s       where the program had put it, if a person moved it [s]
     accepted    a person has seen it and found it right
     automatic   what the program found here; None where a person added the boundary
+    taken_from  where it was taken over from, if nobody has moved it since
     """
 
     time_s: float
@@ -25,6 +26,7 @@ class LabeledBoundary:
     was_s: float | None = None
     accepted: bool = False
     automatic: Boundary | None = None
+    taken_from: str | None = None
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from keyphase.errors import MakingError
 from keyphase.files.writing import write_whole
@@ -41,7 +42,8 @@ def make_folder(
 
     `makers` are who makes which family; others than those by formula live with the simulation.
     `put` writes each file, and may refuse to where one is in the way.
-    A recording is FAMILY/SEED.npz below `output`. Returns the path of the truth. Raises MakingError
+    A recording is FAMILY/SEED.npz below `output`; those that were made there before keep their
+    truth. Returns the path of the truth. Raises MakingError
     for an unknown family, a count below one, or a folder that takes no files.
     """
     unknown = [family for family in families if family not in makers]
@@ -50,7 +52,7 @@ def make_folder(
         raise MakingError(f"Expected families among {', '.join(makers)}, but got {came}.")
     if count < 1 or seed < 0:
         raise MakingError(f"Expected a count from 1 and a seed from 0, but got {count} and {seed}.")
-    truth = {}
+    truth = _known(output)
     jobs = [(family, seed + k) for family in families for k in range(count)]
     for done, (family, number) in enumerate(jobs, start=1):
         made = makers[family](family, number)
@@ -63,6 +65,17 @@ def make_folder(
     target = output / TRUTH
     put(target, f"{json.dumps(truth, indent=1)}\n".encode(), "made demonstrations")
     return target
+
+
+def _known(output: Path) -> dict[str, Any]:
+    """The truth of recordings that were made in this folder before and are there still."""
+    try:
+        known = json.loads((output / TRUTH).read_bytes())
+    except (OSError, ValueError):
+        return {}
+    if not isinstance(known, dict):
+        return {}
+    return {key: truth for key, truth in known.items() if (output / f"{key}.npz").is_file()}
 
 
 def _make_folder(folder: Path) -> None:

@@ -54,6 +54,10 @@ class TakeOver(BaseEdit, frozen=True, tag="take_over"):
         """Its parts one after another."""
         for each in self.edits:
             each.apply(number, walk, insisted)
+        for each in self.edits:
+            mark = walk.line.find(each.time_s) if isinstance(each, Add) else None
+            if mark is not None and mark.by_hand:
+                mark.taken_from = self.source
         for time_s, confidence in self.confidences:
             mark = walk.line.find(time_s)
             if mark is not None:

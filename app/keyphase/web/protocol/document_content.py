@@ -161,6 +161,7 @@ def boundaries_of(labeling: Labeling) -> tuple[say.BoundaryMessage, ...]:
             contact_change=boundary.contact_change,
             change=boundary.automatic.change if boundary.automatic else "",
             was_s=boundary.was_s,
+            taken_from=boundary.taken_from,
             accepted=boundary.accepted,
             unsure=is_unsure(boundary),
             at_m=position if boundary.contact_change else None,

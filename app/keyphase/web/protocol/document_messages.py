@@ -51,11 +51,12 @@ class Why(Struct, frozen=True):
 class BoundaryMessage(Struct, frozen=True):
     """A boundary.
 
-    was_s     moved by hand from there
-    accepted  seen by a person and found right
-    unsure    a person should look at it
-    change    what became of the contact; "" where it is no contact change
-    at_m      where the tool was at a contact change
+    was_s       moved by hand from there
+    taken_from  whose it was, where it was added by taking over
+    accepted    seen by a person and found right
+    unsure      a person should look at it
+    change      what became of the contact; "" where it is no contact change
+    at_m        where the tool was at a contact change
     """
 
     time_s: float
@@ -65,6 +66,7 @@ class BoundaryMessage(Struct, frozen=True):
     contact_change: bool
     change: str
     was_s: float | None
+    taken_from: str | None
     accepted: bool
     unsure: bool
     at_m: Point | None

@@ -24,7 +24,8 @@ def sentences(boundary: LabeledBoundary, threshold: float | None, meeting: "Meet
     said: list[str] = []
     found = boundary.automatic
     if found is None:
-        return ["Placed by you."]
+        taken = boundary.taken_from
+        return [f"Taken over: {taken}."] if taken else ["Placed by you."]
     if boundary.was_s is not None:
         said.append(f"Moved by you from {boundary.was_s:.3f} s.")
     if found.gripper:

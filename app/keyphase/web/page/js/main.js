@@ -197,7 +197,9 @@ socket = openSocket(pageId, {
       upload.broke();
       own.forget();
     }
-    const { document: doc, lostAt } = store.state;
+    const { document: doc, lostAt, following } = store.state;
+    // A server that was started anew would show the first recording; asked before anything else.
+    if (connected && doc && !following) actions.open(doc.id);
     store.set(
       connected
         ? { connected, lostAt: null }

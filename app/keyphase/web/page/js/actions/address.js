@@ -15,6 +15,8 @@ export function createAddress(store, actions) {
   let wanted = addressIn(location.hash);
   let shown = "";
   let timer = 0;
+  /** What was shown when the connection broke. @type {object|null} */
+  let left = null;
 
   /** Opens the recording the address names, then goes to its time. */
   function go() {
@@ -24,7 +26,7 @@ export function createAddress(store, actions) {
     if (state.document?.id !== item.id) return actions.open(item.id);
     const { time } = wanted;
     wanted = null;
-    if (time !== null) actions.goTo(time);
+    if (time !== null && !state.playhead.playing) actions.goTo(time);
   }
 
   function write(time) {
@@ -42,6 +44,13 @@ export function createAddress(store, actions) {
     shown = address;
   }
 
+  // A server that was started anew knows no playhead: the page brings its own back.
+  store.on(["connected"], ({ connected, document: doc, clock, following }) => {
+    if (connected === false && doc && !wanted && !following)
+      wanted = { name: doc.name, time: clock || null };
+    left = doc;
+  });
+  store.later(["document"], ({ connected, document: doc }) => connected && doc !== left && go());
   store.later(["recordings"], () => state.document === null && go());
   store.later(["recording"], () => {
     go();

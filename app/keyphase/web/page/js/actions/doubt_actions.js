@@ -1,6 +1,6 @@
 /** From one unsure boundary to the next, in this recording and then in the others. */
 
-import { nextDoubtful, nextUndone } from "../model/recordings/recording_list.js";
+import { misfitAt, nextDoubtful, nextUndone } from "../model/recordings/recording_list.js";
 import { unsureBoundaries } from "../model/unsure.js";
 
 /**
@@ -17,6 +17,8 @@ export function createDoubtActions(store, actions) {
   });
   /** The document as it was before a proposal was taken over. @type {import("../model/types.js").Doc|null} */
   let taking = null;
+  /** The phase that fits badly in what was taken over, until that was told. @type {{id: string, at: string}|null} */
+  let misfit = null;
   store.on(["document"], ({ document: doc }) => {
     if (!taking || (doc?.id === taking.id && doc.revision <= taking.revision)) return;
     const arrived = doc?.id === taking.id;
@@ -35,6 +37,19 @@ export function createDoubtActions(store, actions) {
   }
   const tell = (text) => store.set({ notice: { level: "info", text } });
 
+  /** What differs from the finished recordings is looked at last. @param {string} then */
+  function tellMisfit(then) {
+    const { at } = misfit;
+    misfit = null;
+    const { segments } = state.document;
+    const index = segments.findIndex(({ label }) => label === at);
+    if (index >= 0) {
+      actions.select(index);
+      actions.goTo(segments[index].start_s);
+    }
+    store.set({ notice: { level: "warning", text: `${misfitAt(at)} Look at it. ${then}` } });
+  }
+
   /** Goes to the next recording with an unsure boundary, and there to the least certain one. */
   function goOn() {
     const next = nextDoubtful(state);
@@ -52,8 +67,9 @@ export function createDoubtActions(store, actions) {
       return show(unsure.at(next % unsure.length));
     },
     /** Once what is being taken over has come, its first doubt is shown. */
-    doubtsOfProposal() {
+    doubtsOfProposal(/** @type {string|null} */ differsAt) {
       taking = state.document;
+      misfit = taking && differsAt !== null ? { id: taking.id, at: differsAt } : null;
     },
     /** The next unsure boundary; where none is left, what can be done now is told. */
     nextDoubt() {
@@ -65,7 +81,9 @@ export function createDoubtActions(store, actions) {
       const on = next && next.id !== state.recording ? `, on to ${next.name}` : "";
       const doubtful = nextDoubtful(state);
       const other = doubtful ? ` N: the next doubt, in ${doubtful.name}.` : "";
-      return tell(`No doubt left. K: done${on}.${other}`);
+      const then = `K: done${on}.${other}`;
+      if (misfit?.id !== state.document?.id) return tell(`No doubt left. ${then}`);
+      return tellMisfit(then);
     },
   };
   return own;

@@ -78,16 +78,19 @@ export function createRecordingActions(store, send, actions) {
     },
     /** Takes over what is proposed from finished recordings; where nothing is, all names. */
     acceptAll() {
-      if (!proposedHere(state)) return actions.acceptNames();
+      const proposed = proposedHere(state);
+      if (!proposed) return actions.acceptNames();
       if (state.readOnly) return undefined;
-      actions.doubtsOfProposal();
+      actions.doubtsOfProposal(proposed.differs_at);
       send({ type: "take_over", from: PROPOSED });
       return own.compare(null);
     },
     /** Makes the other segmentation this recording's, as one step. */
     takeOver() {
       const from = state.comparison?.with;
+      if (from === PROPOSED && proposedHere(state)) return own.acceptAll();
       if (from && !state.readOnly) send({ type: "take_over", from });
+      return undefined;
     },
     /** The recording as it now is, without what was made of it as it was. */
     startOver() {

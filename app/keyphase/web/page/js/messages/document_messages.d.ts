@@ -90,6 +90,7 @@ export interface NoticeMessage {
 /**
  * A boundary.
  * - was_s: moved by hand from there
+ * - taken_from: whose it was, where it was added by taking over
  * - accepted: seen by a person and found right
  * - unsure: a person should look at it
  * - change: what became of the contact; "" where it is no contact change
@@ -103,6 +104,7 @@ export interface BoundaryMessage {
   contact_change: boolean;
   change: string;
   was_s: number | null;
+  taken_from: string | null;
   accepted: boolean;
   unsure: boolean;
   at_m: [number, number, number] | null;

@@ -144,6 +144,7 @@ export interface FrozenBoundary {
   contact_change: boolean;
   was_s?: number | null;
   accepted?: boolean;
+  taken_from?: string | null;
 }
 
 /** A segment as it stood; see `LabeledSegment`. `undecided`: nobody said whether to keep it. */

@@ -59,6 +59,7 @@ const DRAWN = {
       ...moved,
       time_s: to,
       was_s: moved.was_s ?? moved.time_s,
+      taken_from: null,
       unsure: false,
       origin: /** @type {const} */ ("user"),
     });
@@ -199,6 +200,7 @@ function placed(time) {
     contact_change: false,
     change: "",
     was_s: null,
+    taken_from: null,
     accepted: true,
     unsure: false,
     at_m: null,

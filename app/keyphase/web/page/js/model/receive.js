@@ -26,7 +26,8 @@ export function createReceiver(
       store.set({
         greeted: true,
         lookingOnly: message.read_only,
-        readOnly: message.read_only,
+        // What is still shown from before can be changed once the server has it open again.
+        readOnly: message.read_only || state.document !== null,
         defaults: message.defaults,
         command: message.command,
       });

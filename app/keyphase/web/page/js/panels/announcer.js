@@ -54,13 +54,16 @@ export function segmentText({ segments }, index) {
 
 /** "Boundary 2 at 3.596 s, from force, contact change, confidence 0.98". */
 export function boundaryText({ boundaries }, index) {
-  const { time_s: time, origin, contact_change: contact, confidence, accepted } = boundaries[index];
+  const { time_s: time, origin, contact_change: contact, confidence } = boundaries[index];
+  const { accepted, taken_from: from } = boundaries[index];
   const facts = [
     `Boundary ${index + 1} at ${moment(time)}`,
     origin === "both"
       ? "from position and force"
       : origin === "user"
-        ? "placed by hand"
+        ? from
+          ? "taken over"
+          : "placed by hand"
         : origin === "gripper"
           ? "from the gripper"
           : `from ${origin}`,

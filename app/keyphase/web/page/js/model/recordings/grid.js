@@ -211,6 +211,20 @@ export function changed(stretch, { label, to }) {
 }
 
 /**
+ * Phases and names as they are called after a change; a new name has the colour of the old one.
+ * @template {{phases: Grid["phases"]}} G
+ * @param {G} grid
+ * @param {string[]} names
+ * @param {Change} change
+ * @returns {{grid: G, names: string[]}}
+ */
+export function calledAfter(grid, names, { label, to }) {
+  if (to === null || names.includes(to)) return { grid, names };
+  const phases = grid.phases.map((one) => (one.name === label ? { ...one, name: to } : one));
+  return { grid: { ...grid, phases }, names: names.map((one) => (one === label ? to : one)) };
+}
+
+/**
  * The colour of a segment: that of its phase, so that it is the same in all recordings.
  * @param {Pick<Grid, "phases">} grid
  * @param {Stretch} stretch

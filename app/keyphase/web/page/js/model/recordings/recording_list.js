@@ -177,7 +177,7 @@ export const GIVEN = "given";
 
 /**
  * The line of the recording that is shown, where something is proposed and nobody has touched it.
- * @param {import("../../lib/store.js").State} state
+ * @param {Pick<import("../../lib/store.js").State, "recording"|"recordings">} state
  * @returns {import("../types.js").Recording|undefined}
  */
 export function proposedHere({ recordings, recording }) {

@@ -95,9 +95,14 @@ function choice({ name, id }, chosen, actions) {
 /** The server looks for videos when it is asked, once a recording is open. */
 function askWhenOpen(store, send) {
   let asked = null;
-  store.on(["connected"], () => (asked = null));
-  store.later(["document", "connected"], ({ document: doc, connected }) => {
-    if (!doc || !connected || asked === doc.id) return;
+  /** What a page still shows whose server may have been started anew, and has it not open yet. */
+  let left = null;
+  store.on(["connected"], ({ document: doc }) => {
+    asked = null;
+    left = doc;
+  });
+  store.later(["document"], ({ document: doc, connected }) => {
+    if (!doc || !connected || doc === left || asked === doc.id) return;
     asked = doc.id;
     send({ type: "cameras", recording: doc.id });
   });

@@ -3,6 +3,7 @@
 import { el } from "../../lib/dom.js";
 import { plural, time as timeText } from "../../lib/format.js";
 import {
+  calledAfter,
   changed,
   colorOf,
   effectOf,
@@ -76,7 +77,7 @@ function drawRow(row, pieces, changes, given) {
         drawStrip(
           row,
           pieces.map((piece) => ({ ...piece, stretch: changed(piece.stretch, change) })),
-          given,
+          { ...given, ...calledAfter(given.grid, given.names, change) },
           "after",
         ),
     ),

@@ -107,20 +107,20 @@ function typedTime(at, told) {
   return el("span", { class: "typed" }, input, before.includes(":") ? "" : " s");
 }
 
-function tags({ origin, contact_change: contact, accepted }) {
+function tags({ origin, contact_change: contact, accepted, taken_from: from }) {
   const tag = (text, color) => el("span", { class: "tag", style: { "--tag": color }, text });
   return el(
     "p",
     { class: "tags" },
-    tag(NAMES[origin], originColor(origin)),
+    tag(from ? "taken over" : NAMES[origin], originColor(origin)),
     contact ? tag("contact change", "var(--origin-force)") : "",
     accepted ? tag("accepted", "var(--good)") : "",
   );
 }
 
-/** Numbers of the first sentence stand out; everything stays text. */
+/** Numbers of the first sentence stand out, not those in names; everything stays text. */
 function sentence(text) {
-  const parts = text.split(/(\d[\d.,]*(?: ×)?)/);
+  const parts = text.split(/((?<![\p{L}\d_.])\d[\d.,]*(?: ×)?)/u);
   return el("p", {}, ...parts.map((part, k) => (k % 2 ? el("b", { text: part }) : part)));
 }
 

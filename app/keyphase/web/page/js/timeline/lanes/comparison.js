@@ -134,16 +134,18 @@ export function nameOf(other) {
 export function createComparisonGutter({ node, body }, store, actions) {
   const name = el("b", { class: "other-name" });
   const score = el("span", { class: "other-score" });
-  const take = el(
-    "button",
-    {
-      type: "button",
-      class: "tool",
-      title: "Take over: make this segmentation the recording’s, in one step",
-      "aria-label": "Take over",
-      on: { click: actions.takeOver },
-    },
-    icon("check", "small"),
+  const take = /** @type {HTMLElement} */ (
+    el(
+      "button",
+      {
+        type: "button",
+        class: "tool",
+        title: "Take over: make this segmentation the recording’s, in one step",
+        "aria-label": "Take over",
+        on: { click: actions.takeOver },
+      },
+      icon("check", "small"),
+    )
   );
   const close = el(
     "button",
@@ -171,17 +173,20 @@ export function createComparisonGutter({ node, body }, store, actions) {
     const labels = `labels ${Math.round(100 * same)} %`;
     name.textContent = nameOf(other);
     score.textContent = `F1 ${f1.toFixed(2)}${late}${store.state.small ? "" : ` · ${labels}`}`;
+    take.hidden = store.state.readOnly;
     if (proposed) {
-      score.textContent = `from ${namesOf(proposed.proposed_from)} · Shift Enter`;
+      const from = `from ${namesOf(proposed.proposed_from)}`;
+      // The key first: many names have no room.
+      score.textContent = take.hidden ? from : `Shift Enter · ${from}`;
       node.title =
-        `Proposed from ${namesOf(proposed.proposed_from)}; its least sure part has a confidence ` +
-        `of ${proposed.proposed_confidence?.toFixed(2)}. Shift Enter takes it over, in one step.`;
+        `Proposed ${from}; its least sure part has a confidence of ` +
+        `${proposed.proposed_confidence?.toFixed(2)}.` +
+        (take.hidden ? "" : " Shift Enter takes it over, in one step.");
       return;
     }
     node.title =
       `Compared with ${nameOf(other)}: F1 ${f1.toFixed(2)}${timing === null ? "" : `, shared boundaries${late.replace(" ·", "")} apart`}, ${labels} of the time the same; ` +
       `${onlyFirst.length} only here (×), ${onlySecond.length} only there (red)`;
-    /** @type {HTMLElement} */ (take).hidden = store.state.readOnly;
   };
   return show;
 }

@@ -1,0 +1,57 @@
+/** What is said once no doubt of a recording is left. */
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { createDoubtActions } from "../../app/keyphase/web/page/js/actions/doubt_actions.js";
+import { boundary, documentOf } from "./documents.js";
+
+/** A store that tells at once, and what is done by other actions. */
+function given(document) {
+  const recordings = {
+    items: [{ id: document.id, state: "touched", unsure: 0, name: "a", folder: "" }],
+  };
+  const filter = "";
+  const state = {
+    document,
+    recordings,
+    filter,
+    recording: document.id,
+    current: null,
+    playhead: {},
+  };
+  const listeners = [];
+  const set = (patch) => {
+    Object.assign(state, patch);
+    for (const [names, draw] of listeners) if (names.some((name) => name in patch)) draw(state);
+  };
+  const store = { state, set, on: (names, draw) => listeners.push([names, draw]) };
+  const done = [];
+  const others = { select: (k) => done.push(["select", k]), goTo: (t) => done.push(["goTo", t]) };
+  const actions = createDoubtActions(/** @type {any} */ (store), others);
+  return { state: /** @type {any} */ (state), set, actions, done };
+}
+
+test("a phase that fits badly is shown and told once its proposal was taken over", () => {
+  const before = documentOf(10, [boundary(5)], { revision: 3 });
+  const { state, set, actions, done } = given(before);
+  const at = before.segments[1].label;
+  actions.doubtsOfProposal(at);
+  set({ document: { ...before, revision: before.revision + 1 } });
+  assert.match(state.notice.text, new RegExp(`“${at}” fits badly`));
+  assert.equal(state.notice.level, "warning");
+  assert.deepEqual(done, [
+    ["select", 1],
+    ["goTo", before.segments[1].start_s],
+  ]);
+  actions.nextDoubt();
+  assert.match(state.notice.text, /^No doubt left/);
+});
+
+test("nothing is said of a phase where the proposal fitted", () => {
+  const before = documentOf(10, [boundary(5)], { revision: 3 });
+  const { state, set, actions, done } = given(before);
+  actions.doubtsOfProposal(null);
+  set({ document: { ...before, revision: before.revision + 1 } });
+  assert.match(state.notice.text, /^No doubt left/);
+  assert.deepEqual(done, []);
+});
