@@ -91,12 +91,15 @@ class Described:
 
     @cached_property
     def _lines(self) -> tuple[list[str], list[str]]:
-        """The docstring: before its table of fields, and that table without what raises."""
-        lines = inspect.cleandoc(self.kind.__doc__ or "").split("\n")
-        first = next((k for k, one in enumerate(lines) if _FIELD_LINE.match(one)), len(lines))
-        table = lines[first:]
-        last = next((k for k, one in enumerate(table) if not one), len(table))
-        return lines[:first] + table[last:], table[:last]
+        """The docstring: its sentences, and its tables of fields, each a paragraph or its end."""
+        sentences: list[str] = []
+        tables: list[str] = []
+        for paragraph in inspect.cleandoc(self.kind.__doc__ or "").split("\n\n"):
+            lines = paragraph.split("\n")
+            first = next((k for k, one in enumerate(lines) if _FIELD_LINE.match(one)), len(lines))
+            sentences += lines[:first]
+            tables += lines[first:]
+        return sentences, tables
 
 
 def messages() -> tuple[Described, ...]:

@@ -32,6 +32,12 @@ def test_words_are_said_of_fields_that_are_there() -> None:
             assert said <= {field.name for field in one.fields}, one.name
 
 
+def test_no_sentence_is_a_table_of_fields_run_together() -> None:
+    for whole in (*messages(), *requests(), *edits()):
+        for one in parts_of(whole):
+            assert "  " not in one.summary, one.name
+
+
 def test_no_two_structs_share_a_name() -> None:
     kinds: dict[str, type] = {}
     for whole in (*messages(), *requests(), *edits()):

@@ -79,6 +79,19 @@ def test_undo_of_another_pages_step_is_told_to_both(workbench: Workbench) -> Non
     assert "notice" not in two.told
 
 
+def test_undo_after_a_page_was_loaded_again_names_no_page_that_is_there(
+    workbench: Workbench,
+) -> None:
+    before = TalkingPage(workbench, "before")
+    before.say("edit", before.document(), edit={"kind": "add", "time_s": 0.4})
+    before.wait_for(lambda: before.told["document"]["edits"] == 1)
+    before.conversation.end()
+    page = TalkingPage(workbench, "after")
+    page.say("undo", page.document())
+    page.wait_for(lambda: "notice" in page.told)
+    assert "of a page that was closed or loaded again" in page.told["notice"]["text"]
+
+
 def test_undo_takes_back_nothing_that_was_not_seen(workbench: Workbench) -> None:
     one, two = TalkingPage(workbench, "one"), TalkingPage(workbench, "two")
     seen = one.document()

@@ -87,6 +87,11 @@ class View:
         self.replay.greet(watcher)
         self._around.selection_changed()
 
+    @property
+    def is_here(self) -> bool:
+        """Whether somebody has the page before them."""
+        return len(self._watchers) > 0
+
     def unwatch(self, watcher: Watcher) -> None:
         """Tell `watcher` no more."""
         with self._lock:
@@ -199,10 +204,9 @@ class View:
         self.each(lambda watcher: watcher.show_selection(self.selected))
 
     def _give_back(self, *desks: Desk | None) -> None:
-        for desk in desks:
-            if desk is not None:
-                desk.leave(self)
-                self._around.library.give_back(desk)
+        for desk in filter(None, desks):
+            desk.leave(self)
+            self._around.library.give_back(desk)
 
     # -- selection, playback, scene
 

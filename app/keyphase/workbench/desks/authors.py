@@ -29,10 +29,10 @@ class Authors:
         author = self._pages.get(step.number) if step else None
         if step is None or author in (None, page):
             return
-        numbers = {one.id: f"page {one.number}" for one in members}
+        numbers = {one.id: f"page {one.number}" for one in members if one.is_here}
         for member in members:
             if member.id == page:
-                whose = numbers.get(author, "another page")
+                whose = numbers.get(author, "a page that was closed or loaded again")
                 member.tell("info", f"Took back “{step.name}” of {whose}; {_AGAIN}.")
             elif member.id == author:
                 who = numbers.get(page, "another page").capitalize()

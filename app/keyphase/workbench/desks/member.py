@@ -18,6 +18,11 @@ class Member(Protocol):
     id: str
     number: int
 
+    @property
+    def is_here(self) -> bool:
+        """Whether somebody has the page before them."""
+        ...
+
     def tell(self, level: Level, text: str) -> None:
         """A line of text for this page alone."""
         ...

@@ -24,17 +24,19 @@ export interface Recordings {
 }
 
 /**
- * One line of the list. proposed_from, proposed_confidence  from which finished recordings its
- * segmentation is proposed,                                     and how sure the least sure of it
- * is outlier                             it fits none of the finished ones differs_at
- * the phase that fits badly, where phases seem to be others differences                         how
- * often another person's segments differ; null where                                     there are
- * none to compare with marked                              what is said of single segments
- * changed_since_done                  segments were changed after it was done
+ * One line of the list.
  * - folder: name of the folder it lies in
  * - strip: its segments in small; `color` null: idle or dropped
  * - unsure: how many boundaries a person should look at
  * - pages: who else is there
+ * - proposed_from, proposed_confidence: from which finished recordings its segmentation is
+ *   proposed, and how sure the least sure of it is
+ * - outlier: it fits none of the finished ones
+ * - differs_at: the phase that fits badly, where phases seem to be others
+ * - differences: how often another person's segments differ; null where there are none to compare
+ *   with
+ * - marked: what is said of single segments
+ * - changed_since_done: segments were changed after it was done
  */
 export interface RecordingLine {
   id: string;
