@@ -179,11 +179,9 @@ def _why(
 ) -> say.Why:
     found = boundary.automatic
     peak = found.peak if found else None
+    logged = logged_near(boundary.time_s, happenings)
     return say.Why(
-        sentences=(
-            *sentences(boundary, threshold, meeting),
-            *logged_near(boundary.time_s, happenings),
-        ),
+        sentences=(*sentences(boundary, threshold, meeting), *logged),
         reasons=_reasons(found.reasons if found else ()),
         height=peak.height if peak else None,
         times_threshold=peak.height / threshold if peak and threshold else None,

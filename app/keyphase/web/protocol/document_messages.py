@@ -95,7 +95,6 @@ class SegmentMessage(Struct, frozen=True):
     color     number of its colour
     short     the label, shorter, shortest
     middle_m  where the tool was in its middle
-    assessment  what a person thinks of it
     """
 
     start_s: float

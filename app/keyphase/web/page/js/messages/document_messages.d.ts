@@ -141,7 +141,6 @@ export interface StepMessage {
  * - color: number of its colour
  * - short: the label, shorter, shortest
  * - middle_m: where the tool was in its middle
- * - assessment: what a person thinks of it
  */
 export interface SegmentMessage {
   start_s: number;
