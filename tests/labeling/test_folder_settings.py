@@ -152,13 +152,16 @@ def test_a_number_beyond_floats_costs_only_its_parameter(tmp_path):
     assert "force_ratio" in (settings.notice or "")
 
 
-def test_settings_of_a_later_version_are_used_as_far_as_possible_and_never_written_over(tmp_path):
+@pytest.mark.parametrize("version", [2, 1.5, "2", "two"])
+def test_settings_of_a_later_version_are_used_as_far_as_possible_and_never_written_over(
+    tmp_path, version
+):
     change_folder_settings(tmp_path, learn("a"))
-    path = spoil(tmp_path, lambda c: c.update(version=2, more={"x": 1}))
+    path = spoil(tmp_path, lambda c: c.update(version=version, more={"x": 1}))
     later = path.read_bytes()
     settings = read_folder_settings(tmp_path)
     assert names(settings) == ["a"]
-    assert "version 2" in (settings.notice or "")
+    assert f"version {version!r}" in (settings.notice or "")
     with pytest.raises(JournalError, match="later version"):
         change_folder_settings(tmp_path, learn("b"))
     assert path.read_bytes() == later

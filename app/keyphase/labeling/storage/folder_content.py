@@ -41,7 +41,7 @@ def folder_content(content: Any) -> FolderContent:
         return FolderContent(left_out=("everything, for it is no object",))
     left_out: list[str] = []
     version = content.get("version")
-    later = isinstance(version, int) and version > VERSION
+    later = _is_later(version)
     if version != VERSION:
         left_out.append(f"version {version!r:.20}, where {VERSION} was expected")
     vocabulary = _vocabulary(content.get("labels", []), left_out)
@@ -49,6 +49,15 @@ def folder_content(content: Any) -> FolderContent:
     tasks = tasks_in(content.get("phases", []), left_out)
     others = {n: v for n, v in content.items() if n not in _OWN and _is_json(v)}
     return FolderContent(vocabulary, parameters, tasks, tuple(left_out), later, others)
+
+
+def _is_later(version: Any) -> bool:
+    """Whether it is no version of today or before; one that is missing was damaged."""
+    try:
+        return not isinstance(version, bool) and float(version) > VERSION
+    except (TypeError, ValueError, OverflowError):
+        # A name of a version, which this keyphase does not know.
+        return isinstance(version, str)
 
 
 def _vocabulary(items: Any, left_out: list[str]) -> Vocabulary:
