@@ -1,6 +1,7 @@
 """Which files in a folder are recordings, and which recipe reads them."""
 
 import os
+import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pytest
 
 from keyphase.errors import DemonstrationError
 from keyphase.readers import find_recordings, read
+from keyphase.writers import WRITERS
 
 NATIVE = "time_s,position_x_m,position_y_m,position_z_m\n0,1,2,3\n1,1,2,3\n"
 FOREIGN = "t;x;y;z\n0;1;2;3\n1;1;2;3\n"
@@ -51,6 +53,17 @@ def folder(tmp_path: Path) -> Path:
 
 def names(found: tuple[tuple[Path, Path], ...]) -> list[str]:
     return [relative.as_posix() for _, relative in found]
+
+
+def test_what_keyphase_writes_beside_a_recording_is_none_of_its_own(folder: Path) -> None:
+    before = names(find_recordings([folder]))
+    for writer in WRITERS:
+        if writer.ending:
+            for name in ("one", "one_2"):
+                shutil.copy(
+                    folder / "batch" / "one.txt", folder / "batch" / f"{name}{writer.ending}"
+                )
+    assert names(find_recordings([folder])) == before
 
 
 def test_a_folder_gives_its_recordings_sorted_by_their_names_in_it(folder: Path) -> None:

@@ -74,11 +74,13 @@ class Inspect:
 
 def _unread_tables(folder: Path, found: list[Path]) -> Iterator[Path]:
     """Tables right in a folder that have no recipe yet."""
+    from keyphase.readers.finding import EXPORTED_SUFFIXES
+
     known = set(found)
     for path in sorted(folder.iterdir()):
         is_table = path.suffix.lower() in (".csv", ".tsv", ".txt", ".dat", ".log", ".asc")
         is_read = path in known or any(one.name.startswith(f"{path.name}#") for one in found)
-        if is_table and not is_read and not path.name.endswith(".segments.csv"):
+        if is_table and not is_read and not path.name.endswith(EXPORTED_SUFFIXES):
             yield path
 
 

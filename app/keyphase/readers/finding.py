@@ -26,7 +26,8 @@ EXPORTS_FOLDER = "keyphase_exports"
 
 _TABLE_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".log", ".asc")
 _BINARY_SUFFIXES = (".hdf5", ".h5", ".zip", ".bag", ".mcap", ".mat", ".npy", ".parquet")
-_SEGMENTS_SUFFIXES = (".segments.csv", ".segments.mcap")
+EXPORTED_SUFFIXES = (".segments.csv", ".segments.mcap", ".program.txt")
+"""What keyphase writes beside recordings and would be read as one, if a recipe lies there."""
 
 
 class Found(NamedTuple):
@@ -187,7 +188,7 @@ def undescribed_alike(path: Path, folder: Path) -> tuple[Path, ...]:
         path
         for path in paths
         if path.name.lower().endswith(_TABLE_SUFFIXES)
-        and not path.name.endswith(_SEGMENTS_SUFFIXES)
+        and not path.name.endswith(EXPORTED_SUFFIXES)
         and path.is_file()
         and not _is_recording(path, recipe_given=False)
     )
@@ -234,7 +235,7 @@ def _refuse(error: OSError) -> None:
 
 def _is_recording(path: Path, recipe_given: bool) -> bool:
     name = path.name.lower()
-    if name.endswith(_SEGMENTS_SUFFIXES):
+    if name.endswith(EXPORTED_SUFFIXES):
         return False
     if name.endswith(".npz"):
         return True
