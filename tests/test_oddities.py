@@ -101,6 +101,14 @@ def test_a_flip_of_the_orientation_is_noticed():
     assert "turns by 180°" in text
 
 
+def test_quaternions_that_seem_to_be_in_the_other_order_are_told():
+    half = np.linspace(0.0, 0.5, 1000)
+    xyzw = np.stack([0 * half, np.sin(half), 0 * half, np.cos(half)], axis=1)
+    (text,) = texts(demonstration(orientation_wxyz=xyzw), "order")
+    assert 'order = "xyzw"' in text
+    assert not texts(demonstration(orientation_wxyz=np.roll(xyzw, 1, axis=1)), "order")
+
+
 def test_a_pose_that_stands_while_joints_move_is_noticed():
     joints = np.linspace(0, 1, 1000)[:, None]
     still = np.tile([0.4, 0, 0.3], (1000, 1))

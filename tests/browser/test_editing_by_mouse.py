@@ -80,6 +80,7 @@ def test_a_lens_shows_the_signal_while_dragging(editor: KeyphasePage) -> None:
     editor.until("keyphase.state.lens")
     editor.settle()
     lens = editor.box("#lens")
+    assert lens.y + lens.height < editor.box("#transport").y
     assert editor.picture("lens").count("#1c7ed6", lens, tolerance=40) > 30
     editor.press("Escape")
     editor.page.mouse.up()

@@ -19,6 +19,7 @@ def test_the_timeline_shows_the_take_while_it_is_recorded_and_it_is_cut_afterwar
     page.until("keyphase.state.take?.times.length > 5")
     live = page.page.locator(".take")
     assert "Recording setup1" in live.inner_text()
+    assert "A take is being recorded" in page.text("#plan")
     assert page.page.locator(".notice").count() == 0, "over what is led by hand"
     assert live.locator("polyline").first.get_attribute("points")
     page.picture("live_take")

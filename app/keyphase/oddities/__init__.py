@@ -13,7 +13,14 @@ from keyphase.oddities.forces import (
     wandering_force,
 )
 from keyphase.oddities.oddity import Oddity
-from keyphase.oddities.poses import jumps, odd_reach, still_pose, turns_too_fast, zero_rows
+from keyphase.oddities.poses import (
+    jumps,
+    odd_order,
+    odd_reach,
+    still_pose,
+    turns_too_fast,
+    zero_rows,
+)
 from keyphase.oddities.time_steps import gaps, odd_time, too_brief
 
 __all__ = ["Oddity", "breaks_of", "breaks_within", "oddities_of"]
@@ -26,6 +33,7 @@ _CHECKS = (
     gaps,
     jumps,
     turns_too_fast,
+    odd_order,
     zero_rows,
     still_pose,
     odd_reach,

@@ -7,7 +7,7 @@ from keyphase.demonstration import Demonstration
 from keyphase.notices import Severity
 
 Kind = Literal["time", "gap", "jump", "zero rows", "constant", "saturated", "frozen",
-               "still pose", "wander", "sign", "scale"]  # fmt: skip
+               "still pose", "wander", "sign", "scale", "order"]  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,10 @@ _MAX_REACH_M = 20.0
 _MIN_REACH_M = 5e-5
 _MIN_JOINT_RAD = 0.02
 
+_ALL_OF_IT = 0.98
+_MOST_OF_IT = 0.7
+"""Parts of a quaternion of length one: within 23 and 91 degrees of half a turn about its axis."""
+
 
 def jumps(demonstration: Demonstration) -> list[Oddity]:
     """The first few jumps."""
@@ -92,6 +96,22 @@ def turns_too_fast(demonstration: Demonstration) -> list[Oddity]:
     )
     span = float(demonstration.time_s[row]), float(demonstration.time_s[row + 1])
     return [Oddity("jump", "warning", text, span)]
+
+
+def odd_order(demonstration: Demonstration) -> list[Oddity]:
+    """Half a turn about z at the beginning, and near it to the end: no turn, read as x y z w."""
+    wxyz = demonstration.orientation_wxyz
+    if wxyz is None or np.all(wxyz == wxyz[0]):
+        return []
+    z = np.abs(wxyz[:, 3])
+    if z[0] < _ALL_OF_IT or z.min() < _MOST_OF_IT:
+        return []
+    text = (
+        "The tool begins turned by half a turn about z and stays near that; if its quaternions "
+        "were written x y z w, it begins not turned at all: check their order (a recipe says it: "
+        'order = "xyzw").'
+    )
+    return [Oddity("order", "note", text)]
 
 
 def zero_rows(demonstration: Demonstration) -> list[Oddity]:

@@ -10,6 +10,7 @@ import { attachChipKeys } from "./plan_keys.js";
 
 const CLICK_PX = 4;
 const MOST_CHIPS = 150;
+const TAKE = "A take is being recorded: its plan comes when it is over.";
 /** The end of the strip fades over so much, where it goes on. */
 const FADES_PX = 20;
 
@@ -28,9 +29,13 @@ export function createPlan(store, actions) {
   );
 
   const keys = attachChipKeys(chips, store, actions);
-  store.on(["document", "selected", "small", "planDrag", "readOnly"], (state) => {
-    const { document: doc, selected, planDrag } = state;
-    if (!doc) return void [summary, chips, drops].forEach((node) => node.replaceChildren());
+  store.on(["document", "selected", "small", "planDrag", "readOnly", "take"], (state) => {
+    const { document: doc, selected, planDrag, take } = state;
+    if (!doc || take) {
+      [summary, chips, drops].forEach((node) => node.replaceChildren());
+      if (take) chips.append(el("span", { class: "plan-note", text: TAKE }));
+      return;
+    }
     summary.textContent = describe(doc, state.small);
     const order = planDrag ? planDrag.order : doc.plan.map((_, k) => k);
     const nodes = order.slice(0, MOST_CHIPS).flatMap((k, place) => {

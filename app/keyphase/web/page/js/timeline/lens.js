@@ -45,10 +45,10 @@ function place(canvas, timeline, { x, y }) {
   const right = box.left + x + 24;
   const left = right + WIDTH > innerWidth - 8 ? box.left + x - 24 - WIDTH : right;
   canvas.style.setProperty("left", `${left}px`);
-  canvas.style.setProperty(
-    "top",
-    `${Math.max(8, Math.min(box.top + y - HEIGHT - 12, innerHeight - HEIGHT - 8))}px`,
-  );
+  const beside = Math.max(8, Math.min(box.top + y - HEIGHT - 12, innerHeight - HEIGHT - 8));
+  // Over the scene, where there is room, so that it covers no tool and no time.
+  const above = byId("transport").getBoundingClientRect().top - HEIGHT - 8;
+  canvas.style.setProperty("top", `${above < 8 ? beside : Math.min(above, beside)}px`);
 }
 
 /** @param {import("../lib/store.js").State} state */
