@@ -74,6 +74,8 @@ class Plan:
         self.sense(*sensed)
         if self.s.search:
             self.touch(self.s.press.direction, self.s.search.depth_m)
+        if self.s.squaring:
+            self.felt = self.felt + self.s.squaring.smoothed * (self.force - self.felt)
         self.over = next(self.ticks, "over") == "over"
 
     def sense(self, position, orientation, velocity, force, opening=None):
@@ -165,7 +167,7 @@ class Plan:
             wanted = wanted + (min(here, at @ d + self.n.followed_beyond_m) - wanted @ d) * d
         return wanted
 
-    # Where it stands and presses, and a part is squared or goes in
+    # Where it stands and presses, and a part goes in or is squared
 
     def stay(self, over, stage=None):
         """Stand where the reference is and press, until it is over, as a stage says."""
@@ -178,10 +180,8 @@ class Plan:
 
     def given_way(self, stage, tick, there):
         """The reference of a stage: moved as the file says, and by what the tool meets."""
-        rows, d = stage.moves, self.s.press.direction
-        now, then = (rows[min(one, len(rows) - 1)] for one in (tick, tick + 1))
-        way = now[:3] + now[3] * self.aside
-        off = gap(there, self.here) + np.r_[way - self.yielded, 0, 0, 0]
+        d, now = self.s.press.direction, stage.moves[min(tick, len(stage.moves) - 1)]
+        off = gap(there, self.here) + np.r_[now[:3] - self.yielded, 0, 0, 0]
         felt = np.linalg.norm(beside(self.felt - self.free, d))
         left = max(stage.aside_left, min(1.0, stage.yields_N / (felt + 1e-9)))
         lost = (1 - left) * beside(off[:3], d)
@@ -189,12 +189,11 @@ class Plan:
         self.yielded = (1 - back) * self.yielded + stage.stays_aside * lost
         turning = stage.turning_left[int(self.fell or self.sought)]
         at, q = moved(self.here, np.r_[off[:3] - lost, turning * off[3:]])
-        velocity = stage.leads * (then[:3] + then[3] * self.aside - way) / self.h
-        return *moved((at, q), np.r_[0, 0, 0, now[4:]]), np.r_[velocity, 0, 0, 0]
+        return *moved((at, q), np.r_[0, 0, 0, now[3:]]), REST
 
     def made(self, press, seek):
         """Press a contact that was met; a part is squared on it, or its seat is sought, too."""
-        self.met, self.aside = True, np.zeros(3)
+        self.met = True
         self.pressed.append((self.s.press.direction, press.force_N))
 
         def settled(time):
@@ -208,17 +207,65 @@ class Plan:
                 presses += 1
                 yield from self.stay(settled, press)
                 continue
-            pressed = self.pressed
-            if self.s.squaring:
-                self.aside = beside(self.goes_to - self.here[0], self.s.squaring.normal)
-                self.reference, self.pressed = (self.here[0], *self.reference[1:]), []
             yield from self.stay(lambda t: t > len(seek.moves) * self.h or self.is_in(), seek)
             self.sought = True
             if not self.is_in():
                 return "timeout"
-            self.reference, self.pressed = (*self.here, REST), pressed
+            self.reference = *self.here, REST
+            yield from self.stay(settled, press)
+        if self.s.squaring:
+            yield from self.squared(self.s.squaring)
+            self.reference = *self.here, REST
             yield from self.stay(settled, press)
         return "contact"
+
+    def squared(self, sq):
+        """Follow the strokes that square a part."""
+        places, q = self.strokes(sq, self.here[0]), self.reference[1]
+        now = next(places)
+        for then in places:
+            self.reference, now = (now, q, np.r_[(then - now) / self.h, 0, 0, 0]), then
+            yield
+        self.reference = now, q, REST
+        yield
+
+    def strokes(self, sq, at):
+        """Where the tool is to be: lifted, at rest, moved along two axes, and put down."""
+        lift, aside = -sq.lift_m * sq.normal, self.goes_to - at
+        lifting = round(sq.lift_s / self.h)
+        eased = (1 - np.cos(np.pi * np.arange(lifting) / lifting)) / 2
+        yield from (at + share * lift for share in eased)
+        at, self.free, still = at + lift, np.zeros(3), round(sq.still_s / self.h)
+        for _ in range(still):
+            yield at
+            self.free = self.free + self.force / still
+        for way, count in zip((np.cross(sq.normal, sq.along), sq.along), sq.strokes, strict=True):
+            ends, felt = [0.0], 0
+            for n in range(count - 1):
+                reach = sq.reach_m * (-1) ** n
+                goal = ends[-1] + 2 * reach if n else aside @ way + reach
+                lasts = sq.flush_s if n >= count - 1 - sq.flushing else sq.felt_s
+                end, side = yield from self.stroke(sq, at, way, ends[-1], goal, lasts)
+                ends, felt = [*ends, end], felt + side
+            back = (ends[-1] + ends[-2]) / 2 if felt >= sq.sides else aside @ way
+            end, _ = yield from self.stroke(sq, at, way, ends[-1], back, np.inf)
+            at = at + end * way
+        yield from (at - share * lift for share in eased)
+
+    def stroke(self, sq, at, way, place, goal, lasts):
+        """One stroke; returns where it ended, and whether it felt a side for so long."""
+        sign, time, resisted = 1 if goal > place else -1, 0.0, 0.0
+        while sign * (goal - place) > 0:
+            time += self.h
+            place += sign * sq.speed_m_s * self.h * min(1, time / sq.ramp_s)
+            yield at + place * way
+            resists = sign * (self.free - self.felt) @ way > sq.felt_N
+            resisted = resisted + self.h if resists else 0.0
+            if not resists:
+                self.free = self.free + sq.forgets * (self.force - self.free)
+            if time > sq.ramp_s and resisted >= lasts - 1e-9:
+                return place, True
+        return place, False
 
     def touch(self, d, depth):
         """Where the tool first touched what it is to go into, and whether it fell into it."""
@@ -235,11 +282,9 @@ class Plan:
     def sinks(self):
         now, last = self.places[-1:], len(self.places)
         ago = ((self.places[-min(round(t / self.h), last)], m) for t, m in self.n.seat_sinking)
-        return bool(self.s.search) and any(now[0] - place >= m for place, m in ago)
+        return any(now[0] - place >= m for place, m in ago)
 
     def is_in(self):
-        if not self.s.search:
-            return self.sought
         least = self.s.search.depth_m * (self.n.seat_fell if self.fell else self.n.seat_crept)
         return bool(self.places) and self.places[-1] - min(self.places) >= least
 

@@ -1,6 +1,7 @@
 """A part that is put on what it then carries along is squared there, by strokes to its sides."""
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -14,42 +15,82 @@ from keyphase.skills.execution.seeking import giving
 from keyphase.skills.execution.sensed import Sensed
 from keyphase.skills.execution.squared import Squared
 from keyphase.skills.library import skills_of
-from keyphase.skills.squaring import Squaring, squaring_at
+from keyphase.skills.skill import Skill
+from keyphase.skills.squaring import squaring_at
 
 DOWN = np.array([0.0, 0.0, -1.0])
-SQUARING = Squaring((0.0, 0.0, -1.0), (1.0, 0.0, 0.0))
+UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
+ACROSS, ALONG = 1, 0
 
 
-def way() -> np.ndarray:
-    """All of it, at 250 Hz."""
-    times = np.arange(0.0, SQUARING.strokes_s, 0.004)
-    return np.array([SQUARING.away(time) for time in times])
+@cache
+def squared_skill() -> Skill:
+    """The skill of the bundled recording that is squared, put down at the origin along x and y."""
+    demonstration = read(shipped("data") / "setup2.npz")
+    kept = [one for one in segment(demonstration).segments if not one.idle]
+    (skill,) = [one for one in skills_of(demonstration, kept) if one.squaring]
+    assert skill.squaring is not None
+    squaring = replace(skill.squaring, normal=(0.0, 0.0, -1.0), along=(1.0, 0.0, 0.0))
+    return replace(skill, squaring=squaring, end_position_m=np.zeros(3))
 
 
-def test_it_begins_and_ends_where_it_was_put_down() -> None:
-    assert np.linalg.norm(way()[0]) == 0.0
-    assert np.linalg.norm(SQUARING.away(SQUARING.strokes_s)) < 1e-12
+def way(
+    sides_m: tuple[float, float] = (-1.0, 1.0), reads_N: float = 0.0, begin_m: float = 0.0
+) -> np.ndarray:
+    """All of it (N, 3), of a tool between two sides that resist with 0.5 N across the way."""
+    squaring = squared_skill().squaring
+    assert squaring is not None
+    noise, places = np.random.default_rng(0), []
+    begin = np.array([0.0, begin_m, 0.0])
+    sensed = Sensed(begin, UPRIGHT, np.zeros(6), np.zeros(3))
+    squared = Squared(squared_skill(), sensed, 0.004)
+    squared.again(sensed, np.zeros(3))
+    while not squared.is_in(sensed):
+        at = squared.moving(still(begin, UPRIGHT), sensed, 0.0).position_m
+        beyond = float(at[ACROSS] > sides_m[1]) - float(at[ACROSS] < sides_m[0])
+        force = reads_N + noise.normal(0.0, 0.1, 3) - [0.0, 0.5 * beyond, 0.0]
+        sensed = Sensed(at, UPRIGHT, np.zeros(6), force)
+        squared.watch(sensed, False)
+        places.append(at)
+    assert 0.004 * len(places) < squaring.duration_s
+    return np.array(places)
+
+
+def test_it_begins_where_it_was_put_down_and_ends_where_the_demonstration_was() -> None:
+    assert way(begin_m=0.004)[0] == pytest.approx([0.0, 0.004, 0.0])
+    assert way(begin_m=0.004)[-1] == pytest.approx(np.zeros(3), abs=2e-4)
 
 
 def test_it_is_lifted_before_it_moves_aside_and_until_it_is_back() -> None:
     aside = np.linalg.norm(way()[:, :2], axis=1)
-    assert aside.max() == pytest.approx(SQUARING.reach_m, rel=0.02)
-    assert way()[aside > 1e-6, 2].min() == pytest.approx(SQUARING.lift_m)
+    assert way()[aside > 2e-4, 2].min() == pytest.approx(0.003)
 
 
-def test_it_goes_to_both_sides_of_both_axes() -> None:
+def test_where_nothing_is_felt_it_goes_as_far_to_both_sides_of_both_axes() -> None:
+    """Whatever the sensor reads too much: that is no side."""
     for axis in range(2):
-        assert way()[:, axis].max() > 0.99 * SQUARING.reach_m
-        assert way()[:, axis].min() < -0.99 * SQUARING.reach_m
+        assert way(reads_N=2.0)[:, axis].max() == pytest.approx(0.01, abs=3e-4)
+        assert way(reads_N=2.0)[:, axis].min() == pytest.approx(-0.01, abs=3e-4)
+
+
+def test_a_stroke_ends_where_a_side_is_felt_and_the_last_between_both() -> None:
+    """So that a part that is pushed over its edge is turned as much from either side."""
+    between = way((-0.003, 0.006))
+    assert -0.008 < between[:, ACROSS].min() < -0.003
+    assert 0.006 < between[:, ACROSS].max() < 0.011
+    assert between[-1, ACROSS] == pytest.approx(0.0015, abs=0.001)
+    across = between[np.abs(between[:, ALONG]) < 1e-9][:, ACROSS]
+    turns = np.flatnonzero(np.diff(np.sign(np.diff(across))))
+    assert all(across[turns[1:8]] < 0.0085)
+    assert all(across[turns[1:8]] > -0.0055)
 
 
 def test_nothing_jumps() -> None:
-    speed = np.linalg.norm(np.diff(way(), axis=0), axis=1) / 0.004
-    assert speed.max() < 0.15
-    assert np.abs(np.diff(speed)).max() < 0.02
+    speed = np.linalg.norm(np.diff(way((-0.003, 0.006)), axis=0), axis=1) / 0.004
+    assert speed.max() < 0.032
 
 
-def test_the_sides_are_those_of_the_tool_first_along_the_way_it_is_carried() -> None:
+def test_the_sides_are_those_of_the_tool_last_along_the_way_it_is_carried() -> None:
     turn = np.radians(30.0)
     wxyz = np.array([0.0, np.cos(turn / 2), np.sin(turn / 2), 0.0])
     first = np.array(squaring_at(DOWN, wxyz, np.array([0.1, 0.0, 0.0])).along)
@@ -60,14 +101,12 @@ def test_the_sides_are_those_of_the_tool_first_along_the_way_it_is_carried() -> 
 
 
 def test_it_stays_where_the_strokes_put_it_however_it_is_pushed_while_it_is_pressed() -> None:
-    demonstration = read(shipped("data") / "setup2.npz")
-    kept = [one for one in segment(demonstration).segments if not one.idle]
-    (skill,) = [one for one in skills_of(demonstration, kept) if one.squaring]
+    skill = squared_skill()
     assert skill.press is not None
-    upright = np.array([1.0, 0.0, 0.0, 0.0])
     aside = np.cross(skill.press.direction, [1.0, 0.0, 0.0])
-    sensed = Sensed(0.002 * aside, upright, np.zeros(6), np.zeros(3))
-    wanted = giving(still(np.zeros(3), upright), sensed, Squared(skill, 0.004), 0.0)
+    sensed = Sensed(0.002 * aside, UPRIGHT, np.zeros(6), np.zeros(3))
+    squared = Squared(skill, sensed, 0.004)
+    wanted = giving(still(np.zeros(3), UPRIGHT), sensed, squared, 0.0)
     assert np.linalg.norm(wanted.position_m) < 1e-9
 
 

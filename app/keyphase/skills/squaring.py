@@ -4,89 +4,79 @@ A place with play takes a part in turned, and no force tells so. But what has si
 the side that pushes it, whichever of the two gives way (Mason, Mechanics and planning of
 manipulator pushing operations, 1986). So the part is lifted a little, moved from side to side, and
 put down again.
+
+What stands loosely turns about the side that pushes it: pushed above the table it leans that way,
+and friction holds it there. Its middle moves along that side, one way if it is pushed from the one
+side and the other way if from the other. So a stroke ends as soon as a side is felt, and both sides
+turn it as much.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
-from math import cos, pi, sin
 
 import numpy as np
 
 from keyphase.demonstration import Array
 from keyphase.rotations import quaternions
 
-_STROKES = 8
-"""Four along either axis; lifting and putting down take as long as one each."""
-
 
 @dataclass(frozen=True)
 class Squaring:
     """How a part is squared.
 
-    normal    (3,) unit vector into the place, as the way that was slid on it tells
-    along     (3,) unit vector across it, in which the first strokes go
-    press_N   what it is pressed with, at the least, before and after
-    lift_m    how far it is lifted meanwhile
-    reach_m   how far it is moved to either side, along both axes of the tool across the press
-    last_m    the same of the last stroke, which leaves it away from the sides
-    stroke_s  how long a stroke takes, of four along each axis
-    shake_m, shake_hz  meanwhile it is shaken along the side it is moved to: friction there would
-              drag the other part along, one that slides to and fro drags it nowhere
+    normal     (3,) unit vector into the place, as the way that was slid on it tells
+    along      (3,) unit vector across it, in which the last strokes go
+    press_N    what it is pressed with, at the least, before and after
+    lift_m     how far it is lifted meanwhile, in lift_s, as long as putting it down takes
+    still_s    how long it then stands still: what the sensor reads there is no side
+    reach_m    how far it is moved to either side, along both axes of the tool across the press
+    speed_m_s  how fast, which it is after ramp_s; a stroke feels nothing before
+    strokes    how many there are across `along`, and along it; the last of each comes back
+    felt_N     a side is felt where it resists the stroke by so much
+    felt_s     for so long
+    flush_s    for so long by the `flushing` strokes before the last: what is left is turned flush
+    sides      where so many strokes felt a side the last one comes back to the middle between the
+               two before, and else to where the demonstration was
+    smoothed   part of a new force that is taken in at a tick of 4 ms: single readings are noise
+    forgets    the same of what is no side, while none is felt: a sensor drifts
     """
 
     normal: tuple[float, float, float]
     along: tuple[float, float, float]
     press_N: float = 6.0
     lift_m: float = 0.003
+    lift_s: float = 0.4
+    still_s: float = 0.3
     reach_m: float = 0.010
-    last_m: float = 0.008
-    stroke_s: float = 0.6
-    shake_m: float = 0.0015
-    shake_hz: float = 5.5
-
-    @property
-    def strokes_s(self) -> float:
-        """How long it takes, lifting and putting down included."""
-        return (_STROKES + 2.0) * self.stroke_s
+    speed_m_s: float = 0.030
+    ramp_s: float = 0.15
+    strokes: tuple[int, int] = (12, 4)
+    felt_N: float = 0.14
+    felt_s: float = 0.016
+    flush_s: float = 0.12
+    flushing: int = 2
+    sides: int = 3
+    smoothed: float = 0.08
+    forgets: float = 0.004
 
     @property
     def duration_s(self) -> float:
-        """After which it is given up."""
-        return self.strokes_s + self.stroke_s
+        """After which it is given up; it takes less, as strokes end where a side is felt."""
+        a_stroke_s = 2.0 * self.reach_m / self.speed_m_s + self.ramp_s
+        return 3.0 * self.lift_s + self.still_s + sum(self.strokes) * a_stroke_s
 
-    def away(self, time_s: float) -> Array:
-        """How far (3,) the part is to be moved by now [m]."""
-        normal, along = np.array(self.normal), np.array(self.along)
-        stroke = time_s / self.stroke_s - 1.0
-        lifted = -self.lift_m * self.lifted(time_s) * normal
-        if not 0.0 < stroke < _STROKES:
-            return lifted
-        beside = np.asarray(np.cross(normal, along), dtype=np.float64)
-        if stroke >= _STROKES / 2:
-            along, beside, stroke = beside, along, stroke - _STROKES / 2
-        fade = _eased(min(2.0 * stroke, 2.0 * (_STROKES / 2 - stroke), 1.0))
-        shaken = fade * self.shake_m * sin(2.0 * pi * self.shake_hz * time_s)
-        return lifted + self._place(stroke) * along + shaken * beside
-
-    def lifted(self, time_s: float) -> float:
-        """How much of the lift is done by now, 0 to 1."""
-        strokes = time_s / self.stroke_s
-        return _eased(max(min(strokes, _STROKES + 2.0 - strokes, 1.0), 0.0))
-
-    def approached(self, time_s: float) -> float:
-        """How much of the way to where the strokes go around is done by now, 0 to 1."""
-        return self.lifted(min(time_s, self.stroke_s))
-
-    def _place(self, stroke: float) -> float:
-        """How far along its axis the part is by a number of strokes, 0 to 4 [m]."""
-        places = 0.0, self.reach_m, -self.reach_m, self.last_m, 0.0
-        at = int(stroke)
-        return places[at] + _eased(stroke - at) * (places[at + 1] - places[at])
+    def axes(self) -> Iterator[tuple[Array, int]]:
+        """Unit vectors (3,) in which the strokes go, and how many of them."""
+        along = np.array(self.along)
+        beside = np.asarray(np.cross(np.array(self.normal), along), dtype=np.float64)
+        yield beside, self.strokes[0]
+        yield along, self.strokes[1]
 
 
 def squaring_at(normal: Array, wxyz: Array, carried: Array) -> Squaring:
     """How a part is squared that the tool holds in an orientation (4,), as it is gripped square.
 
-    The first strokes go along the way (3,) that it is `carried` afterwards: the tool's x or y axis,
+    The last strokes go along the way (3,) that it is `carried` afterwards: the tool's x or y axis,
     made square to the normal (3,).
     """
     axes = (_turned(wxyz, axis) for axis in np.eye(3)[:2])
@@ -106,8 +96,3 @@ def _triple(vector: Array) -> tuple[float, float, float]:
 def _turned(wxyz: Array, vector: Array) -> Array:
     turned = quaternions.product(wxyz, np.concatenate([[0.0], vector]))
     return quaternions.product(turned, quaternions.conjugate(wxyz))[1:]
-
-
-def _eased(share: float) -> float:
-    """From 0 to 1 as `share` goes from 0 to 1, at rest at both ends."""
-    return 0.5 - 0.5 * cos(pi * share)

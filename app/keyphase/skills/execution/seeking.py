@@ -192,4 +192,4 @@ def seeking_of(skill: Skill, sensed: Sensed, step_s: float) -> Seeking | Squared
         return None
     if skill.search is not None:
         return Seeking(skill, sensed, step_s)
-    return None if skill.squaring is None else Squared(skill, step_s)
+    return None if skill.squaring is None else Squared(skill, sensed, step_s)

@@ -77,9 +77,17 @@ def _spread(values: Values | None) -> Spread | None:
 
 
 def _squaring(values: Values) -> Squaring:
-    directions = ("normal", "along")
-    numbers = _floats({key: value for key, value in values.items() if key not in directions})
-    return Squaring(_triple(values["normal"]), _triple(values["along"]), **numbers)
+    others = ("normal", "along", "strokes", "flushing", "sides")
+    numbers = _floats({key: value for key, value in values.items() if key not in others})
+    across, along = values["strokes"]
+    return Squaring(
+        _triple(values["normal"]),
+        _triple(values["along"]),
+        strokes=(int(across), int(along)),
+        flushing=int(values["flushing"]),
+        sides=int(values["sides"]),
+        **numbers,
+    )
 
 
 def _press(values: Values) -> Press:

@@ -127,8 +127,7 @@ def _spread(spread: Spread | None) -> dict[str, Any]:
 def _squaring(squaring: Squaring | None) -> dict[str, Any] | None:
     if squaring is None:
         return None
-    directions = {"normal": list(squaring.normal), "along": list(squaring.along)}
-    return {**asdict(squaring), **directions}
+    return {key: list(v) if isinstance(v, tuple) else v for key, v in asdict(squaring).items()}
 
 
 def _guard(skill: Skill) -> dict[str, float] | None:

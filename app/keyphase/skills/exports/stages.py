@@ -1,8 +1,9 @@
 """How a tool stands in a contact it met, tick by tick, for whoever executes a skill file.
 
-What an executor computes of pressing, of a seat's search and of the strokes of a squaring is the
-same in every run but for what the tool meets. The file states it in the same words for all three,
-so that nobody has to compute it again, or to tell one from another.
+What an executor computes of pressing and of a seat's search is the same in every run but for what
+the tool meets. The file states it in the same words for both, so that nobody has to compute it
+again, or to tell one from another. The strokes of a squaring go by what is felt: the file has their
+numbers.
 """
 
 from functools import lru_cache
@@ -16,7 +17,6 @@ from keyphase.skills.execution.seeking import GIVING, SEATING_S, TURNING, rocked
 from keyphase.skills.execution.squared import FLATTENING, HELD
 from keyphase.skills.search import RETURNS_1_S, YIELDS, Search
 from keyphase.skills.skill import Skill
-from keyphase.skills.squaring import Squaring
 
 MAX_TICKS = 15_000
 """What takes longer, a minute, ends there."""
@@ -37,17 +37,15 @@ def pressing_of(skill: Skill) -> dict[str, Any] | None:
     returns_1_s     at which rate it comes back from there all the same, while it does not give way
     turning_left    part of the stiffness in rotation that is left; second: once the part fell in
                     or was found
-    leads           1 where the moves' velocity is the reference's, 0 where that is at rest
-    moves           (N, 7) for each tick, the last one for all that follow: how far it is moved [m],
-                    the part of the way to where it squares that is done, and by which rotation
-                    vector it is tilted [rad]
+    moves           (N, 6) for each tick, the last one for all that follow: how far it is moved [m],
+                    and by which rotation vector it is tilted [rad]
     """
     press, seat = skill.press, skill.search or skill.squaring
     if press is None:
         return None
     if seat is None:
         least_s, most_s = PRESSED_S
-        return _stage(press.force_N, least_s, most_s, moves=[[0.0] * 7])
+        return _stage(press.force_N, least_s, most_s, moves=[[0.0] * 6])
     x, y, z = press.direction.tolist()
     return _stage(
         max(press.force_N, seat.press_N),
@@ -60,22 +58,20 @@ def pressing_of(skill: Skill) -> dict[str, Any] | None:
 
 
 def seeking_of(skill: Skill) -> dict[str, Any] | None:
-    """How a seat is sought, or a part squared, the same way; `moves` end it; None where neither."""
-    press = skill.press
-    if press is None:
+    """How a seat is sought, the same way; `moves` end it; None where none is."""
+    press, search = skill.press, skill.search
+    if press is None or search is None:
         return None
-    if skill.search is not None:
-        x, y, z = press.direction.tolist()
-        return _stage(
-            max(press.force_N, skill.search.press_N),
-            aside_left=0.0,
-            yields_N=YIELDS * skill.search.press_N,
-            stays_aside=1,
-            returns_1_s=RETURNS_1_S,
-            turning_left=(TURNING, TURNING),
-            moves=_spiral(skill.search, (x, y, z)),
-        )
-    return None if skill.squaring is None else _stage(0.0, leads=1, moves=_strokes(skill.squaring))
+    x, y, z = press.direction.tolist()
+    return _stage(
+        max(press.force_N, search.press_N),
+        aside_left=0.0,
+        yields_N=YIELDS * search.press_N,
+        stays_aside=1,
+        returns_1_s=RETURNS_1_S,
+        turning_left=(TURNING, TURNING),
+        moves=_spiral(search, (x, y, z)),
+    )
 
 
 def _stage(
@@ -89,7 +85,6 @@ def _stage(
     stays_aside: int = 0,
     returns_1_s: float = 0.0,
     turning_left: tuple[float, float] = (1.0, 1.0),
-    leads: int = 0,
 ) -> dict[str, Any]:
     return {
         "force_N": force_N,
@@ -100,7 +95,6 @@ def _stage(
         "stays_aside": stays_aside,
         "returns_1_s": returns_1_s,
         "turning_left": list(turning_left),
-        "leads": leads,
         "moves": moves,
     }
 
@@ -109,19 +103,13 @@ def _stage(
 def _rocking(way: tuple[float, float, float]) -> Moves:
     direction = np.array(way)
     ticks = _ticks(SEATING_S)
-    return _rounded([np.concatenate([np.zeros(4), rocked(direction, t)]) for t in ticks])
+    return _rounded([np.concatenate([np.zeros(3), rocked(direction, t)]) for t in ticks])
 
 
 @lru_cache(maxsize=8)
 def _spiral(search: Search, way: tuple[float, float, float]) -> Moves:
     direction, ticks = np.array(way), _ticks(search.duration_s)
-    return _rounded([np.append(search.aside(direction, t), np.zeros(4)) for t in ticks])
-
-
-@lru_cache(maxsize=8)
-def _strokes(squaring: Squaring) -> Moves:
-    at = [(squaring.away(t), squaring.approached(t)) for t in _ticks(squaring.strokes_s + STEP_S)]
-    return _rounded([np.concatenate([away, [done, 0.0, 0.0, 0.0]]) for away, done in at])
+    return _rounded([np.append(search.aside(direction, t), np.zeros(3)) for t in ticks])
 
 
 def _ticks(duration_s: float) -> Array:
