@@ -48,7 +48,7 @@ def test_a_killed_server_that_returns_is_used_again_without_a_reload(
         page.page.evaluate("keyphase.actions.goTo(2)")
         page.until("keyphase.state.clock === 2")
         page.page.evaluate("window.neverReloaded = true")
-        page.wait_for_scene()
+        page.scene.wait_for_function("() => window.__viserMutable?.nodeRefFromName['/path/pieces']")
         os.kill(server.pid, signal.SIGKILL)
         server.wait()
         page.until("!keyphase.state.connected")

@@ -3,6 +3,9 @@
 import asyncio
 import contextlib
 import gzip
+import threading
+from collections.abc import Sequence
+from typing import Any
 
 import msgspec
 import pytest
@@ -22,6 +25,8 @@ from websockets.asyncio.client import connect
 from websockets.exceptions import ConnectionClosed
 from websockets.typing import Subprotocol
 
+from keyphase.robot.description import RobotDescription
+from keyphase.web.scene.shared import Shared
 from keyphase.web.server import PageServer
 from keyphase.web.transport.addresses import PAGE as PAGE_OF_CALLBACK
 from keyphase.web.transport.one_port import (
@@ -139,6 +144,33 @@ def test_an_async_callback_of_visers_knows_whose_frame_it_is(start_server: Start
 
     assert sorted(came.values(), key=str) == list(pages)
     assert gone == came
+
+
+def test_a_frame_that_connects_before_there_are_scenes_gets_its_own(
+    start_server: StartServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As pages do that were left open, when their server is started again."""
+    seen, sent = threading.Event(), threading.Event()
+
+    async def look(server: PageServer) -> None:
+        async with visers_socket(server) as socket:
+            await socket.send(msgspec.msgpack.encode(CAMERA))
+            await (await socket.ping())
+            sent.set()
+            await asyncio.to_thread(seen.wait, WAIT_S)
+
+    def shared(arms: Sequence[RobotDescription], finished_beside: Any) -> Shared:
+        looking = look(finished_beside.__self__)
+        threading.Thread(target=lambda: asyncio.run(looking), daemon=True).start()
+        assert sent.wait(WAIT_S)
+        return Shared(arms, finished_beside)
+
+    monkeypatch.setattr("keyphase.web.server.Shared", shared)
+    server = start_server()
+    try:
+        asyncio.run(wait_until(lambda: server.scenes.of(PAGE) is not None))
+    finally:
+        seen.set()
 
 
 def test_limits_that_websockets_does_not_know_are_a_defect() -> None:

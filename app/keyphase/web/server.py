@@ -72,6 +72,7 @@ class PageServer:
             raise
         self.shared = Shared(arms, self._finished_beside)
         self.scenes = Scenes(self.viser, self.workbench, self.shared)
+        self._site.has_scenes = True
         self._put_in_order_of_need()
 
     def _finished_beside(self, recording: Recording) -> list[Labeling]:
@@ -90,8 +91,8 @@ class PageServer:
         self.port = usable_port(host, port, self._keys.ports())
         keys = self._keys.of(self.port)
         self.access = Access(host, keys.token, keys.looking_token)
-        site = OurSite(self.access, self.sockets, self._video)
-        self.viser = serve(site, host, self.port)
+        self._site = OurSite(self.access, self.sockets, self._video)
+        self.viser = serve(self._site, host, self.port)
         try:
             prove(host, self.port)
         except KeyphaseError:

@@ -20,6 +20,7 @@ import websockets.asyncio.server as websockets_server
 from websockets.asyncio.server import ServerConnection
 from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
+from websockets.protocol import State
 
 from keyphase.errors import KeyphaseError
 from keyphase.web.transport.addresses import PAGE, page_of_frame_socket, page_of_socket
@@ -35,6 +36,8 @@ MAX_QUEUE = 16
 BROKEN = "Something is wrong inside keyphase; its log says what."
 """Why a conversation ends that a defect has broken."""
 
+_LOOK_AGAIN_S = 0.05
+
 _log = logging.getLogger(__name__)
 
 _Handler = Callable[[ServerConnection], Awaitable[None]]
@@ -42,7 +45,12 @@ _Process = Callable[[ServerConnection, Request], Response | None]
 
 
 class Site(Protocol):
-    """What answers in front of viser."""
+    """What answers in front of viser.
+
+    has_scenes  whether scenes are made for viser's clients by now
+    """
+
+    has_scenes: bool
 
     def response(self, request: Request, port: int) -> Response:
         """The answer to a plain request: 403 for whoever may not ask."""
@@ -212,6 +220,7 @@ def _dispatch(site: Site, viser_handler: _Handler) -> _Handler:
             if page is None:
                 await site.page_socket(connection)
             else:
+                await _until_there_are_scenes(connection, site)
                 await viser_handler(_Guarded(connection, site))  # type: ignore[reportArgumentType]
         except (ConnectionClosed, asyncio.CancelledError):
             raise
@@ -221,6 +230,12 @@ def _dispatch(site: Site, viser_handler: _Handler) -> _Handler:
             await connection.close(1011, BROKEN)
 
     return handle
+
+
+async def _until_there_are_scenes(connection: ServerConnection, site: Site) -> None:
+    """A page of the server before connects early; viser tells of it later, but not whose it is."""
+    while not site.has_scenes and connection.state is State.OPEN:
+        await asyncio.sleep(_LOOK_AGAIN_S)
 
 
 def _quiet_logger() -> logging.Logger:

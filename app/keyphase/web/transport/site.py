@@ -36,6 +36,7 @@ class OurSite:
     def __init__(
         self, access: Access, sockets: PageSockets, videos: Videos = lambda _id: None
     ) -> None:
+        self.has_scenes = False
         self._access = access
         self._videos = videos
         self._sockets = sockets
