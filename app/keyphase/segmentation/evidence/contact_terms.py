@@ -12,7 +12,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.force_curve import FINE, ForceCurves, force_curves, peaks
-from keyphase.segmentation.evidence.friction import taken_back
+from keyphase.segmentation.evidence.friction import taken_back, with_the_way
 from keyphase.segmentation.evidence.grid import MIN_CELLS, Grid
 from keyphase.segmentation.evidence.placing import placed
 from keyphase.segmentation.evidence.speed import Speed
@@ -38,6 +38,7 @@ CONTACT_TERMS: Mapping[str, str] = {
     "standing": "the tool stands on both sides",
     "over_core": "change over what the force does when nothing is touched",
     "over_wander": "change over what the force does all the time",
+    "with_the_way": "the force goes with the direction of motion",
     "taken_back": "friction turns round with the motion",
     "inside_free": "smaller than contact, and free on both sides",
     "crossing": "contact as a state changes here",
@@ -203,6 +204,7 @@ def _around(look: _Look) -> dict[str, Array]:
         "dominance": np.log(np.maximum(look.tops[1], look.tops[2]) / strongest),
         "echo": _echo(look),
         "vibration": _vibration(look),
+        "with_the_way": with_the_way(grid, look.speed, look.windows, look.view, at),
         "taken_back": taken_back(grid, look.speed, look.windows, look.view, at),
         "stopping": np.abs(np.log((before + 0.05 * fast) / (after + 0.05 * fast)))
         if moves

@@ -1,12 +1,14 @@
 """When a contact change happened: at the step itself, or as the force leaves free space.
 
-A step lies where the force changes fastest. A rise of some tenths of a second has no such place:
-contact is made when it begins, and lost when a fall has ended. Where there is contact before and
-after, the change lies in the middle. Where no view of contact as a state tells which side is free,
-it lies where the force changes fastest, too.
+A step lies halfway between where its rise begins and where the force changes fastest, and half of
+a step back into free space between there and where its fall has ended. A rise of some tenths of a
+second has no fastest place: contact is made when it begins, and lost when a fall has ended. Where
+there is contact before and after, the change lies in the middle. Where no view of contact as a
+state tells which side is free, every change lies as a step does.
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices, whole_in
@@ -16,6 +18,9 @@ from keyphase.segmentation.evidence.rises import rises
 from keyphase.segmentation.evidence.state_view import StateView
 
 _STEP_REACH_S = 0.14
+_HALFWAY, _AT_MOST_S = 0.5, 0.1
+"""A step lies this far from its fastest place towards its begin or end, and no further than that: a
+step on the way of a slow rise stays on it."""
 _STEP, _PART = 0.75, 0.3
 """A step is seen at the finest scale almost as large as over a quarter of a second, and is no small
 part of a slow change on whose way it lies."""
@@ -36,16 +41,25 @@ def placed(
     tops (5, C) are the largest steps near each at every scale.
     """
     begin, end = rises(grid, at)
-    cell = _steepest(curves.step[0], at, whole_in(_STEP_REACH_S, grid.rate_hz))
+    steepest = _steepest(curves.step[0], at, whole_in(_STEP_REACH_S, grid.rate_hz))
+    made, lost = _free_sides(grid, view, begin, end)
+    cell = _halfway(steepest, np.where(lost, end, begin), _AT_MOST_S * grid.rate_hz)
     if len(view.crossings):
         # Here, over 0.12 and 0.24 s, and over the longer of both times in which ramps are seen.
-        here, (short, long), slow = curves.step[0, cell], tops[1:FINE], tops[FINE:].max(axis=0)
+        here, (short, long), slow = curves.step[0, steepest], tops[1:FINE], tops[FINE:].max(axis=0)
         step = (here >= _STEP * long) & (short >= _PART * slow)
-        cell = np.where(step, cell, _on_the_way(grid, view, begin, end))
+        rise = np.where(made, begin, np.where(lost, end, (begin + end) // 2))
+        cell = np.where(step, cell, rise)
     more = round(_LEAST_S * grid.rate_hz)
     first = np.minimum(np.minimum(begin, at), cell) - more
     last = np.maximum(np.maximum(end, at), cell) + more
     return cell, np.clip(np.column_stack([first, last]), 0, len(grid) - 1)
+
+
+def _halfway(steepest: Indices, edge: Indices, at_most: float) -> Indices:
+    """Between the fastest places (C,) of steps and their edges (C,), at most so many cells off."""
+    off = np.clip(_HALFWAY * (edge - steepest), -at_most, at_most)
+    return steepest + np.round(off).astype(np.intp)
 
 
 def _steepest(row: Array, at: Indices, reach: int) -> Indices:
@@ -54,12 +68,15 @@ def _steepest(row: Array, at: Indices, reach: int) -> Indices:
     return cells[np.arange(len(at)), row[cells].argmax(axis=1)]
 
 
-def _on_the_way(grid: Grid, view: StateView, begin: Indices, end: Indices) -> Indices:
-    """The begin of a rise (C,) out of free space, the end of a fall back into it, else between."""
+def _free_sides(
+    grid: Grid, view: StateView, begin: Indices, end: Indices
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Which rises (C,) come out of free space, and which fall back into it."""
+    if not len(view.crossings):
+        return np.zeros(len(begin), dtype=bool), np.zeros(len(begin), dtype=bool)
     away = np.arange(grid.cells(_LEVEL_S))
     last = len(grid) - 1
     before = np.median(view.distance[np.maximum(begin[:, None] - away, 0)], axis=1)
     after = np.median(view.distance[np.minimum(end[:, None] + away, last)], axis=1)
     made = before < _MADE * (before + after)
-    lost = after < _LOST * (before + after)
-    return np.where(made, begin, np.where(lost, end, (begin + end) // 2))
+    return made, (after < _LOST * (before + after)) & ~made

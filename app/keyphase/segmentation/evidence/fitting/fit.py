@@ -47,6 +47,7 @@ STEP_SIGNS: Mapping[str, int] = {
     "standing": -1,
     "over_core": 1,
     "over_wander": 1,
+    "with_the_way": -1,
     "taken_back": -1,
     "inside_free": -1,
 }
