@@ -15,6 +15,7 @@ import {
   phaseNames,
   shifted,
   summary,
+  usualNames,
   withGrid,
 } from "../../app/keyphase/web/page/js/model/recordings/grid.js";
 
@@ -150,6 +151,12 @@ test("a change leaves done ones unless they are meant, and never what is only pr
 test("a phase goes earlier or later, and stays at the ends", () => {
   assert.deepEqual(shifted(["a", "b", "c"], 2, -1), ["a", "c", "b"]);
   assert.deepEqual(shifted(["a", "b", "c"], 0, -1), ["a", "b", "c"]);
+});
+
+test("what only outliers have is nothing to align at", () => {
+  const other = row("other", [["rotate", 2]], { standing: "outlier" });
+  assert.deepEqual(usualNames(gridOf([one, other])), ["reach", "press"]);
+  assert.deepEqual(phaseNames(gridOf([one, other])), ["reach", "press", "rotate"]);
 });
 
 test("a new name is shown in the colour of the old one before it is given", () => {

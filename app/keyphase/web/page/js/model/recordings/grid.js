@@ -80,7 +80,7 @@ export function phaseNames(grid) {
 }
 
 /** Those of the task, and of the recordings that are no outliers. @param {Grid} grid */
-function usualNames({ rows, phases }) {
+export function usualNames({ rows, phases }) {
   const own = phases.map(({ name }) => name);
   const alike = rows.filter(({ standing }) => standing !== "outlier");
   return [...own, ...namesBeside(own, alike)];

@@ -5,9 +5,9 @@ import {
   AT_START,
   atPhase,
   EQUAL,
-  phaseNames,
   standings,
   summary,
+  usualNames,
 } from "../../model/recordings/grid.js";
 import { createChangeBar } from "./change_bar.js";
 import { createPhases } from "./phases.js";
@@ -132,7 +132,7 @@ function createHead(store, actions) {
   store.on(["grid", "gridAlign", "readOnly"], ({ grid, gridAlign, readOnly }) => {
     aligned.hidden = !grid?.rows.length;
     if (!grid) return;
-    const names = phaseNames(grid);
+    const names = usualNames(grid);
     const choices = [
       [AT_START, "Start of the recording"],
       [EQUAL, "Every phase equally long"],
