@@ -26,7 +26,8 @@ function given(document) {
   };
   const store = { state, set, on: (names, draw) => listeners.push([names, draw]) };
   const done = [];
-  const others = { select: (k) => done.push(["select", k]), goTo: (t) => done.push(["goTo", t]) };
+  const names = ["select", "goTo", "open", "visit", "playAround"];
+  const others = Object.fromEntries(names.map((name) => [name, (to) => done.push([name, to])]));
   const actions = createDoubtActions(/** @type {any} */ (store), others);
   return { state: /** @type {any} */ (state), set, actions, done };
 }
@@ -54,4 +55,23 @@ test("nothing is said of a phase where the proposal fitted", () => {
   set({ document: { ...before, revision: before.revision + 1 } });
   assert.match(state.notice.text, /^No doubt left/);
   assert.deepEqual(done, []);
+});
+
+test("in a recording with a proposal, taking it over comes before doubts of the program’s own", () => {
+  const unsure = (id) =>
+    documentOf(10, [boundary(5, { unsure: true })], { id, name: id, revision: 3 });
+  for (const [from, told] of [
+    [["a"], /^b: Shift Enter takes over/],
+    [[], undefined],
+  ]) {
+    const { state, set, actions, done } = given(documentOf(10, [], { revision: 3 }));
+    const line = { id: "b", state: "automatic", unsure: 1, name: "b", folder: "" };
+    const items = [...state.recordings.items, { ...line, proposed_from: from }];
+    set({ recordings: { items } });
+    actions.visitUnsure(1);
+    assert.deepEqual(done, [["open", "b"]]);
+    set({ document: unsure("b"), recording: "b" });
+    if (told) assert.match(state.notice.text, told);
+    else assert.deepEqual(done.at(-1), ["playAround", 5]);
+  }
 });

@@ -1,6 +1,11 @@
 /** From one unsure boundary to the next, in this recording and then in the others. */
 
-import { misfitAt, nextDoubtful, nextUndone } from "../model/recordings/recording_list.js";
+import {
+  misfitAt,
+  nextDoubtful,
+  nextUndone,
+  proposedHere,
+} from "../model/recordings/recording_list.js";
 import { unsureBoundaries } from "../model/unsure.js";
 
 /**
@@ -12,7 +17,7 @@ export function createDoubtActions(store, actions) {
   /** The recording that is on its way so that its doubts are visited. @type {string|null} */
   let wanted = null;
   store.on(["recording"], ({ recording }) => {
-    if (recording === wanted) own.visitUnsure(1);
+    if (recording === wanted) arrive();
     wanted = null;
   });
   /** The document as it was before a proposal was taken over. @type {import("../model/types.js").Doc|null} */
@@ -48,6 +53,13 @@ export function createDoubtActions(store, actions) {
       actions.goTo(segments[index].start_s);
     }
     store.set({ notice: { level: "warning", text: `${misfitAt(at)} Look at it. ${then}` } });
+  }
+
+  /** Doubts of the program’s own boundaries may be none any more in what is proposed. */
+  function arrive() {
+    if (!proposedHere(state)) return own.visitUnsure(1);
+    const { name } = state.document;
+    return tell(`${name}: Shift Enter takes over what is proposed; N: the program’s own doubts.`);
   }
 
   /** Goes to the next recording with an unsure boundary, and there to the least certain one. */
