@@ -7,8 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from keyphase.batch.report import report_lines
+from keyphase.batch.report import refusal_lines, report_lines
 from keyphase.batch.segmenting import segment_all
+from keyphase.batch.tasks import Refusal
 from keyphase.commands.inspect import ODD, Inspect
 from keyphase.demonstration import Demonstration
 from keyphase.oddities import breaks_of
@@ -74,3 +75,13 @@ def test_no_idle_segment_lies_over_a_gap_in_which_the_tool_moved(
     over = [s for s in file["segments"] if s["start_s"] < 7.0 and s["end_s"] > 6.5]
     assert [s["label"].startswith("idle") for s in over] == [False] * len(over)
     assert over
+
+
+def test_recordings_of_one_file_refused_for_one_reason_are_told_in_one_line() -> None:
+    parts = [Path(f"in/data.hdf5#demo_{k}") for k in range(3)]
+    refused = [Refusal(part, f"{part}: no preset fits.") for part in parts]
+    refused += [Refusal(Path("in/run.csv"), "in/run.csv: it is empty.")]
+    assert list(refusal_lines(refused)) == [
+        "in/data.hdf5#demo_0: no preset fits. (2 more of data.hdf5 likewise)",
+        "in/run.csv: it is empty.",
+    ]

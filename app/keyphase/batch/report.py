@@ -1,9 +1,12 @@
 """What became of a batch, as lines for people and as JSON for machines."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+from pathlib import Path
 
-from keyphase.batch.tasks import BatchReport
+from keyphase.batch.tasks import BatchReport, Refusal
+from keyphase.files.parts import split_part
 
 
 def report_json(report: BatchReport) -> str:
@@ -30,3 +33,16 @@ def report_lines(report: BatchReport) -> Iterator[str]:
         if one.notices:
             yield f"{one.recording}:"
             yield from (f"  {notice}" for notice in one.notices)
+
+
+def refusal_lines(refused: Sequence[Refusal]) -> Iterator[str]:
+    """Why each was refused; recordings of one file that were for one reason in one line."""
+
+    def reason(refusal: Refusal) -> tuple[Path, str]:
+        file, part = split_part(refusal.path)
+        return file, refusal.reason if part is None else refusal.reason.replace(f"#{part}", "")
+
+    for (file, _), group in groupby(refused, reason):
+        first, *others = group
+        likewise = f" ({len(others)} more of {file.name} likewise)" if others else ""
+        yield f"{first.reason}{likewise}"

@@ -83,7 +83,7 @@ class SegmentRecordings:
 
 def _tell(report: "BatchReport", output: Path) -> int:
     """Print what a person should know; 0 where all went well."""
-    from keyphase.batch.report import report_lines
+    from keyphase.batch.report import refusal_lines, report_lines
 
     before = sum(one.went_before for one in report.written)
     for line in report_lines(report):
@@ -92,6 +92,6 @@ def _tell(report: "BatchReport", output: Path) -> int:
     say(f"{len(report.written)} segment files in {output}{done}")
     if report.refused:
         complain(f"{len(report.refused)} refused:")
-        for refusal in report.refused:
-            complain(f"  {refusal.reason}")
+        for line in refusal_lines(report.refused):
+            complain(f"  {line}")
     return 1 if report.refused or not report.written else 0
