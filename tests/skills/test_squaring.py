@@ -139,7 +139,7 @@ def test_what_leant_against_something_as_it_was_put_down_is_not_squared() -> Non
     assert leant[-1].kept[0].carries == pytest.approx(free[-1].kept[0].carries, rel=0.05)
 
 
-@pytest.mark.parametrize(("drags_N", "fastest_m_s"), [(5.0, 0.042), (11.0, 0.01)])
+@pytest.mark.parametrize(("drags_N", "fastest_m_s"), [(5.0, 0.037), (11.0, 0.01)])
 def test_what_drags_far_more_than_demonstrated_is_pushed_slowly(drags_N, fastest_m_s) -> None:
     """Twice what was demonstrated; a tool that follows its reference to the millimetre."""
     demonstration = read(shipped("data") / "setup2.npz")

@@ -11,10 +11,9 @@ TIME_S = np.arange(0.0, 12.0, 0.01)
 
 def contacts(force_N: np.ndarray) -> list[float]:
     rng = np.random.default_rng(0)
-    time_s = TIME_S[: len(force_N)]
-    force = np.outer(force_N, [0.0, 0.0, 1.0]) + rng.normal(0.0, 0.03, (len(time_s), 3))
-    swing = np.outer(0.05 * np.sin(2.0 * time_s), [1.0, 0.0, 0.0])
-    found = segment(Demonstration("rise", time_s, swing, force_N=force))
+    force = np.outer(force_N, [0.0, 0.0, 1.0]) + rng.normal(0.0, 0.03, (len(TIME_S), 3))
+    swing = np.outer(0.05 * np.sin(2.0 * TIME_S), [1.0, 0.0, 0.0])
+    found = segment(Demonstration("rise", TIME_S, swing, force_N=force))
     return [b.time_s for b in found.boundaries if b.contact_change]
 
 
@@ -40,11 +39,11 @@ def test_contact_begins_as_the_force_leaves_free_space_and_ends_when_it_is_gone(
     assert lost == pytest.approx(8.0 + 0.8 * seconds, abs=0.2 * seconds)
 
 
-@pytest.mark.parametrize("seconds", [0.2, 0.3])
-def test_where_nothing_tells_free_space_a_rise_lies_halfway_to_where_it_is_fastest(seconds):
-    five_s = TIME_S[TIME_S < 5.0]
-    (made,) = contacts(6.0 * np.clip((five_s - 3.0) / seconds, 0.0, 1.0) ** 1.6)
-    assert 3.0 < made < 3.0 + 0.55 * seconds
+def test_a_step_lies_inside_its_rise_and_not_where_that_is_over():
+    touch = np.clip((TIME_S - 3.0) / 0.05, 0.0, 1.0) - np.clip((TIME_S - 9.0) / 0.05, 0.0, 1.0)
+    harder = np.clip((TIME_S - 6.0) / 0.05, 0.0, 1.0)
+    made, changed, _ = contacts(touch * (5.0 + 6.0 * harder))
+    assert (made, changed) == (pytest.approx(3.015, abs=0.02), pytest.approx(6.015, abs=0.02))
 
 
 @pytest.mark.parametrize("seconds", [0.5, 0.8])

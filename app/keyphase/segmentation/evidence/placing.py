@@ -4,7 +4,7 @@ A step lies halfway between where its rise begins and where the force changes fa
 a step back into free space between there and where its fall has ended. A rise of some tenths of a
 second has no fastest place: contact is made when it begins, and lost when a fall has ended. Where
 there is contact before and after, the change lies in the middle. Where no view of contact as a
-state tells which side is free, every change lies as a step does.
+state tells which side is free, every change lies where the force changes fastest.
 """
 
 import numpy as np
@@ -41,15 +41,15 @@ def placed(
     tops (5, C) are the largest steps near each at every scale.
     """
     begin, end = rises(grid, at)
-    steepest = _steepest(curves.step[0], at, whole_in(_STEP_REACH_S, grid.rate_hz))
-    made, lost = _free_sides(grid, view, begin, end)
-    cell = _halfway(steepest, np.where(lost, end, begin), _AT_MOST_S * grid.rate_hz)
+    cell = _steepest(curves.step[0], at, whole_in(_STEP_REACH_S, grid.rate_hz))
     if len(view.crossings):
         # Here, over 0.12 and 0.24 s, and over the longer of both times in which ramps are seen.
-        here, (short, long), slow = curves.step[0, steepest], tops[1:FINE], tops[FINE:].max(axis=0)
+        here, (short, long), slow = curves.step[0, cell], tops[1:FINE], tops[FINE:].max(axis=0)
         step = (here >= _STEP * long) & (short >= _PART * slow)
+        made, lost = _free_sides(grid, view, begin, end)
+        halfway = _halfway(cell, np.where(lost, end, begin), _AT_MOST_S * grid.rate_hz)
         rise = np.where(made, begin, np.where(lost, end, (begin + end) // 2))
-        cell = np.where(step, cell, rise)
+        cell = np.where(step, halfway, rise)
     more = round(_LEAST_S * grid.rate_hz)
     first = np.minimum(np.minimum(begin, at), cell) - more
     last = np.maximum(np.maximum(end, at), cell) + more
@@ -72,8 +72,6 @@ def _free_sides(
     grid: Grid, view: StateView, begin: Indices, end: Indices
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Which rises (C,) come out of free space, and which fall back into it."""
-    if not len(view.crossings):
-        return np.zeros(len(begin), dtype=bool), np.zeros(len(begin), dtype=bool)
     away = np.arange(grid.cells(_LEVEL_S))
     last = len(grid) - 1
     before = np.median(view.distance[np.maximum(begin[:, None] - away, 0)], axis=1)
