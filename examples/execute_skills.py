@@ -240,32 +240,37 @@ class Plan:
             yield at
             self.free = self.free + self.force / still
         for way, count in zip((np.cross(sq.normal, sq.along), sq.along), sq.strokes, strict=True):
-            ends, felt = [0.0], 0
+            ends, sides, side = [0.0], [], None
             for n in range(count - 1):
                 reach = sq.reach_m * (-1) ** n
                 goal = ends[-1] + 2 * reach if n else aside @ way + reach
                 lasts = sq.flush_s if n >= count - 1 - sq.flushing else sq.felt_s
                 end, side = yield from self.stroke(sq, at, way, ends[-1], goal, lasts)
-                ends, felt = [*ends, end], felt + side
-            back = (ends[-1] + ends[-2]) / 2 if felt >= sq.sides else aside @ way
+                ends.append(end)
+                sides += [] if side is None else [(self.here[0] - at) @ way]
+            back = aside @ way
+            if side is not None and len(sides) >= sq.sides:
+                back = sides[-1] + (sides[-2] - side) / 2
             end, _ = yield from self.stroke(sq, at, way, ends[-1], back, np.inf)
             at = at + end * way
         yield from (at - share * lift for share in eased)
 
     def stroke(self, sq, at, way, place, goal, lasts):
-        """One stroke; returns where it ended, and whether it felt a side for so long."""
-        sign, time, resisted = 1 if goal > place else -1, 0.0, 0.0
+        """One stroke; returns where it ended, and where it met a side that it felt for so long."""
+        sign, time, resisted, met = 1 if goal > place else -1, 0.0, 0.0, place
         while sign * (goal - place) > 0:
             time += self.h
             place += sign * sq.speed_m_s * self.h * min(1, time / sq.ramp_s)
             yield at + place * way
-            resists = sign * (self.free - self.felt) @ way > sq.felt_N
-            resisted = resisted + self.h if resists else 0.0
-            if not resists:
+            resists = sign * (self.free - self.felt) @ way
+            resisted = resisted + self.h if resists > sq.felt_N else 0.0
+            if not resisted:
+                met = (self.here[0] - at) @ way
+            if abs(resists) <= sq.felt_N:
                 self.free = self.free + sq.forgets * (self.force - self.free)
-            if time > sq.ramp_s and resisted >= lasts - 1e-9:
-                return place, True
-        return place, False
+            if time > sq.ramp_s and (resists > sq.press_N or resisted >= lasts - 1e-9):
+                return place, met
+        return place, None
 
     def touch(self, d, depth):
         """Where the tool first touched what it is to go into, and whether it fell into it."""

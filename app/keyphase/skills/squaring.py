@@ -34,9 +34,10 @@ class Squaring:
     strokes    how many there are across `along`, and along it; the last of each comes back
     felt_N     a side is felt where it resists the stroke by so much
     felt_s     for so long
-    flush_s    for so long by the `flushing` strokes before the last: what is left is turned flush
-    sides      where so many strokes felt a side the last one comes back to the middle between the
-               two before, and else to where the demonstration was
+    flush_s    for so long by the `flushing` strokes before the last: what is left is turned flush;
+               a side that resists by press_N stands firm, and is pushed no further
+    sides      where so many strokes felt a side the last one comes back to the middle between both
+               sides, and else to where the demonstration was
     smoothed   part of a new force that is taken in at a tick of 4 ms: single readings are noise
     forgets    the same of what is no side, while none is felt: a sensor drifts
     """
@@ -53,7 +54,7 @@ class Squaring:
     strokes: tuple[int, int] = (12, 4)
     felt_N: float = 0.14
     felt_s: float = 0.016
-    flush_s: float = 0.12
+    flush_s: float = 0.25
     flushing: int = 2
     sides: int = 3
     smoothed: float = 0.08

@@ -34,11 +34,11 @@ class Squared:
         self._step_s, self._there_m, self._done = step_s, skill.end_position_m, False
         self._force_N = self._felt_N = self._free_N = sensed.force_N
         self._path: Iterator[Array] = iter(())
-        self._then_m = sensed.position_m
+        self._then_m = self._position_m = sensed.position_m
 
     def watch(self, sensed: Sensed, _lasts: bool) -> None:
         """Take in what was sensed at the end of a tick."""
-        self._force_N = sensed.force_N
+        self._force_N, self._position_m = sensed.force_N, sensed.position_m
         self._felt_N = self._felt_N + self.search.smoothed * (sensed.force_N - self._felt_N)
 
     def is_in(self, _sensed: Sensed) -> bool:
@@ -98,7 +98,7 @@ class Squared:
 
         They go around what is `middle` along it.
         """
-        squaring, ends, felt = self.search, [0.0], 0
+        squaring, ends, sides, side = self.search, [0.0], list[float](), None
         for stroke in range(count - 1):
             reach = squaring.reach_m * (-1.0) ** stroke
             goal = ends[-1] + 2.0 * reach if stroke else middle + reach
@@ -106,18 +106,22 @@ class Squared:
             lasts_s = squaring.flush_s if flushes else squaring.felt_s
             end, side = yield from self._stroke(at, way, (ends[-1], goal), lasts_s)
             ends.append(end)
-            felt += side
-        back = 0.5 * (ends[-1] + ends[-2]) if felt >= squaring.sides else middle
+            if side is not None:
+                sides.append(float((self._position_m - at).dot(way)))
+        back = middle
+        if side is not None and len(sides) >= squaring.sides:
+            # What stands loosely went along with the tool from where its side was met.
+            back = sides[-1] + 0.5 * (sides[-2] - side)
         end, _ = yield from self._stroke(at, way, (ends[-1], back), inf)
         return end
 
     def _stroke(
         self, at: Array, way: Array, ends: tuple[float, float], lasts_s: float
-    ) -> Generator[Array, None, tuple[float, bool]]:
-        """One stroke; returns where it ended, and whether it felt a side for `lasts_s`."""
+    ) -> Generator[Array, None, tuple[float, float | None]]:
+        """One stroke; returns where it ended, and where it met the side that it felt, if one."""
         squaring, (place, goal) = self.search, ends
         sign = copysign(1.0, goal - place)
-        time_s = resisted_s = 0.0
+        time_s, resisted_s, met = 0.0, 0.0, place
         while sign * (goal - place) > 0.0:
             time_s += self._step_s
             speed = squaring.speed_m_s * min(1.0, time_s / squaring.ramp_s)
@@ -126,8 +130,11 @@ class Squared:
             resists_N = -sign * float((self._felt_N - self._free_N).dot(way))
             resisted_s = resisted_s + self._step_s if resists_N > squaring.felt_N else 0.0
             if not resisted_s:
+                met = float((self._position_m - at).dot(way))
+            if abs(resists_N) <= squaring.felt_N:
                 drifted_N = squaring.forgets * (self._force_N - self._free_N)
                 self._free_N = self._free_N + drifted_N
-            if time_s > squaring.ramp_s and resisted_s >= lasts_s - _ROUNDING_S:
-                return place, True
-        return place, False
+            is_firm = resists_N > squaring.press_N
+            if time_s > squaring.ramp_s and (is_firm or resisted_s >= lasts_s - _ROUNDING_S):
+                return place, met
+        return place, None
