@@ -77,7 +77,7 @@ def align(first: Signals, second: Signals) -> Alignment:
     upright = _upright(first, second)
     if upright.cost < _FITS_POORLY:
         return upright
-    other = _in_any_frame(first, second)
+    other = in_any_frame(first, second)
     limit = min(_FITS_OTHERWISE, _CLEARLY_BETTER * upright.cost)
     return other if other.cost < limit else upright
 
@@ -96,8 +96,11 @@ def _upright(first: Signals, second: Signals) -> Alignment:
     return best
 
 
-def _in_any_frame(first: Signals, second: Signals) -> Alignment:
-    """By what is the same in every frame to begin with, and turned as the moments then say."""
+def in_any_frame(first: Signals, second: Signals) -> Alignment:
+    """The cheapest warping however the second stands, its mirror image included.
+
+    By what is the same in every frame to begin with, and turned as the moments then say.
+    """
     begun = _aligned(first.only(SIZES), second.only(SIZES), AS_IT_STANDS)
     found: list[Alignment] = []
     for handed in (1.0, -1.0):
@@ -132,7 +135,10 @@ def _standings(first: Signals, second: Signals, best: Alignment) -> list[Standin
     turns = [about_vertical(angle) for angle in angles]
     moved = [Standing(turn, _moved_between(first, second, best, turn)) for turn in turns]
     turned = [Standing(turn, before.moved) for turn in turns[1:]]
-    return [*turned, *moved]
+    found = [*turned, *moved]
+    if _opposes(first, second, best):
+        found += [replace(one, pushed=-one.pushed) for one in (before, *found)]
+    return found
 
 
 def _aligned(first: Signals, second: Signals, standing: Standing) -> Alignment:
@@ -145,6 +151,17 @@ def _aligned(first: Signals, second: Signals, standing: Standing) -> Alignment:
     lasting = [len(one.time_s) * one.step_s for one in (first, second)]
     tempo = lasting[1] / lasting[0]
     return Alignment(first.time_s[rows], second.time_s[columns], residual, cost, tempo, standing)
+
+
+def _opposes(first: Signals, second: Signals, alignment: Alignment) -> bool:
+    """Whether the forces point against each other, as where one sensor tells what the tool pushes
+    and the other what pushes the tool."""
+    ours, others = in_common(first, second, alignment.standing)
+    if "force" not in ours.kinds:
+        return False
+    a = ours.only(["force"]).between(alignment.from_s)
+    b = others.only(["force"]).between(alignment.to_s)
+    return float((a * b).sum()) < 0.0
 
 
 def _turned_between(first: Signals, second: Signals, alignment: Alignment) -> float:

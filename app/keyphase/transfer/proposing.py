@@ -18,6 +18,7 @@ from keyphase.transfer.alignment import align
 from keyphase.transfer.evidence_places import NO_PLACES, Places, places_of
 from keyphase.transfer.own_boundaries import ProposedBoundary, means_own, own_where_better
 from keyphase.transfer.phase_fit import PhaseFit
+from keyphase.transfer.phase_order import done_otherwise
 from keyphase.transfer.placing import Teacher, placed_ends
 from keyphase.transfer.signals import Signals, signals_of
 from keyphase.transfer.taught import Taught
@@ -25,7 +26,7 @@ from keyphase.transfer.taught import Taught
 NEARLY_AS_GOOD = 1.3
 """Finished recordings that fit worse than this many times the best one say nothing."""
 
-MAX_COST = 0.78
+MAX_COST = 0.7
 OUTLIER_FACTOR = 1.8
 LEAST_LIMIT = 0.55
 """A recording that fits worse than OUTLIER_FACTOR times what the finished ones do among themselves,
@@ -68,11 +69,14 @@ class Transfer:
     outlier: bool
     cost: float
     teachers: tuple[str, ...]
+    other_order: str | None = None
 
     @property
     def differs_at(self) -> str | None:
         """The phase that least is what it is called, where the recording differs from the finished
         ones in its phases."""
+        if self.other_order:
+            return self.other_order
         least = min(self.phases, key=lambda one: one.confidence, default=None)
         return least.name if least and least.confidence < DIFFERS_BELOW else None
 
@@ -100,7 +104,13 @@ def propose(
     best, alignment = aligned[0].taught, aligned[0].alignment
     limit = _limit(usual_cost)
     if alignment.cost > limit:
-        return Transfer(demonstration.name, (), (), True, alignment.cost, (best.name,))
+        return Transfer(demonstration.name, (), (), True, alignment.cost, (best.name,), None)
+    as_done = done_otherwise(aligned, signals)
+    differs = None
+    if as_done is not None:
+        differs, teacher = as_done
+        aligned = [teacher]
+        best, alignment = teacher.taught, teacher.alignment
     same = [one for one in aligned if one.taught.names == best.names]
     same = [one for one in same if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
     boundaries = _boundaries(same, signals, places)
@@ -115,7 +125,7 @@ def propose(
     inner = {phase.end_s for phase in phases[:-1]}
     boundaries = tuple(b for b in boundaries if b.time_s in inner)
     teachers = tuple(one.taught.name for one in same)
-    return Transfer(demonstration.name, boundaries, phases, False, alignment.cost, teachers)
+    return Transfer(demonstration.name, boundaries, phases, False, alignment.cost, teachers, differs)
 
 
 def usual_cost_of(taught: Sequence[Taught]) -> float | None:

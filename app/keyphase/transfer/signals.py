@@ -95,6 +95,15 @@ class Signals:
         values[:, x : x + 3] += by
         return replace(self, values=values)
 
+    def pushed(self, sign: float) -> "Signals":
+        """The same with this sign of the force."""
+        if "force" not in self.kinds or sign > 0.0:
+            return self
+        values = self.values.copy()
+        x = self.kinds.index("force")
+        values[:, x : x + 3] *= sign
+        return replace(self, values=values)
+
     def with_gripper(self) -> "Signals":
         """With a gripper that stands still where there is none."""
         if GRIPPER in self.kinds:
@@ -114,10 +123,13 @@ class Standing:
 
     turn   (3, 3) orthogonal; its determinant is -1 where the other is its mirror image
     moved  (3,) of its places relative to the start, in parts of its extent: it began elsewhere
+    pushed -1 where its force has the other sign: one tells what the tool pushes, the other what
+           pushes the tool
     """
 
     turn: Array = field(default_factory=lambda: np.eye(3))
     moved: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    pushed: float = 1.0
 
     @property
     def turned_rad(self) -> float:
@@ -149,7 +161,8 @@ def in_common(
     if (GRIPPER in first.kinds) != (GRIPPER in second.kinds):
         first, second = first.with_gripper(), second.with_gripper()
     shared = [kind for kind in dict.fromkeys(first.kinds) if kind in second.kinds]
-    return first.only(shared), second.only(shared).turned(standing.turn).moved(standing.moved)
+    stands = second.only(shared).turned(standing.turn).moved(standing.moved)
+    return first.only(shared), stands.pushed(standing.pushed)
 
 
 def unlike(kinds: Sequence[str]) -> float:

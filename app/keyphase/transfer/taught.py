@@ -1,9 +1,9 @@
 """What a finished recording teaches: its boundaries and the names between them."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -86,6 +86,25 @@ class Taught:
             for end_s, place in found
         )
 
+    def in_order(self, order: Sequence[int]) -> "Taught":
+        """As it would be, had its phases been done in this order: some left out, some again."""
+        phases: list[Phase] = []
+        places: list[Place] = []
+        times, rows, found_s = [], [], []
+        begun_s = self.phases[0].start_s
+        for number in order:
+            one = self.phases[number]
+            later_s = begun_s - one.start_s
+            row = np.flatnonzero(_within(self.signals.time_s, one))
+            times.append(self.signals.time_s[row] + later_s)
+            rows.append(row)
+            places += [replace(p, time_s=p.time_s + later_s) for p in self.places.all if _within(p.time_s, one)]
+            found_s += [at + later_s for at in self.found_s if _within(at, one)]
+            begun_s = one.end_s + later_s
+            phases.append(replace(one, start_s=one.start_s + later_s, end_s=begun_s))
+        signals = replace(self.signals, time_s=np.concatenate(times), values=self.signals.values[np.concatenate(rows)])
+        return replace(self, phases=tuple(phases), signals=signals, places=Places(tuple(places)), found_s=tuple(found_s))
+
     def _is_nearest(self, number: int, place: Place, found: Sequence[Place | None]) -> bool:
         sharing = [i for i, other in enumerate(found) if other == place]
         return number == min(sharing, key=lambda i: abs(self.ends_s[i] - place.time_s))
@@ -132,6 +151,10 @@ def kind_of(kind: PlaceKind, time_s: float, signals: Signals) -> str:
     speed = signals.only(["speed"])
     faster = speed.between(time_s + _AROUND_S).mean() > speed.between(time_s - _AROUND_S).mean()
     return "begins" if faster else "stops"
+
+
+def _within(time_s: Any, phase: Phase) -> Any:
+    return (time_s >= phase.start_s) & (time_s < phase.end_s)
 
 
 class _Named(Protocol):

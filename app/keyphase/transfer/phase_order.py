@@ -1,0 +1,144 @@
+"""In which order the phases of a finished recording are found in another one.
+
+A warping keeps the order of what is warped: a phase that is missing, done twice or in another place
+is forced onto what is there. Here the way through the finished recording may leap, from the end of
+any phase to the beginning of any other, where it follows the new one so much better: a segmental
+hidden Markov model (Rabiner 1989) whose states are the samples of the finished recording.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from keyphase.demonstration import Array
+from keyphase.transfer.alignment import align, in_any_frame
+from keyphase.transfer.placing import Teacher
+from keyphase.transfer.rests import LONGEST_S, WITHIN_S
+from keyphase.transfer.signals import Signals, in_common, unlike
+
+LEAP_S = 0.1
+"""What a leap costs: so many seconds of being as far apart as unlike tasks are."""
+
+_FASTEST = 2.5
+"""A phase may be done this much faster than the whole."""
+
+_LEAST_STEPS = 3
+_BETTER = 0.97
+_GAP = 1.5
+
+
+def done_otherwise(
+    teachers: Sequence[Teacher], signals: Signals
+) -> tuple[str | None, Teacher] | None:
+    """How the other's phases differ, and the best teacher as it would be, done like that.
+
+    None where they do not: where most of the teachers find them in their order, or where one that
+    is done like that fits hardly better. What goes the other way round in a mirror seems to be
+    another phase: where the finished recording fits better that way, nothing differs.
+    """
+    found: list[tuple[str | None, Teacher]] = []
+    for teacher in teachers:
+        order = phase_order(teacher, signals)
+        differs = how_it_differs(order, teacher.taught.names)
+        if differs is None:
+            continue
+        as_done = teacher.taught.in_order(order)
+        alignment = align(as_done.signals, signals)
+        stands = in_any_frame(teacher.taught.signals, signals)
+        if stands.cost < alignment.cost:
+            found.append((None, Teacher(teacher.taught, stands)))
+        elif alignment.cost < _BETTER * teacher.alignment.cost:
+            found.append((differs, Teacher(as_done, alignment)))
+    return found[0] if 2 * len(found) > len(teachers) else None
+
+
+def phase_order(teacher: Teacher, signals: Signals) -> tuple[int, ...]:
+    """The numbers of the finished recording's phases, in the order in which the other has them."""
+    theirs, mine = in_common(teacher.taught.signals, signals, teacher.alignment.standing)
+    edges = [phase.start_s for phase in teacher.taught.phases]
+    starts = np.unique(np.searchsorted(theirs.time_s, edges).clip(0, len(theirs.time_s) - 1))
+    distance = _distances(theirs.values, mine.values) / unlike(theirs.kinds)
+    resting = _in_a_cut_rest(mine)
+    distance[:, resting] = 0.0
+    fastest = int(np.ceil(_FASTEST * len(theirs.values) / len(mine.values)))
+    rows = _followed(distance, starts, np.where(resting, np.inf, LEAP_S / mine.step_s), max(fastest, _LEAST_STEPS))
+    number = np.searchsorted(edges, theirs.time_s[rows], side="right") - 1
+    new = np.flatnonzero((np.diff(rows) < 0) | (np.diff(number) != 0)) + 1
+    return tuple(number[[0, *new]].tolist())
+
+
+def how_it_differs(order: Sequence[int], names: Sequence[str]) -> str | None:
+    """What is other than in the finished recording, in words; None where nothing is."""
+    missing = [names[i] for i in range(len(names)) if i not in order]
+    again = [names[i] for i in range(len(names)) if list(order).count(i) > 1]
+    told = [f"{_listed(missing)} missing"] if missing else []
+    told += [f"{_listed(again)} done again"] if again else []
+    falls = [(a, b) for a, b in zip(order, order[1:], strict=False) if b < a]
+    if falls and not again:
+        told += [f"'{names[falls[0][0]]}' comes before '{names[falls[0][1]]}'"]
+    return " and ".join(told) or None
+
+
+def _listed(names: Sequence[str]) -> str:
+    return ", ".join(f"'{name}'" for name in names) + (" are" if len(names) > 1 else " is")
+
+
+def _in_a_cut_rest(signals: Signals) -> NDArray[np.bool_]:
+    """Which samples (M,) are what is left of a long rest: a rest may come anywhere."""
+    cut = np.flatnonzero(np.diff(signals.time_s) > _GAP * signals.step_s)
+    beside = round((0.5 * LONGEST_S + WITHIN_S) / signals.step_s)
+    samples = np.arange(len(signals.time_s))
+    return (np.abs(samples[:, None] - cut - 0.5) <= beside).any(axis=1)
+
+
+def _distances(theirs: Array, mine: Array) -> Array:
+    """Euclidean distances (N, M)."""
+    squares = (theirs**2).sum(1)[:, None] + (mine**2).sum(1) - 2.0 * theirs @ mine.T
+    return np.sqrt(np.maximum(squares, 0.0))
+
+
+def _followed(
+    distance: Array, starts: NDArray[np.intp], leap: Array, fastest: int
+) -> NDArray[np.intp]:
+    """The row (M,) that is followed at each column of distances (N, M): the cheapest way.
+
+    From a column to the next it stays, goes on by up to `fastest` rows, or leaps for its price to
+    one of `starts`, from the row before one of them or from the last. It begins at the first row,
+    or at another start for the price of a leap, and ends likewise.
+    """
+    count, columns = distance.shape
+    ends = np.append(starts[1:] - 1, count - 1)
+    rows, steps = np.arange(count), np.arange(fastest + 1)[:, None]
+    came_from = np.empty((columns, count), dtype=np.intp)
+    total = np.full(count, np.inf)
+    total[starts] = leap[0]
+    total[0] = 0.0
+    total += distance[:, 0]
+    padded = np.full(fastest + count, np.inf)
+    shifted = fastest + rows - steps
+    for column in range(1, columns):
+        padded[fastest:] = total
+        reached = padded[shifted]
+        best = reached.argmin(axis=0)
+        came_from[column] = rows - best
+        last = ends[total[ends].argmin()]
+        total = reached[best, rows]
+        leapt = padded[fastest + last] + leap[column]
+        there = starts[total[starts] > leapt]
+        came_from[column, there] = last
+        total[there] = leapt
+        total += distance[:, column]
+    return _back(came_from, _last(total, ends, leap[-1]))
+
+
+def _last(total: Array, ends: NDArray[np.intp], leap: float) -> int:
+    stopped = ends[total[ends].argmin()]
+    return int(stopped) if total[stopped] + leap < total[-1] else len(total) - 1
+
+
+def _back(came_from: NDArray[np.intp], row: int) -> NDArray[np.intp]:
+    rows = [row]
+    for before in came_from[:0:-1]:
+        rows.append(int(before[rows[-1]]))
+    return np.array(rows[::-1], dtype=np.intp)
