@@ -19,7 +19,7 @@ from keyphase.workbench.desks.folder import Folder
 
 NAMES = ("Reach", "Lower", "Slide")
 TURNED = (1, 5)
-"""These have the other sign of force, so that they are less like what was taught."""
+"""These have the other sign of force."""
 
 _RATE_HZ = 125.0
 

@@ -1,14 +1,17 @@
 """All recordings of a folder beside each other: seen, aligned, renamed in all, opened there."""
 
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from driver import KeyphasePage, Serve, Visit
 from ten_recordings import finish, ten_recordings
 
 from keyphase.files.shipped import shipped
 from keyphase.labeling.storage.folder_settings import read_folder_settings
+from keyphase.readers import read, save_npz
 
 AXE = Path(__file__).parents[2] / "node_modules" / "axe-core" / "axe.min.js"
 
@@ -42,8 +45,10 @@ _OVERLAPS = """() => {
 
 @pytest.fixture
 def page(tmp_path: Path, serve: Serve, visit: Visit) -> KeyphasePage:
-    """Ten recordings of a task, of which the first is done, and one of another."""
+    """Ten recordings of a task, of which the first is done and one stops early, and one of
+    another."""
     ten_recordings(tmp_path)
+    _stop_early(tmp_path / "take_05.npz")
     shutil.copy(shipped("data") / "wipe.npz", tmp_path / "other.npz")
     finish(tmp_path / "take_00.npz")
     page = visit(serve(tmp_path), size=(1440, 900), scene=False)
@@ -53,6 +58,20 @@ def page(tmp_path: Path, serve: Serve, visit: Visit) -> KeyphasePage:
     page.until("keyphase.state.grid.rows.filter(one => one.proposed_from.length).length === 9")
     page.settle()
     return page
+
+
+def _stop_early(path: Path) -> None:
+    """Leave out the last phase, the slide."""
+    whole = read(path)
+    until = int(np.searchsorted(whole.time_s, 0.72 * whole.duration_s))
+    cut = replace(
+        whole,
+        time_s=whole.time_s[:until],
+        position_m=whole.position_m[:until],
+        force_N=whole.force_N[:until] if whole.force_N is not None else None,
+    )
+    path.unlink()
+    save_npz(cut, path)
 
 
 def _names(page: KeyphasePage, name: str) -> list[str]:
@@ -83,9 +102,11 @@ def test_all_are_seen_aligned_changed_and_opened_there(page: KeyphasePage, tmp_p
     assert AXE.exists(), "axe-core is missing; `make page-scripts` installs it"
     page.page.evaluate(AXE.read_text())
     standings = page.page.locator(".grid-standing").all_inner_texts()
-    assert standings == ["outlier", "differs", "differs", "done", *7 * ["proposed"]]
+    assert standings == ["outlier", "differs", "done", *8 * ["proposed"]]
     listed = page.page.locator(".queue-confidence").all_text_contents()
-    assert (listed.count("differs"), listed.count("unlike")) == (2, 1)
+    assert (listed.count("differs"), listed.count("unlike")) == (1, 1)
+    told = page.page.locator(".grid-standing.differs").get_attribute("title")
+    assert told == "Proposed from take_00, but 'Slide' is missing"
     _look(page, "start", dark=False)
     _align(page)
     _rename_in_all(page)
@@ -152,9 +173,9 @@ def _wait_until_kept(page: KeyphasePage, folder: Path, expected: list[tuple[str,
 
 
 def _open_by_keys(page: KeyphasePage) -> None:
-    """The second phase of the fourth row: the recording opens there."""
+    """The second phase of the third row: the recording opens there."""
     page.page.get_by_role("listbox", name="Recordings").last.focus()
-    for key in ("Home", "ArrowDown", "ArrowDown", "ArrowDown", "ArrowRight"):
+    for key in ("Home", "ArrowDown", "ArrowDown", "ArrowRight"):
         page.press(key)
     page.press("Enter")
     page.until("keyphase.state.document.name === 'take_00' && !keyphase.state.gridShown")

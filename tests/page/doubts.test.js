@@ -32,13 +32,13 @@ function given(document) {
   return { state: /** @type {any} */ (state), set, actions, done };
 }
 
-test("a phase that fits badly is shown and told once its proposal was taken over", () => {
+test("how a recording differs is told, and where, once its proposal was taken over", () => {
   const before = documentOf(10, [boundary(5)], { revision: 3 });
   const { state, set, actions, done } = given(before);
   const at = before.segments[1].label;
-  actions.doubtsOfProposal(at);
+  actions.doubtsOfProposal({ at, told: `“${at}” is missing` });
   set({ document: { ...before, revision: before.revision + 1 } });
-  assert.match(state.notice.text, new RegExp(`“${at}” fits badly`));
+  assert.match(state.notice.text, new RegExp(`It differs: “${at}” is missing`));
   assert.equal(state.notice.level, "warning");
   assert.deepEqual(done, [
     ["select", 1],

@@ -244,7 +244,7 @@ def test_a_long_rest_moves_what_comes_after_it_and_nothing_else(
     assert alignment.tempo == pytest.approx(1.0, abs=0.1)
 
 
-def test_a_recording_without_one_of_the_phases_differs_at_what_is_called_so(
+def test_a_recording_without_one_of_the_phases_differs_what_is_called_so(
     second: Demonstration, first: Taught
 ) -> None:
     """The way down into the contact is left out; what follows begins where it did."""
@@ -263,9 +263,9 @@ def test_a_recording_without_one_of_the_phases_differs_at_what_is_called_so(
         force_N=without(second.force_N),
     )
     found = propose([first], short, segment(short))
-    assert found.differs_at is not None
+    assert found.differs is not None
     assert not found.outlier
-    assert propose([first], second, segment(second)).differs_at is None
+    assert propose([first], second, segment(second)).differs is None
 
 
 def test_a_name_is_unsure_where_its_phase_is_not_there(shown: Demonstration, first: Taught) -> None:

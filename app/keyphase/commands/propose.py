@@ -115,10 +115,9 @@ def _tell(taught: "list[Taught]", proposed: "list[Proposed]") -> int:
             parts = (*transfer.boundaries, *transfer.phases)
             least = min((part.confidence for part in parts), default=1.0)
             say(f"{recording}: {len(transfer.phases)} phases, least confidence {least:.2f}")
-        if transfer.differs_at is not None:
+        if transfer.differs is not None:
             complain(
-                f"{recording}: differs from them at {transfer.differs_at!r}: a phase may be "
-                "missing, doubled or in another order; look at what is proposed"
+                f"{recording}: differs from them: {transfer.differs.told}; look at what is proposed"
             )
     for one in proposed:
         if one.refusal:
@@ -137,7 +136,7 @@ def _values(proposed: "Proposed") -> dict[str, Any]:
     return {
         "recording": str(proposed.recording),
         "outlier": transfer.outlier,
-        "differs_at": transfer.differs_at,
+        "differs": dataclasses.asdict(transfer.differs) if transfer.differs else None,
         "cost": round(transfer.cost, 4),
         "from": list(transfer.teachers),
         "boundaries": [

@@ -7,6 +7,8 @@ hidden Markov model (Rabiner 1989) whose states are the samples of the finished 
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,29 +30,41 @@ _BETTER = 0.97
 _GAP = 1.5
 
 
-def done_otherwise(
+@dataclass(frozen=True)
+class Difference:
+    """How the phases of a recording differ from those of the finished ones.
+
+    at    the name of the phase to look at
+    told  in words
+    """
+
+    at: str
+    told: str
+
+
+def as_done(
     teachers: Sequence[Teacher], signals: Signals
-) -> tuple[str | None, Teacher] | None:
+) -> tuple[Difference | None, Sequence[Teacher]]:
     """How the other's phases differ, and the best teacher as it would be, done like that.
 
-    None where they do not: where most of the teachers find them in their order, or where one that
-    is done like that fits hardly better. What goes the other way round in a mirror seems to be
-    another phase: where the finished recording fits better that way, nothing differs.
+    The teachers as they are where nothing differs: where most of them find their phases in order,
+    or where one that is done like that fits hardly better. What goes the other way round in a
+    mirror seems to be another phase: where a finished recording fits better that way, it is that.
     """
-    found: list[tuple[str | None, Teacher]] = []
+    found: list[tuple[Difference | None, Sequence[Teacher]]] = []
     for teacher in teachers:
         order = phase_order(teacher, signals)
         differs = how_it_differs(order, teacher.taught.names)
         if differs is None:
             continue
-        as_done = teacher.taught.in_order(order)
-        alignment = align(as_done.signals, signals)
+        reordered = teacher.taught.in_order(order)
+        alignment = align(reordered.signals, signals)
         stands = in_any_frame(teacher.taught.signals, signals)
         if stands.cost < alignment.cost:
-            found.append((None, Teacher(teacher.taught, stands)))
+            found.append((None, [Teacher(teacher.taught, stands)]))
         elif alignment.cost < _BETTER * teacher.alignment.cost:
-            found.append((differs, Teacher(as_done, alignment)))
-    return found[0] if 2 * len(found) > len(teachers) else None
+            found.append((differs, [Teacher(reordered, alignment)]))
+    return found[0] if 2 * len(found) > len(teachers) else (None, teachers)
 
 
 def phase_order(teacher: Teacher, signals: Signals) -> tuple[int, ...]:
@@ -62,26 +76,35 @@ def phase_order(teacher: Teacher, signals: Signals) -> tuple[int, ...]:
     resting = _in_a_cut_rest(mine)
     distance[:, resting] = 0.0
     fastest = int(np.ceil(_FASTEST * len(theirs.values) / len(mine.values)))
-    rows = _followed(distance, starts, np.where(resting, np.inf, LEAP_S / mine.step_s), max(fastest, _LEAST_STEPS))
+    rows = _followed(
+        distance,
+        starts,
+        np.where(resting, np.inf, LEAP_S / mine.step_s),
+        max(fastest, _LEAST_STEPS),
+    )
     number = np.searchsorted(edges, theirs.time_s[rows], side="right") - 1
     new = np.flatnonzero((np.diff(rows) < 0) | (np.diff(number) != 0)) + 1
     return tuple(number[[0, *new]].tolist())
 
 
-def how_it_differs(order: Sequence[int], names: Sequence[str]) -> str | None:
-    """What is other than in the finished recording, in words; None where nothing is."""
-    missing = [names[i] for i in range(len(names)) if i not in order]
-    again = [names[i] for i in range(len(names)) if list(order).count(i) > 1]
-    told = [f"{_listed(missing)} missing"] if missing else []
-    told += [f"{_listed(again)} done again"] if again else []
-    falls = [(a, b) for a, b in zip(order, order[1:], strict=False) if b < a]
-    if falls and not again:
-        told += [f"'{names[falls[0][0]]}' comes before '{names[falls[0][1]]}'"]
-    return " and ".join(told) or None
+def how_it_differs(order: Sequence[int], names: Sequence[str]) -> Difference | None:
+    """What is other than in the finished recording; None where nothing is."""
+    numbers = range(len(names))
+    missing = [i for i in numbers if i not in order]
+    again = [i for i in numbers if list(order).count(i) > 1]
+    earlier = [(a, b) for a, b in pairwise(order) if b < a and not again]
+    told = [f"{_listed(names, missing)} missing"] if missing else []
+    told += [f"{_listed(names, again)} done again"] if again else []
+    told += [f"'{names[a]}' comes before '{names[b]}'" for a, b in earlier]
+    if not told:
+        return None
+    after_missing = [i for i in order if i > min(missing, default=len(names))]
+    at = [*again, *(a for a, _ in earlier), *after_missing, order[-1]][0]
+    return Difference(names[at], " and ".join(told))
 
 
-def _listed(names: Sequence[str]) -> str:
-    return ", ".join(f"'{name}'" for name in names) + (" are" if len(names) > 1 else " is")
+def _listed(names: Sequence[str], numbers: Sequence[int]) -> str:
+    return ", ".join(f"'{names[i]}'" for i in numbers) + (" are" if len(numbers) > 1 else " is")
 
 
 def _in_a_cut_rest(signals: Signals) -> NDArray[np.bool_]:
@@ -89,7 +112,8 @@ def _in_a_cut_rest(signals: Signals) -> NDArray[np.bool_]:
     cut = np.flatnonzero(np.diff(signals.time_s) > _GAP * signals.step_s)
     beside = round((0.5 * LONGEST_S + WITHIN_S) / signals.step_s)
     samples = np.arange(len(signals.time_s))
-    return (np.abs(samples[:, None] - cut - 0.5) <= beside).any(axis=1)
+    near = np.abs(samples[:, None] - cut - 0.5) <= beside
+    return np.asarray(near.any(axis=1))
 
 
 def _distances(theirs: Array, mine: Array) -> Array:

@@ -18,7 +18,7 @@ from keyphase.transfer.alignment import align
 from keyphase.transfer.evidence_places import NO_PLACES, Places, places_of
 from keyphase.transfer.own_boundaries import ProposedBoundary, means_own, own_where_better
 from keyphase.transfer.phase_fit import PhaseFit
-from keyphase.transfer.phase_order import done_otherwise
+from keyphase.transfer.phase_order import Difference, as_done
 from keyphase.transfer.placing import Teacher, placed_ends
 from keyphase.transfer.signals import Signals, signals_of
 from keyphase.transfer.taught import Taught
@@ -58,9 +58,10 @@ class ProposedPhase:
 class Transfer:
     """What is proposed for one recording.
 
-    outlier   it fits none of the finished ones; nothing is proposed then
-    cost      how badly the best of them fits
-    teachers  the names of those it was proposed from, the best first
+    outlier         it fits none of the finished ones; nothing is proposed then
+    cost            how badly the best of them fits
+    teachers        the names of those it was proposed from, the best first
+    done_otherwise  which phases are missing, done again or in another order
     """
 
     name: str
@@ -69,16 +70,18 @@ class Transfer:
     outlier: bool
     cost: float
     teachers: tuple[str, ...]
-    other_order: str | None = None
+    done_otherwise: Difference | None = None
 
     @property
-    def differs_at(self) -> str | None:
-        """The phase that least is what it is called, where the recording differs from the finished
-        ones in its phases."""
-        if self.other_order:
-            return self.other_order
+    def differs(self) -> Difference | None:
+        """How its phases differ from those of the finished ones; None where they do not: done in
+        another order, or one that hardly is what it is called."""
         least = min(self.phases, key=lambda one: one.confidence, default=None)
-        return least.name if least and least.confidence < DIFFERS_BELOW else None
+        if self.done_otherwise or least is None or least.confidence >= DIFFERS_BELOW:
+            return self.done_otherwise
+        named = f"'{least.name}'" if least.name else "a phase without a name"
+        told = f"{named} fits badly: a phase may be missing, doubled or in another order"
+        return Difference(least.name, told)
 
 
 def propose(
@@ -101,16 +104,11 @@ def propose(
     places = NO_PLACES if segmentation is None else places_of(segmentation)
     aligned = [Teacher(one, align(one.signals, signals)) for one in _nearest(taught, signals)]
     aligned.sort(key=lambda teacher: teacher.alignment.cost)
+    best, cost = aligned[0].taught, aligned[0].alignment.cost
+    if cost > _limit(usual_cost):
+        return Transfer(demonstration.name, (), (), True, cost, (best.name,))
+    done_otherwise, aligned = as_done(aligned, signals)
     best, alignment = aligned[0].taught, aligned[0].alignment
-    limit = _limit(usual_cost)
-    if alignment.cost > limit:
-        return Transfer(demonstration.name, (), (), True, alignment.cost, (best.name,), None)
-    as_done = done_otherwise(aligned, signals)
-    differs = None
-    if as_done is not None:
-        differs, teacher = as_done
-        aligned = [teacher]
-        best, alignment = teacher.taught, teacher.alignment
     same = [one for one in aligned if one.taught.names == best.names]
     same = [one for one in same if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
     boundaries = _boundaries(same, signals, places)
@@ -125,7 +123,7 @@ def propose(
     inner = {phase.end_s for phase in phases[:-1]}
     boundaries = tuple(b for b in boundaries if b.time_s in inner)
     teachers = tuple(one.taught.name for one in same)
-    return Transfer(demonstration.name, boundaries, phases, False, alignment.cost, teachers, differs)
+    return Transfer(demonstration.name, boundaries, phases, False, cost, teachers, done_otherwise)
 
 
 def usual_cost_of(taught: Sequence[Taught]) -> float | None:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
@@ -88,22 +88,40 @@ class Taught:
 
     def in_order(self, order: Sequence[int]) -> "Taught":
         """As it would be, had its phases been done in this order: some left out, some again."""
-        phases: list[Phase] = []
-        places: list[Place] = []
-        times, rows, found_s = [], [], []
+        pieces: list[Taught] = []
         begun_s = self.phases[0].start_s
         for number in order:
-            one = self.phases[number]
-            later_s = begun_s - one.start_s
-            row = np.flatnonzero(_within(self.signals.time_s, one))
-            times.append(self.signals.time_s[row] + later_s)
-            rows.append(row)
-            places += [replace(p, time_s=p.time_s + later_s) for p in self.places.all if _within(p.time_s, one)]
-            found_s += [at + later_s for at in self.found_s if _within(at, one)]
-            begun_s = one.end_s + later_s
-            phases.append(replace(one, start_s=one.start_s + later_s, end_s=begun_s))
-        signals = replace(self.signals, time_s=np.concatenate(times), values=self.signals.values[np.concatenate(rows)])
-        return replace(self, phases=tuple(phases), signals=signals, places=Places(tuple(places)), found_s=tuple(found_s))
+            pieces.append(self._piece(number, begun_s))
+            begun_s = pieces[-1].phases[0].end_s
+        return replace(
+            self,
+            phases=tuple(piece.phases[0] for piece in pieces),
+            signals=replace(
+                self.signals,
+                time_s=np.concatenate([piece.signals.time_s for piece in pieces]),
+                values=np.concatenate([piece.signals.values for piece in pieces]),
+            ),
+            places=Places(tuple(place for piece in pieces for place in piece.places.all)),
+            found_s=tuple(time_s for piece in pieces for time_s in piece.found_s),
+        )
+
+    def _piece(self, number: int, begun_s: float) -> "Taught":
+        """One phase alone, as if it began then."""
+        phase = self.phases[number]
+        later_s = begun_s - phase.start_s
+        time_s, is_last = self.signals.time_s, number == len(self.phases) - 1
+        rows = (time_s >= phase.start_s) & ((time_s < phase.end_s) | is_last)
+        places = [one for one in self.places.all if phase.start_s <= one.time_s < phase.end_s]
+        found = [at_s for at_s in self.found_s if phase.start_s <= at_s < phase.end_s]
+        return replace(
+            self,
+            phases=(replace(phase, start_s=begun_s, end_s=phase.end_s + later_s),),
+            signals=replace(
+                self.signals, time_s=time_s[rows] + later_s, values=self.signals.values[rows]
+            ),
+            places=Places(tuple(replace(one, time_s=one.time_s + later_s) for one in places)),
+            found_s=tuple(at_s + later_s for at_s in found),
+        )
 
     def _is_nearest(self, number: int, place: Place, found: Sequence[Place | None]) -> bool:
         sharing = [i for i, other in enumerate(found) if other == place]
@@ -151,10 +169,6 @@ def kind_of(kind: PlaceKind, time_s: float, signals: Signals) -> str:
     speed = signals.only(["speed"])
     faster = speed.between(time_s + _AROUND_S).mean() > speed.between(time_s - _AROUND_S).mean()
     return "begins" if faster else "stops"
-
-
-def _within(time_s: Any, phase: Phase) -> Any:
-    return (time_s >= phase.start_s) & (time_s < phase.end_s)
 
 
 class _Named(Protocol):

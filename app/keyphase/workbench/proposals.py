@@ -10,6 +10,7 @@ from keyphase.errors import KeyphaseError
 from keyphase.labeling.comparing.comparison import Outline
 from keyphase.labeling.edits.take_over import TakeOver
 from keyphase.transfer.as_edit import as_edit
+from keyphase.transfer.phase_order import Difference
 from keyphase.transfer.proposing import Transfer, propose, usual_cost_of
 from keyphase.transfer.taught import Taught, taught_by
 from keyphase.workbench.desks.library import Library
@@ -28,14 +29,14 @@ class Proposal:
     teachers    names of the recordings it is proposed from, the best first
     confidence  the least of its boundaries and names, 0 to 1
     edit        makes it the recording's own; None where it is an outlier, which fits none of them
-    differs_at  the phase that fits badly, where one seems missing, doubled or in another order
+    differs     how its phases differ from theirs; None where they do not
     """
 
     teachers: tuple[str, ...]
     confidence: float
     outline: Outline | None
     edit: TakeOver | None
-    differs_at: str | None = None
+    differs: Difference | None = None
 
     @property
     def is_outlier(self) -> bool:
@@ -141,7 +142,7 @@ class Proposals:
             confidence=_confidence(transfer),
             outline=None if transfer.outlier else _outline(transfer),
             edit=None if transfer.outlier else as_edit(transfer, segmentation),
-            differs_at=transfer.differs_at,
+            differs=transfer.differs,
         )
         with self._lock:
             self._found = {**self._found, line.id: found}

@@ -89,7 +89,7 @@ def _try(taught: Sequence[Taught], usual: float | None, known: Known) -> Tried:
         {method: tally(truth, some) for method, some in times.items()},
         names if known.named else {},
         found.outlier,
-        found.differs_at is not None,
+        found.differs is not None,
         _sure_boundaries(known, found),
         _sure_names(known, found) if known.named else [],
     )

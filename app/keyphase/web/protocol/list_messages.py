@@ -6,6 +6,7 @@ from msgspec import UNSET, Struct, UnsetType
 
 from keyphase.labeling.assessment import NOTHING_SAID, Assessment
 from keyphase.labeling.tasks.task import TaskPhase
+from keyphase.transfer.phase_order import Difference
 from keyphase.workbench.grid.rows import GridRow, Standing
 from keyphase.workbench.grid.stretches import Stretch
 from keyphase.workbench.proposals import Proposal
@@ -49,7 +50,7 @@ class RecordingLine(Struct, frozen=True):
     proposed_from, proposed_confidence  from which finished recordings its segmentation is proposed,
                                         and how sure the least sure of it is
     outlier                             it fits none of the finished ones
-    differs_at                          the phase that fits badly, where phases seem to be others
+    differs                             how its phases differ from theirs
     differences                         how often another person's segments differ; null where
                                         there are none to compare with
     marked                              what is said of single segments
@@ -68,7 +69,7 @@ class RecordingLine(Struct, frozen=True):
     proposed_from: tuple[str, ...] = ()
     proposed_confidence: float | None = None
     outlier: bool = False
-    differs_at: str | None = None
+    differs: Difference | None = None
     assessment: Assessment = NOTHING_SAID
     differences: int | None = None
     marked: tuple[Assessment, ...] = ()
@@ -179,7 +180,7 @@ class GridLine(Struct, frozen=True):
     stretches      its segments, or what is proposed for it
     unsure         how many of its boundaries a person should look at
     proposed_from  from which recordings `stretches` are proposed; empty: they are its own
-    differs_at     the phase that fits badly, where phases seem to be others
+    differs        how its phases differ from those of the finished ones
     """
 
     id: str
@@ -190,7 +191,7 @@ class GridLine(Struct, frozen=True):
     unsure: int
     proposed_from: tuple[str, ...]
     error: str | None
-    differs_at: str | None = None
+    differs: Difference | None = None
 
 
 class GridMessage(Struct, frozen=True, tag_field="type", tag="grid"):
@@ -223,7 +224,7 @@ def grid_line(row: GridRow) -> GridLine:
         unsure,
         row.teachers,
         line.error,
-        row.differs_at,
+        row.differs,
     )
 
 
@@ -272,12 +273,12 @@ def _line(
 
 def _proposed(
     proposal: Proposal | None,
-) -> tuple[tuple[str, ...], float | None, bool, str | None]:
+) -> tuple[tuple[str, ...], float | None, bool, Difference | None]:
     if proposal is None:
         return (), None, False, None
     if proposal.is_outlier:
         return (), None, True, None
-    return proposal.teachers, proposal.confidence, False, proposal.differs_at
+    return proposal.teachers, proposal.confidence, False, proposal.differs
 
 
 def _spread_line(item: SpreadItem) -> SpreadLine:

@@ -6,6 +6,7 @@ from typing import Literal
 
 from keyphase.labeling.comparing.comparison import Outline
 from keyphase.labeling.edits import Keep
+from keyphase.transfer.phase_order import Difference
 from keyphase.workbench.grid.stretches import Stretch
 from keyphase.workbench.proposals import Proposal
 from keyphase.workbench.recording_list import Listing
@@ -33,14 +34,14 @@ class GridRow:
 
     stretches  its segments; of one for which something is proposed, those that are proposed
     teachers   names of the recordings these are proposed from
-    differs_at the phase that fits badly, where phases seem to be others
+    differs    how its phases differ from those of the finished ones
     """
 
     recording: Recording
     standing: Standing
     stretches: tuple[Stretch, ...]
     teachers: tuple[str, ...] = ()
-    differs_at: str | None = None
+    differs: Difference | None = None
 
 
 def grid_rows(listing: Listing, folder: Path) -> tuple[GridRow, ...]:
@@ -61,8 +62,8 @@ def grid_row(line: Recording, proposal: Proposal | None) -> GridRow:
             return GridRow(line, "outlier", line.stretches)
         sure = proposal.confidence >= UNSURE_BELOW
         shown = _proposed(proposal, proposal.outline)
-        if proposal.differs_at is not None:
-            return GridRow(line, "differs", shown, proposal.teachers, proposal.differs_at)
+        if proposal.differs is not None:
+            return GridRow(line, "differs", shown, proposal.teachers, proposal.differs)
         return GridRow(line, "proposed" if sure else "unsure", shown, proposal.teachers)
     if not line.stretches:
         return GridRow(line, "waiting", ())

@@ -1,11 +1,6 @@
 /** From one unsure boundary to the next, in this recording and then in the others. */
 
-import {
-  misfitAt,
-  nextDoubtful,
-  nextUndone,
-  proposedHere,
-} from "../model/recordings/recording_list.js";
+import { nextDoubtful, nextUndone, proposedHere } from "../model/recordings/recording_list.js";
 import { unsureBoundaries } from "../model/unsure.js";
 
 /**
@@ -22,7 +17,7 @@ export function createDoubtActions(store, actions) {
   });
   /** The document as it was before a proposal was taken over. @type {import("../model/types.js").Doc|null} */
   let taking = null;
-  /** The phase that fits badly in what was taken over, until that was told. @type {{id: string, at: string}|null} */
+  /** The phase that fits badly in what was taken over, until that was told. @type {{id: string, at: string, told: string}|null} */
   let misfit = null;
   store.on(["document"], ({ document: doc }) => {
     if (!taking || (doc?.id === taking.id && doc.revision <= taking.revision)) return;
@@ -44,7 +39,7 @@ export function createDoubtActions(store, actions) {
 
   /** What differs from the finished recordings is looked at last. @param {string} then */
   function tellMisfit(then) {
-    const { at } = misfit;
+    const { at, told } = misfit;
     misfit = null;
     const { segments } = state.document;
     const index = segments.findIndex(({ label }) => label === at);
@@ -52,7 +47,7 @@ export function createDoubtActions(store, actions) {
       actions.select(index);
       actions.goTo(segments[index].start_s);
     }
-    store.set({ notice: { level: "warning", text: `${misfitAt(at)} Look at it. ${then}` } });
+    store.set({ notice: { level: "warning", text: `It differs: ${told}. Look at it. ${then}` } });
   }
 
   /** Doubts of the program’s own boundaries may be none any more in what is proposed. */
@@ -79,9 +74,9 @@ export function createDoubtActions(store, actions) {
       return show(unsure.at(next % unsure.length));
     },
     /** Once what is being taken over has come, its first doubt is shown. */
-    doubtsOfProposal(/** @type {string|null} */ differsAt) {
+    doubtsOfProposal(/** @type {import("../messages/list_messages").Difference|null} */ differs) {
       taking = state.document;
-      misfit = taking && differsAt !== null ? { id: taking.id, at: differsAt } : null;
+      misfit = taking && differs ? { id: taking.id, at: differs.at, told: differs.told } : null;
     },
     /** The next unsure boundary; where none is left, what can be done now is told. */
     nextDoubt() {

@@ -18,7 +18,7 @@ const NOTHING = { recording: null, what: "" };
 export function followed(before, { recording, recordings, comparison }) {
   const line = proposedHere({ recording, recordings });
   if (!line) return { shown: NOTHING, ask: false };
-  const what = JSON.stringify([line.proposed_from, line.proposed_confidence, line.differs_at]);
+  const what = JSON.stringify([line.proposed_from, line.proposed_confidence, line.differs]);
   const isAnother = before.recording !== recording;
   const isWanted = isAnother || !comparison || comparison.with === PROPOSED;
   const ask = isWanted && (isAnother || before.what !== what);

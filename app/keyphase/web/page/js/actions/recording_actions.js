@@ -81,7 +81,7 @@ export function createRecordingActions(store, send, actions) {
       const proposed = proposedHere(state);
       if (!proposed) return actions.acceptNames();
       if (state.readOnly) return undefined;
-      actions.doubtsOfProposal(proposed.differs_at);
+      actions.doubtsOfProposal(proposed.differs);
       send({ type: "take_over", from: PROPOSED });
       return own.compare(null);
     },

@@ -32,7 +32,7 @@ export interface Recordings {
  * - proposed_from, proposed_confidence: from which finished recordings its segmentation is
  *   proposed, and how sure the least sure of it is
  * - outlier: it fits none of the finished ones
- * - differs_at: the phase that fits badly, where phases seem to be others
+ * - differs: how its phases differ from theirs
  * - differences: how often another person's segments differ; null where there are none to compare
  *   with
  * - marked: what is said of single segments
@@ -51,7 +51,7 @@ export interface RecordingLine {
   proposed_from: string[];
   proposed_confidence: number | null;
   outlier: boolean;
-  differs_at: string | null;
+  differs: Difference | null;
   assessment: Assessment;
   differences: number | null;
   marked: Assessment[];
@@ -69,6 +69,16 @@ export interface PageThere {
   id: string;
   name: string;
   color: number;
+}
+
+/**
+ * How the phases of a recording differ from those of the finished ones.
+ * - at: the name of the phase to look at
+ * - told: in words
+ */
+export interface Difference {
+  at: string;
+  told: string;
 }
 
 /** Outcome, quality from 1 to 5, and a note; nothing is said where nobody has said it. */
@@ -161,7 +171,7 @@ export interface GridMessage {
  * - stretches: its segments, or what is proposed for it
  * - unsure: how many of its boundaries a person should look at
  * - proposed_from: from which recordings `stretches` are proposed; empty: they are its own
- * - differs_at: the phase that fits badly, where phases seem to be others
+ * - differs: how its phases differ from those of the finished ones
  */
 export interface GridLine {
   id: string;
@@ -172,7 +182,7 @@ export interface GridLine {
   unsure: number;
   proposed_from: string[];
   error: string | null;
-  differs_at: string | null;
+  differs: Difference | null;
 }
 
 /**

@@ -3,7 +3,7 @@
 import { segmentFill } from "../lib/colors.js";
 import { el, svg } from "../lib/dom.js";
 import { plural } from "../lib/format.js";
-import { asksForALook, misfitAt, namesOf, stateOf } from "../model/recordings/recording_list.js";
+import { asksForALook, namesOf, stateOf } from "../model/recordings/recording_list.js";
 import { nameInTwo } from "./name_in_two.js";
 
 const MOST_PIECES = 90;
@@ -106,7 +106,7 @@ function differing(count) {
  * @param {string} sure
  */
 function certainty(
-  { state, proposed_from: from, proposed_confidence: proposed, outlier, differs_at: at },
+  { state, proposed_from: from, proposed_confidence: proposed, outlier, differs },
   low,
   sure,
 ) {
@@ -116,11 +116,11 @@ function certainty(
       text: "unlike",
       title: "It fits none of the recordings that are done, so nothing is proposed for it.",
     });
-  if (state === "automatic" && at !== null)
+  if (state === "automatic" && differs)
     return el("span", {
       class: "queue-confidence low",
       text: "differs",
-      title: `Proposed from ${namesOf(from)}, but ${misfitAt(at)}`,
+      title: `Proposed from ${namesOf(from)}, but ${differs.told}.`,
     });
   if (state === "automatic" && from.length > 0)
     return el("span", {

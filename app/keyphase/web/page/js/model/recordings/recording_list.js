@@ -187,10 +187,6 @@ export function proposedHere({ recordings, recording }) {
   );
 }
 
-/** Why a proposal asks for a look at its phases. @param {string} at the phase that fits badly */
-export const misfitAt = (at) =>
-  `“${at || "no name"}” fits badly: a phase may be missing, doubled or in another order.`;
-
 /** Names of a few recordings, for people. @param {readonly string[]} names */
 export function namesOf(names) {
   const [last, ...others] = [...names].reverse();

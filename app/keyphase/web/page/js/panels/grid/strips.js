@@ -12,7 +12,7 @@ import {
   laidOut,
   phaseNames,
 } from "../../model/recordings/grid.js";
-import { misfitAt, namesOf } from "../../model/recordings/recording_list.js";
+import { namesOf } from "../../model/recordings/recording_list.js";
 import { nameInTwo } from "../name_in_two.js";
 import { stateMark } from "../queue_row.js";
 
@@ -139,13 +139,13 @@ function drawPiece(row, { stretch, from, width, astray }, { grid, names, how, wi
 }
 
 /** How it stands, in a word. @param {Line} row */
-function standing({ standing: stands, unsure, proposed_from: from, differs_at: at }) {
+function standing({ standing: stands, unsure, proposed_from: from, differs }) {
   const [text, title] = {
     outlier: [
       "outlier",
       "It fits none of the recordings that are done; nothing is proposed for it",
     ],
-    differs: ["differs", `Proposed from ${namesOf(from)}, but ${misfitAt(at)}`],
+    differs: ["differs", `Proposed from ${namesOf(from)}, but ${differs?.told}`],
     unsure: from.length
       ? ["unsure", `Proposed from ${namesOf(from)}, and not sure of all of it`]
       : [`${unsure} unsure`, `${plural(unsure, "boundary", "boundaries")} to look at`],
