@@ -21,6 +21,10 @@ NAMES = ("Reach", "Lower", "Slide")
 TURNED = (1, 5)
 """These have the other sign of force."""
 
+SHAKEN = 9
+"""In this one something shakes the sensor at the first contact: one boundary too many is found."""
+
+_CONTACT_S, _SHAKEN_S, _SHAKEN_N = 3.6, 0.6, 1.6
 _RATE_HZ = 125.0
 
 
@@ -49,11 +53,15 @@ def ten_recordings(folder: Path) -> list[tuple[float, float]]:
             for values in (base.position_m, base.force_N)
         )
         force = (-1 if number in TURNED else 1) * random.uniform(0.3, 1.2) * force
+        noise_N = np.full((len(time), 1), 0.02)
+        if number == SHAKEN:
+            contact_s = paced(pace, uneven, np.array(_CONTACT_S), began[-1])
+            noise_N[np.abs(time - contact_s) < _SHAKEN_S] = _SHAKEN_N
         recording = Demonstration(
             f"{number:02d}",
             time,
             position + random.normal(0.0, 0.02, 3),
-            force_N=force + random.normal(0.0, 0.02, force.shape),
+            force_N=force + random.normal(0.0, 1.0, force.shape) * noise_N,
         )
         save_npz(recording, folder / f"take_{number:02d}.npz")
     return paces

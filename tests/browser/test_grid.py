@@ -102,7 +102,7 @@ def test_all_are_seen_aligned_changed_and_opened_there(page: KeyphasePage, tmp_p
     assert AXE.exists(), "axe-core is missing; `make page-scripts` installs it"
     page.page.evaluate(AXE.read_text())
     standings = page.page.locator(".grid-standing").all_inner_texts()
-    assert standings == ["outlier", "differs", "done", *8 * ["proposed"]]
+    assert standings == ["outlier", "differs", "unsure", "done", *7 * ["proposed"]]
     listed = page.page.locator(".queue-confidence").all_text_contents()
     assert (listed.count("differs"), listed.count("unlike")) == (1, 1)
     told = page.page.locator(".grid-standing.differs").get_attribute("title")
@@ -173,9 +173,9 @@ def _wait_until_kept(page: KeyphasePage, folder: Path, expected: list[tuple[str,
 
 
 def _open_by_keys(page: KeyphasePage) -> None:
-    """The second phase of the third row: the recording opens there."""
+    """The second phase of the fourth row: the recording opens there."""
     page.page.get_by_role("listbox", name="Recordings").last.focus()
-    for key in ("Home", "ArrowDown", "ArrowDown", "ArrowRight"):
+    for key in ("Home", "ArrowDown", "ArrowDown", "ArrowDown", "ArrowRight"):
         page.press(key)
     page.press("Enter")
     page.until("keyphase.state.document.name === 'take_00' && !keyphase.state.gridShown")

@@ -14,6 +14,7 @@ from keyphase.errors import KeyphaseError
 
 if TYPE_CHECKING:
     from keyphase.labeling.labeling import Labeling
+    from keyphase.labeling.tasks.task import TaskPhase
     from keyphase.readers import Found
     from keyphase.transfer.folder import Proposed
     from keyphase.transfer.taught import Taught
@@ -55,7 +56,9 @@ class Propose:
             raise KeyphaseError(f"Found no recordings in {', '.join(map(str, self.paths))}.")
         taught, known = self._taught([one.path for one in found])
         others = [one for one in found if one.path.resolve() not in known]
-        results = propose_all(taught, [one.path for one in others], self.recipe, self.jobs)
+        results = propose_all(
+            taught, [one.path for one in others], self.recipe, self.jobs, self._phases()
+        )
         proposed, in_the_way = self._write(others, results)
         if self.report:
             values = [_values(result) for result in proposed]
@@ -63,6 +66,14 @@ class Propose:
         for line in in_the_way:
             complain(line)
         return max(_tell(taught, proposed), 1 if in_the_way else 0)
+
+    def _phases(self) -> "list[TaskPhase]":
+        """Of the tasks of the folders."""
+        from keyphase.labeling.storage.folder_settings import read_folder_settings
+
+        folders = {path if path.is_dir() else path.parent for path in self.paths}
+        tasks = [task for one in sorted(folders) for task in read_folder_settings(one).tasks]
+        return [phase for task in tasks for phase in task.phases]
 
     def _write(
         self, found: "list[Found]", results: "Iterator[Proposed]"

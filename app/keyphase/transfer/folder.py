@@ -11,6 +11,7 @@ from keyphase.labeling.label import label
 from keyphase.labeling.labeling import Labeling
 from keyphase.labeling.segment_file import SegmentFile, read_segment_file
 from keyphase.labeling.storage.journal import Journal
+from keyphase.labeling.tasks.task import TaskPhase
 from keyphase.readers import read
 from keyphase.segmentation import segment
 from keyphase.segmentation.parameters import Parameters
@@ -62,6 +63,7 @@ def propose_all(
     recordings: Sequence[Path],
     recipe: Path | None = None,
     jobs: int = -1,
+    phases: Sequence[TaskPhase] = (),
 ) -> Iterator[Proposed]:
     """A proposal for each recording in its order, as soon as it is there.
 
@@ -79,21 +81,25 @@ def propose_all(
         )
     require_jobs(jobs)
     usual = usual_cost_of(taught)
-    calls = (delayed(_proposed)(taught, path, recipe, usual) for path in recordings)
+    calls = (delayed(_proposed)(taught, path, recipe, usual, phases) for path in recordings)
     at_once = jobs if len(recordings) >= WORTH_PROCESSES else 1
     running: Any = Parallel(n_jobs=at_once, return_as="generator")(calls)
     return iter(running)
 
 
 def _proposed(
-    taught: Sequence[Taught], path: Path, recipe: Path | None, usual: float | None
+    taught: Sequence[Taught],
+    path: Path,
+    recipe: Path | None,
+    usual: float | None,
+    phases: Sequence[TaskPhase],
 ) -> Proposed:
     try:
         demonstration = read(path, recipe)
         segmentation = segment(demonstration)
     except KeyphaseError as error:
         return Proposed(path, None, None, str(error))
-    transfer = propose(taught, demonstration, segmentation, usual_cost=usual)
+    transfer = propose(taught, demonstration, segmentation, usual_cost=usual, phases=phases)
     if transfer.outlier:
         return Proposed(path, transfer, None)
     return Proposed(path, transfer, label(segmentation, {0: as_edit(transfer, segmentation)}))

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
+from keyphase.labeling.tasks.task import TaskPhase
 from keyphase.transfer.alignment import align, in_any_frame
 from keyphase.transfer.placing import Teacher
 from keyphase.transfer.rests import LONGEST_S, WITHIN_S
@@ -43,7 +44,7 @@ class Difference:
 
 
 def as_done(
-    teachers: Sequence[Teacher], signals: Signals
+    teachers: Sequence[Teacher], signals: Signals, phases: Sequence[TaskPhase] = ()
 ) -> tuple[Difference | None, Sequence[Teacher]]:
     """How the other's phases differ, and the best teacher as it would be, done like that.
 
@@ -54,9 +55,9 @@ def as_done(
     found: list[tuple[Difference | None, Sequence[Teacher]]] = []
     for teacher in teachers:
         order = phase_order(teacher, signals)
-        differs = how_it_differs(order, teacher.taught.names)
-        if differs is None:
+        if order == tuple(range(len(teacher.taught.phases))):
             continue
+        differs = how_it_differs(order, teacher.taught.names, phases)
         reordered = teacher.taught.in_order(order)
         alignment = align(reordered.signals, signals)
         stands = in_any_frame(teacher.taught.signals, signals)
@@ -87,12 +88,19 @@ def phase_order(teacher: Teacher, signals: Signals) -> tuple[int, ...]:
     return tuple(number[[0, *new]].tolist())
 
 
-def how_it_differs(order: Sequence[int], names: Sequence[str]) -> Difference | None:
-    """What is other than in the finished recording; None where nothing is."""
+def how_it_differs(
+    order: Sequence[int], names: Sequence[str], phases: Sequence[TaskPhase] = ()
+) -> Difference | None:
+    """What is other than in the finished recording; None where nothing is.
+
+    Of the task's `phases` those that are optional may be missing, repeated ones may come again.
+    """
+    may_miss = {phase.name for phase in phases if phase.optional}
+    may_repeat = {phase.name for phase in phases if phase.repeated}
     numbers = range(len(names))
-    missing = [i for i in numbers if i not in order]
-    again = [i for i in numbers if list(order).count(i) > 1]
-    earlier = [(a, b) for a, b in pairwise(order) if b < a and not again]
+    missing = [i for i in numbers if i not in order and names[i] not in may_miss]
+    again = [i for i in numbers if list(order).count(i) > 1 and names[i] not in may_repeat]
+    earlier = [(a, b) for a, b in pairwise(order) if b < a and order.count(b) == 1]
     told = [f"{_listed(names, missing)} missing"] if missing else []
     told += [f"{_listed(names, again)} done again"] if again else []
     told += [f"'{names[a]}' comes before '{names[b]}'" for a, b in earlier]

@@ -13,6 +13,7 @@ import numpy as np
 
 from keyphase.demonstration import Demonstration
 from keyphase.errors import LabelingError
+from keyphase.labeling.tasks.task import TaskPhase
 from keyphase.segmentation.segmentation import Segmentation
 from keyphase.transfer.alignment import align
 from keyphase.transfer.evidence_places import NO_PLACES, Places, places_of
@@ -26,7 +27,7 @@ from keyphase.transfer.taught import Taught
 NEARLY_AS_GOOD = 1.3
 """Finished recordings that fit worse than this many times the best one say nothing."""
 
-MAX_COST = 0.7
+MAX_COST = 0.67
 OUTLIER_FACTOR = 1.8
 LEAST_LIMIT = 0.55
 """A recording that fits worse than OUTLIER_FACTOR times what the finished ones do among themselves,
@@ -90,11 +91,13 @@ def propose(
     segmentation: Segmentation | None = None,
     *,
     usual_cost: float | None = None,
+    phases: Sequence[TaskPhase] = (),
 ) -> Transfer:
     """Boundaries and names for a demonstration, from finished recordings of the same task.
 
     `segmentation` is its own, whose evidence boundaries are moved to. `usual_cost` is how badly
     recordings of this task fit each other (`usual_cost_of`); a much worse fit is an outlier.
+    `phases` are the task's, of which some may be missing or come again without that it differs.
 
     Raises LabelingError where nothing was taught.
     """
@@ -107,7 +110,7 @@ def propose(
     best, cost = aligned[0].taught, aligned[0].alignment.cost
     if cost > _limit(usual_cost):
         return Transfer(demonstration.name, (), (), True, cost, (best.name,))
-    done_otherwise, aligned = as_done(aligned, signals)
+    done_otherwise, aligned = as_done(aligned, signals, phases)
     best, alignment = aligned[0].taught, aligned[0].alignment
     same = [one for one in aligned if one.taught.names == best.names]
     same = [one for one in same if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
@@ -115,15 +118,15 @@ def propose(
     fitting = [one for one in aligned if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
     own = segmentation and own_where_better(fitting, aligned, boundaries, segmentation)
     fit = PhaseFit(aligned[0], signals)
-    phases = _phases(fit, own or (), demonstration, joined=False)
-    if own is None or (_same_but_for_rests(own, phases, boundaries) and not means_own(aligned)):
-        phases = _phases(fit, boundaries, demonstration, joined=True)
+    named = _phases(fit, own or (), demonstration, joined=False)
+    if own is None or (_same_but_for_rests(own, named, boundaries) and not means_own(aligned)):
+        named = _phases(fit, boundaries, demonstration, joined=True)
     else:
         boundaries = own
-    inner = {phase.end_s for phase in phases[:-1]}
+    inner = {phase.end_s for phase in named[:-1]}
     boundaries = tuple(b for b in boundaries if b.time_s in inner)
     teachers = tuple(one.taught.name for one in same)
-    return Transfer(demonstration.name, boundaries, phases, False, cost, teachers, done_otherwise)
+    return Transfer(demonstration.name, boundaries, named, False, cost, teachers, done_otherwise)
 
 
 def usual_cost_of(taught: Sequence[Taught]) -> float | None:

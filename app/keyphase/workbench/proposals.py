@@ -2,13 +2,14 @@
 
 import threading
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from keyphase.errors import KeyphaseError
 from keyphase.labeling.comparing.comparison import Outline
 from keyphase.labeling.edits.take_over import TakeOver
+from keyphase.labeling.tasks.task import TaskPhase
 from keyphase.transfer.as_edit import as_edit
 from keyphase.transfer.phase_order import Difference
 from keyphase.transfer.proposing import Transfer, propose, usual_cost_of
@@ -105,12 +106,17 @@ class Proposals:
         with self._tasks.begin("Proposing from what is done") as task:
             taught = [one for one in map(self._taught, done) if one is not None]
             usual = usual_cost_of(taught)
+            phases = self._phases_of(lines[0].path.parent)
             for at, line in enumerate(others):
                 if not taught or self._is_over(number):
                     return
                 task.at(at / len(others))
                 self._give_way(number)
-                self._propose(line, taught, usual)
+                self._propose(line, taught, usual, phases)
+
+    def _phases_of(self, folder: Path) -> Sequence[TaskPhase]:
+        tasks = self._library.settings_of(folder).tasks
+        return [phase for task in tasks for phase in task.phases]
 
     def _give_way(self, number: int) -> None:
         """What a person asked for comes first."""
@@ -129,14 +135,21 @@ class Proposals:
         opened.close()
         return taught_by(opened.kept_labeling)
 
-    def _propose(self, line: Recording, taught: list[Taught], usual: float | None) -> None:
+    def _propose(
+        self,
+        line: Recording,
+        taught: list[Taught],
+        usual: float | None,
+        phases: Sequence[TaskPhase],
+    ) -> None:
         try:
             opened = self._library.look(line)
         except KeyphaseError:
             return
         opened.close()
         segmentation = opened.kept_labeling.segmentation
-        transfer = propose(taught, segmentation.demonstration, segmentation, usual_cost=usual)
+        demonstration = segmentation.demonstration
+        transfer = propose(taught, demonstration, segmentation, usual_cost=usual, phases=phases)
         found = Proposal(
             teachers=transfer.teachers,
             confidence=_confidence(transfer),

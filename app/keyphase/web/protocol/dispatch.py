@@ -2,6 +2,7 @@
 
 import threading
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, assert_never
 
@@ -10,6 +11,7 @@ from msgspec import UNSET
 
 from keyphase.errors import RequestError
 from keyphase.labeling.segment_file import SegmentFile
+from keyphase.labeling.tasks.task import Task
 from keyphase.segmentation.parameters import Parameters
 from keyphase.web.protocol import requests as ask
 from keyphase.web.protocol.comparison_messages import comparison_message, lanes_message
@@ -17,6 +19,7 @@ from keyphase.web.protocol.control_messages import cameras_message
 from keyphase.web.protocol.export_messages import offers_message
 from keyphase.web.protocol.signals_frame import signals_frame
 from keyphase.workbench.desks.desk import Desk
+from keyphase.workbench.desks.open_recording import OpenRecording
 from keyphase.workbench.desks.parameters import with_parameter
 from keyphase.workbench.exporting.beside import Beside
 from keyphase.workbench.exporting.formats import offered
@@ -183,14 +186,18 @@ def _spread(page: "Conversation", desk: Desk, request: ask.Spread) -> None:
             workbench.look_into_spread(desk, page.view, include_done=request.include_done)
         case "apply":
             workbench.leave_spread(page.view)
-            asked, include_done = page.asked(request), request.include_done
-            page.wait_for(
-                workbench.sharing.share(desk, asked, page.view, include_done=include_done)
-            )
+            sharing, done = workbench.sharing, request.include_done
+            page.wait_for(sharing.share(desk, page.asked(request), page.view, include_done=done))
         case "leave":
             workbench.leave_spread(page.view)
         case _:
             assert_never(request.step)
+
+
+def _write_task(page: "Conversation", task: Task, opened: OpenRecording) -> None:
+    """Keep it; whether a recording differs depends on what its task lets be missing."""
+    opened.folder.write_task(task)
+    page.workbench.proposals.begin()
 
 
 def _phases(
@@ -199,8 +206,7 @@ def _phases(
     for_all, asked, view = page.workbench.for_all, page.asked(request), page.view
     match request:
         case ask.Phases():
-            task = request.task()
-            return desk.change(lambda opened: opened.folder.write_task(task), asked)
+            return desk.change(partial(_write_task, page, request.task()), asked)
         case ask.PhaseUndo():
             return for_all.undo(desk, asked, view)
         case ask.PhaseForAll(label=label, to=to, include_done=done):
