@@ -265,7 +265,7 @@ def test_a_recording_without_one_of_the_phases_differs_what_is_called_so(
     found = propose([first], short, segment(short))
     assert found.differs is not None
     assert not found.outlier
-    assert propose([first], second, segment(second)).differs is None
+    assert propose(first, second, segment(second)).differs is None
 
 
 def test_a_name_is_unsure_where_its_phase_is_not_there(shown: Demonstration, first: Taught) -> None:

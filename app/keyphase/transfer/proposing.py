@@ -36,7 +36,7 @@ and than LEAST_LIMIT, or by more than MAX_COST, is of another kind."""
 NAME_WORTH = 0.85
 """How sure a name is whose ends are not sure at all, were all of its time called so."""
 
-DIFFERS_BELOW = 0.7
+DIFFERS_BELOW = 0.65
 """A name less sure than this is squeezed onto a stretch that is not its phase: one is missing,
 doubled or in another order. Of recordings that do not differ nineteen in twenty are surer."""
 
@@ -76,8 +76,9 @@ class Transfer:
     @property
     def differs(self) -> Difference | None:
         """How its phases differ from those of the finished ones; None where they do not: done in
-        another order, or one that hardly is what it is called."""
-        least = min(self.phases, key=lambda one: one.confidence, default=None)
+        another order, or one that is kept and hardly is what it is called."""
+        kept = [phase for phase in self.phases if phase.kept]
+        least = min(kept, key=lambda one: one.confidence, default=None)
         if self.done_otherwise or least is None or least.confidence >= DIFFERS_BELOW:
             return self.done_otherwise
         named = f"'{least.name}'" if least.name else "a phase without a name"
@@ -86,7 +87,7 @@ class Transfer:
 
 
 def propose(
-    taught: Sequence[Taught],
+    taught: Taught | Sequence[Taught],
     demonstration: Demonstration,
     segmentation: Segmentation | None = None,
     *,
@@ -95,12 +96,14 @@ def propose(
 ) -> Transfer:
     """Boundaries and names for a demonstration, from finished recordings of the same task.
 
+    `taught` is what they teach (`taught_by`), of one or of several.
     `segmentation` is its own, whose evidence boundaries are moved to. `usual_cost` is how badly
     recordings of this task fit each other (`usual_cost_of`); a much worse fit is an outlier.
     `phases` are the task's, of which some may be missing or come again without that it differs.
 
     Raises LabelingError where nothing was taught.
     """
+    taught = [taught] if isinstance(taught, Taught) else taught
     if not taught:
         raise LabelingError("Expected finished recordings to learn from, but there is none.")
     signals = signals_of(demonstration)
