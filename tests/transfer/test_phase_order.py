@@ -91,6 +91,17 @@ def test_what_the_task_lets_be_missing_or_come_again_is_no_difference(
         assert [phase.name for phase in found.phases] == [NAMES[number] for number in order]
 
 
+def test_in_another_order_its_samples_stay_as_far_apart(first: Taught) -> None:
+    """The clock of the signals is that of its smallest step."""
+    step_s = first.signals.step_s
+    for order in ((1, 2, 3, 4), (0, 1, 2, 3, 2, 3, 4), (4, 0)):
+        other = first.in_order(order)
+        assert other.signals.step_s == pytest.approx(step_s)
+        assert [phase.name for phase in other.phases] == [NAMES[number] for number in order]
+        ends = [phase.start_s for phase in other.phases[1:]]
+        assert ends == [phase.end_s for phase in other.phases[:-1]]
+
+
 def test_a_rest_within_a_phase_is_no_other_phase(first: Taught, second: Demonstration) -> None:
     middle = int(np.searchsorted(second.time_s, 0.6 * segment(second).boundaries[0].time_s))
     step_s = (second.time_s[-1] - second.time_s[0]) / (len(second.time_s) - 1)

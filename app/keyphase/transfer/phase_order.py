@@ -29,6 +29,7 @@ _FASTEST = 2.5
 _LEAST_STEPS = 3
 _BETTER = 0.97
 _GAP = 1.5
+_LEAST_SAMPLES = 5
 
 
 @dataclass(frozen=True)
@@ -59,6 +60,8 @@ def as_done(
             continue
         differs = how_it_differs(order, teacher.taught.names, phases)
         reordered = teacher.taught.in_order(order)
+        if len(reordered.signals.time_s) < _LEAST_SAMPLES:
+            continue
         alignment = align(reordered.signals, signals)
         stands = in_any_frame(teacher.taught.signals, signals)
         if stands.cost < alignment.cost:

@@ -113,14 +113,13 @@ def propose(
     best, cost = aligned[0].taught, aligned[0].alignment.cost
     if cost > _limit(usual_cost):
         return Transfer(demonstration.name, (), (), True, cost, (best.name,))
-    done_otherwise, aligned = as_done(aligned, signals, phases)
-    best, alignment = aligned[0].taught, aligned[0].alignment
-    same = [one for one in aligned if one.taught.names == best.names]
-    same = [one for one in same if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
-    boundaries = _boundaries(same, signals, places)
-    fitting = [one for one in aligned if one.alignment.cost <= NEARLY_AS_GOOD * alignment.cost]
+    done_otherwise, stands = as_done(aligned, signals, phases)
+    best, limit = aligned[0].taught, NEARLY_AS_GOOD * cost
+    fitting = [one for one in aligned if one.alignment.cost <= limit]
+    same = [one for one in fitting if one.taught.names == best.names]
+    boundaries = _boundaries(same if stands is aligned else stands, signals, places)
     own = segmentation and own_where_better(fitting, aligned, boundaries, segmentation)
-    fit = PhaseFit(aligned[0], signals)
+    fit = PhaseFit(stands[0], signals)
     named = _phases(fit, own or (), demonstration, joined=False)
     if own is None or (_same_but_for_rests(own, named, boundaries) and not means_own(aligned)):
         named = _phases(fit, boundaries, demonstration, joined=True)

@@ -88,11 +88,9 @@ class Taught:
 
     def in_order(self, order: Sequence[int]) -> "Taught":
         """As it would be, had its phases been done in this order: some left out, some again."""
-        pieces: list[Taught] = []
-        begun_s = self.phases[0].start_s
-        for number in order:
-            pieces.append(self._piece(number, begun_s))
-            begun_s = pieces[-1].phases[0].end_s
+        pieces = [self._piece(order[0], None)]
+        for number in order[1:]:
+            pieces.append(self._piece(number, pieces[-1]))
         return replace(
             self,
             phases=tuple(piece.phases[0] for piece in pieces),
@@ -105,12 +103,15 @@ class Taught:
             found_s=tuple(time_s for piece in pieces for time_s in piece.found_s),
         )
 
-    def _piece(self, number: int, begun_s: float) -> "Taught":
-        """One phase alone, as if it began then."""
+    def _piece(self, number: int, before: "Taught | None") -> "Taught":
+        """One phase alone, so much later that its samples follow those of the one before."""
         phase = self.phases[number]
-        later_s = begun_s - phase.start_s
         time_s, is_last = self.signals.time_s, number == len(self.phases) - 1
         rows = (time_s >= phase.start_s) & ((time_s < phase.end_s) | is_last)
+        begun_s = self.phases[0].start_s if before is None else before.phases[0].end_s
+        later_s = begun_s - phase.start_s
+        if before is not None:
+            later_s = before.signals.time_s[-1] + self.signals.step_s - time_s[rows][0]
         places = [one for one in self.places.all if phase.start_s <= one.time_s < phase.end_s]
         found = [at_s for at_s in self.found_s if phase.start_s <= at_s < phase.end_s]
         return replace(
