@@ -2,7 +2,7 @@
 
 import dataclasses
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -57,7 +57,7 @@ class Propose:
         taught, known = self._taught([one.path for one in found])
         others = [one for one in found if one.path.resolve() not in known]
         results = propose_all(
-            taught, [one.path for one in others], self.recipe, self.jobs, self._phases()
+            taught, [one.path for one in others], self.recipe, self.jobs, _phases_of(found)
         )
         proposed, in_the_way = self._write(others, results)
         if self.report:
@@ -66,14 +66,6 @@ class Propose:
         for line in in_the_way:
             complain(line)
         return max(_tell(taught, proposed), 1 if in_the_way else 0)
-
-    def _phases(self) -> "list[TaskPhase]":
-        """Of the tasks of the folders."""
-        from keyphase.labeling.storage.folder_settings import read_folder_settings
-
-        folders = {path if path.is_dir() else path.parent for path in self.paths}
-        tasks = [task for one in sorted(folders) for task in read_folder_settings(one).tasks]
-        return [phase for task in tasks for phase in task.phases]
 
     def _write(
         self, found: "list[Found]", results: "Iterator[Proposed]"
@@ -116,6 +108,15 @@ class Propose:
             return taught, {source.path.resolve() for source in sources if source is not None}
         done = taught_in_folder(recordings, self.recipe)
         return list(done.values()), {path.resolve() for path in done}
+
+
+def _phases_of(found: "Iterable[Found]") -> "list[TaskPhase]":
+    """Of the tasks of the folders that the recordings lie in."""
+    from keyphase.labeling.storage.folder_settings import read_folder_settings
+
+    folders = sorted({one.path.parent for one in found})
+    tasks = [task for folder in folders for task in read_folder_settings(folder).tasks]
+    return [phase for task in tasks for phase in task.phases]
 
 
 def _tell(taught: "list[Taught]", proposed: "list[Proposed]") -> int:

@@ -143,7 +143,8 @@ def _standings(first: Signals, second: Signals, best: Alignment) -> list[Standin
 
 def _aligned(first: Signals, second: Signals, standing: Standing) -> Alignment:
     ours, others = in_common(first, second, standing)
-    distance = _distances(ours.values, others.values)
+    distance = distances(ours.values, others.values)
+    _keep_to_band(distance)
     total = _accumulated(distance)
     rows, columns = _path(total)
     residual = distance[rows, columns]
@@ -185,20 +186,24 @@ def _moved_between(
     return x, y, z
 
 
-def _distances(a: Array, b: Array) -> Array:
-    """Euclidean distances (N, M); infinite outside the band."""
+def distances(a: Array, b: Array) -> Array:
+    """Euclidean distances (N, M) between signals (N, D) and (M, D)."""
     distance = a @ b.T
     distance *= -2.0
     distance += (a**2).sum(1)[:, None]
     distance += (b**2).sum(1)
     np.maximum(distance, 0.0, out=distance)
-    np.sqrt(distance, out=distance)
-    diagonal = np.arange(len(a)) * ((len(b) - 1) / max(len(a) - 1, 1))
-    width = _band_width(len(a), len(b))
+    return np.sqrt(distance, out=distance)
+
+
+def _keep_to_band(distance: Array) -> None:
+    """Outside the band distances (N, M) become infinite."""
+    rows, columns = distance.shape
+    diagonal = np.arange(rows) * ((columns - 1) / max(rows - 1, 1))
+    width = _band_width(rows, columns)
     for row, middle in zip(distance, diagonal.tolist(), strict=True):
         row[: max(int(np.ceil(middle - width)), 0)] = np.inf
         row[int(middle + width) + 1 :] = np.inf
-    return distance
 
 
 def _band_width(rows: int, columns: int) -> float:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.labeling.tasks.task import TaskPhase
-from keyphase.transfer.alignment import align, in_any_frame
+from keyphase.transfer.alignment import align, distances, in_any_frame
 from keyphase.transfer.placing import Teacher
 from keyphase.transfer.rests import LONGEST_S, WITHIN_S
 from keyphase.transfer.signals import Signals, in_common, unlike
@@ -76,7 +76,7 @@ def phase_order(teacher: Teacher, signals: Signals) -> tuple[int, ...]:
     theirs, mine = in_common(teacher.taught.signals, signals, teacher.alignment.standing)
     edges = [phase.start_s for phase in teacher.taught.phases]
     starts = np.unique(np.searchsorted(theirs.time_s, edges).clip(0, len(theirs.time_s) - 1))
-    distance = _distances(theirs.values, mine.values) / unlike(theirs.kinds)
+    distance = distances(theirs.values, mine.values) / unlike(theirs.kinds)
     resting = _in_a_cut_rest(mine)
     distance[:, resting] = 0.0
     fastest = int(np.ceil(_FASTEST * len(theirs.values) / len(mine.values)))
@@ -106,7 +106,7 @@ def how_it_differs(
     earlier = [(a, b) for a, b in pairwise(order) if b < a and order.count(b) == 1]
     told = [f"{_listed(names, missing)} missing"] if missing else []
     told += [f"{_listed(names, again)} done again"] if again else []
-    told += [f"'{names[a]}' comes before '{names[b]}'" for a, b in earlier]
+    told += [f"{quoted(names[a])} comes before {quoted(names[b])}" for a, b in earlier]
     if not told:
         return None
     after_missing = [i for i in order if i > min(missing, default=len(names))]
@@ -114,8 +114,13 @@ def how_it_differs(
     return Difference(names[at], " and ".join(told))
 
 
+def quoted(name: str) -> str:
+    """A name of a phase as it is told."""
+    return f"'{name}'" if name else "a phase without a name"
+
+
 def _listed(names: Sequence[str], numbers: Sequence[int]) -> str:
-    return ", ".join(f"'{names[i]}'" for i in numbers) + (" are" if len(numbers) > 1 else " is")
+    return ", ".join(quoted(names[i]) for i in numbers) + (" are" if len(numbers) > 1 else " is")
 
 
 def _in_a_cut_rest(signals: Signals) -> NDArray[np.bool_]:
@@ -125,12 +130,6 @@ def _in_a_cut_rest(signals: Signals) -> NDArray[np.bool_]:
     samples = np.arange(len(signals.time_s))
     near = np.abs(samples[:, None] - cut - 0.5) <= beside
     return np.asarray(near.any(axis=1))
-
-
-def _distances(theirs: Array, mine: Array) -> Array:
-    """Euclidean distances (N, M)."""
-    squares = (theirs**2).sum(1)[:, None] + (mine**2).sum(1) - 2.0 * theirs @ mine.T
-    return np.sqrt(np.maximum(squares, 0.0))
 
 
 def _followed(

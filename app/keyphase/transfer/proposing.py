@@ -19,7 +19,7 @@ from keyphase.transfer.alignment import align
 from keyphase.transfer.evidence_places import NO_PLACES, Places, places_of
 from keyphase.transfer.own_boundaries import ProposedBoundary, means_own, own_where_better
 from keyphase.transfer.phase_fit import PhaseFit
-from keyphase.transfer.phase_order import Difference, as_done
+from keyphase.transfer.phase_order import Difference, as_done, quoted
 from keyphase.transfer.placing import Teacher, placed_ends
 from keyphase.transfer.signals import Signals, signals_of
 from keyphase.transfer.taught import Taught
@@ -81,9 +81,8 @@ class Transfer:
         least = min(kept, key=lambda one: one.confidence, default=None)
         if self.done_otherwise or least is None or least.confidence >= DIFFERS_BELOW:
             return self.done_otherwise
-        named = f"'{least.name}'" if least.name else "a phase without a name"
-        told = f"{named} fits badly: a phase may be missing, doubled or in another order"
-        return Difference(least.name, told)
+        told = "fits badly: a phase may be missing, doubled or in another order"
+        return Difference(least.name, f"{quoted(least.name)} {told}")
 
 
 def propose(
