@@ -36,7 +36,7 @@ def dragged(name, boundary_s, moved_s):
     return label(segmentation, edits, segmenter.segment_between).segments
 
 
-@pytest.mark.parametrize("name", ["setup1", "setup2"])
+@pytest.mark.parametrize("name", ["setup1", "setup2", "wipe"])
 @pytest.mark.parametrize("moved_s", MOVED_S)
 def test_a_dragged_contact_boundary_leaves_every_end_condition_as_it_was(name, moved_s):
     proposed = bundled(name)[1].segments
@@ -50,6 +50,17 @@ def test_a_dragged_contact_boundary_leaves_every_end_condition_as_it_was(name, m
                 assert np.degrees(np.arccos(min(cosine, 1.0))) < 10.0, (boundary_s, after.label)
                 assert now.threshold_N == pytest.approx(was.threshold_N, rel=0.2)
                 assert now.agrees
+
+
+@pytest.mark.parametrize("moved_s", [-0.2, 0.2])
+def test_a_skill_is_cut_at_its_contact_where_it_would_not_end_at_a_dragged_boundary(moved_s):
+    """A force counts from the last fifth of a short way on: here that is after the contact."""
+    demonstration = lowered(contact_s=1.2, depth_m=0.008)
+    end = ContactEnd(UP, 5.0, agrees=True)
+    (_, ended), (begun, _) = spans(
+        demonstration, [segment(0.6, 1.2 + moved_s, end), segment(1.2 + moved_s, 1.5)]
+    )
+    assert ended == begun == pytest.approx(1.2, abs=0.02)
 
 
 @pytest.mark.parametrize("name", ["setup1", "setup2"])

@@ -19,7 +19,8 @@ from keyphase.labeling.plan import planned
 from keyphase.labeling.spans import Decision, assign
 from keyphase.labeling.walk import Walk
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition, agrees, ends_in_contact
-from keyphase.segmentation.end_condition.agreement import LEAST_S, met_later_s
+from keyphase.segmentation.end_condition.agreement import LEAST_S, met_beside_s
+from keyphase.segmentation.end_condition.dragged import still_ends
 from keyphase.segmentation.segmentation import Segment, Segmentation
 
 Describe = Callable[[float, float, bool], Segment]
@@ -85,6 +86,7 @@ def _segments(
 ) -> list[Segment]:
     """The known segments where nothing changed at their ends, else described anew."""
     by_span = {(s.start_s, s.end_s): s for s in known}
+    by_end = {s.end_s: s.end_condition for s in known}
     demonstration = segmentation.demonstration
     times = [demonstration.start_s, *(mark.time_s for mark in marks), demonstration.end_s]
     contacts = [False, *(mark.contact_change for mark in marks), False]
@@ -99,16 +101,19 @@ def _segments(
             last = i == len(marks) and ends_in_contact(demonstration, begun_s)
             found = describe(begun_s, end_s, contacts[i + 1] or last)
             same = replace(found, start_s=start_s)
+            if i < len(marks) and contacts[i + 1]:
+                kept = _kept_end(demonstration, (begun_s, end_s), marks[i], by_end)
+                same = replace(same, end_condition=kept or same.end_condition)
         segments.append(same)
     return segments
 
 
 def _begun_s(demonstration: Demonstration, before: Segment, end_s: float) -> float:
-    """Where what a segment is begins [s]: at the contact of the one before, if it was cut earlier.
+    """Where what a segment is begins [s]: at the contact of the one before, if cut beside it.
 
     The way into that contact says nothing about what follows it.
     """
-    met_s = met_later_s(demonstration, before.start_s, before.end_s, before.end_condition)
+    met_s = met_beside_s(demonstration, before.start_s, before.end_s, before.end_condition)
     return before.end_s if met_s is None or end_s - met_s < LEAST_S else met_s
 
 
@@ -116,6 +121,19 @@ def _segmenter_of(segmentation: Segmentation) -> Describe:
     from keyphase.segmentation.segmenter import Segmenter
 
     return Segmenter(segmentation.demonstration).segment_between
+
+
+def _kept_end(
+    demonstration: Demonstration,
+    span_s: tuple[float, float],
+    mark: Mark,
+    known: Mapping[float, EndCondition],
+) -> ContactEnd | None:
+    """The condition, `known` by where segments ended, of a contact whose boundary was moved."""
+    found = mark.frozen or mark.automatic
+    if found is None or not isinstance(end := known.get(found.time_s), ContactEnd):
+        return None
+    return end if still_ends(demonstration, span_s, end, found.time_s) else None
 
 
 def _is_changed(mark: Mark) -> bool:

@@ -10,7 +10,7 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import ParameterError
 from keyphase.segmentation.end_condition import ContactEnd, EndCondition
-from keyphase.segmentation.end_condition.agreement import LEAST_S, met_later_s
+from keyphase.segmentation.end_condition.agreement import LEAST_S, met_beside_s
 from keyphase.segmentation.end_condition.derived import ALONG_THE_WAY
 from keyphase.segmentation.end_condition.watch import Arming, arming_for
 from keyphase.segmentation.windows import AFTER_S
@@ -99,19 +99,20 @@ def skills_of(
 def cut_at_contacts(
     demonstration: Demonstration, segments: Iterable[PlannedSegment]
 ) -> list[PlannedSegment]:
-    """The segments, those whose boundary lies before their contact cut at the contact instead.
+    """The segments, those whose boundary lies beside their contact cut at the contact instead.
 
     A boundary says where to cut, a contact is when the force changed. Cut at one that was dragged
     to before its contact, the last way into it would belong to the skill that follows, which knows
-    of no contact. Whatever starts between the two starts at the contact; where too little would be
-    left of it (0.1 s), the boundary stays.
+    of no contact; cut so long after it that the demonstration does not end at it any more, the
+    skill would not either. Whatever starts between the two starts at the contact; where too little
+    would be left of it (0.1 s), the boundary stays.
     """
     parts = list(segments)
     moved = list[tuple[float, float]]()
     cut = list[PlannedSegment]()
     for part in parts:
         end_s = part.end_s
-        met_s = met_later_s(demonstration, part.start_s, end_s, part.end_condition)
+        met_s = met_beside_s(demonstration, part.start_s, end_s, part.end_condition)
         if met_s is not None and all(_is_left(one, end_s, met_s) for one in parts):
             moved.append((end_s, met_s))
             part = Cut(part.start_s, met_s, part.label, part.end_condition)
@@ -125,9 +126,13 @@ def _is_left(part: PlannedSegment, boundary_s: float, contact_s: float) -> bool:
 
 
 def _begun_at_contact(part: PlannedSegment, moved: Sequence[tuple[float, float]]) -> PlannedSegment:
-    """The segment, begun at the contact if it starts between a boundary and its contact [s]."""
-    late = [met_s for end_s, met_s in moved if end_s <= part.start_s < met_s]
-    return Cut(max(late), part.end_s, part.label, part.end_condition) if late else part
+    """The segment, begun at the contact if it starts at, or between, a boundary and its contact."""
+    met = [
+        met_s
+        for end_s, met_s in moved
+        if end_s <= part.start_s < met_s or met_s < part.start_s == end_s
+    ]
+    return Cut(max(met), part.end_s, part.label, part.end_condition) if met else part
 
 
 def skill_of(

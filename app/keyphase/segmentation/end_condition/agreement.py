@@ -23,6 +23,12 @@ WITHIN_S = 0.25
 EARLY_S = 0.05
 """A boundary that lies further before its contact than this was not put at it."""
 
+DRAGGED_S = 0.2
+"""A boundary that lies no further from its contact than this has not left it."""
+
+MOVED_S = (0.0, -0.05, 0.05, -0.1, 0.1, -0.15, 0.15, -DRAGGED_S, DRAGGED_S)
+"""Where the contact of such a boundary is looked for, the nearest first."""
+
 LEAST_S = 0.1
 """What follows a contact is left at least this long."""
 
@@ -92,18 +98,30 @@ def agrees(demonstration: Demonstration, start_s: float, end_s: float, end: Cont
     return OwnDemonstration.of(demonstration, start_s, end_s).misses_by(end) < WITHIN_S
 
 
-def met_later_s(
+def met_beside_s(
     demonstration: Demonstration, start_s: float, end_s: float, end: EndCondition
 ) -> float | None:
-    """When the demonstration met the contact of a segment that was cut before it [s].
+    """When the demonstration met the contact of a segment that was cut beside it [s].
 
-    None where the boundary lies at its contact or after it, where there is no contact, or where the
-    demonstration would not end at it if it were cut there.
+    None where there is no contact, where the boundary lies at it, or after it and still ends at it,
+    and where the demonstration would not end at it if it were cut there.
     """
     if not isinstance(end, ContactEnd) or end.agrees is False or demonstration.force_N is None:
         return None
-    ended_s = OwnDemonstration.of(demonstration, start_s, end_s).ended_s(end)
-    if ended_s is None or ended_s - DEBOUNCE_S <= end_s + EARLY_S:
-        return None
-    met_s = ended_s - DEBOUNCE_S
-    return met_s if agrees(demonstration, start_s, met_s, end) else None
+    # How far it is to the contact says from where on a force counts: one that agreed before its
+    # boundary was dragged is tried as if it were cut elsewhere.
+    for moved_s in MOVED_S if end.agrees else (0.0,):
+        cut_s = end_s + moved_s
+        if cut_s - start_s < LEAST_S:
+            continue
+        ended_s = OwnDemonstration.of(demonstration, start_s, cut_s).ended_s(end)
+        if ended_s is None or abs(ended_s - cut_s) >= WITHIN_S:
+            continue
+        met_s = ended_s - DEBOUNCE_S
+        if moved_s == 0.0 and met_s <= end_s + EARLY_S:
+            return None
+        if met_s - start_s >= LEAST_S and agrees(demonstration, start_s, met_s, end):
+            return met_s
+        if moved_s == 0.0:
+            return None
+    return None

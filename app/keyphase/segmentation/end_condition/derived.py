@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
-from keyphase.segmentation.end_condition.agreement import WITHIN_S, OwnDemonstration
+from keyphase.segmentation.end_condition.agreement import DRAGGED_S, WITHIN_S, OwnDemonstration
 from keyphase.segmentation.end_condition.force_step import (
     ForceStep,
     contact_event_s,
@@ -47,9 +47,6 @@ ALONG_THE_WAY = 0.3
 
 RELEASED = 0.5
 """A force of which less than this part is left has ended."""
-
-DRAGGED_S = 0.2
-"""A boundary that lies no further from its contact than this has not left it."""
 
 AT_CONTACT_S = 0.1
 """The condition of such a boundary is found so near to its contact."""
