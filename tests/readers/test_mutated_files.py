@@ -9,17 +9,17 @@ BENCHMARKS = Path(__file__).parents[1] / "benchmarks"
 pytestmark = pytest.mark.slow
 
 
-def test_two_thousand_mutated_files_are_read_as_others_do_or_refused_in_a_line(
+def test_six_hundred_mutated_files_are_read_as_others_do_or_refused_in_a_line(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.syspath_prepend(BENCHMARKS)
     from fuzz_files import fuzz
 
-    counts, faults = fuzz(2000, seed=0)
+    counts, faults = fuzz(600, seed=0)
 
     assert faults == []
-    assert sum(counts.values()) == 2000
+    assert sum(counts.values()) == 600
     kinds = {kind for kind, _ in counts}
     assert len(kinds) == 30
-    assert sum(counts[kind, "read"] for kind in kinds) > 200
-    assert sum(counts[kind, "refused"] for kind in kinds) > 1000
+    assert sum(counts[kind, "read"] for kind in kinds) > 60
+    assert sum(counts[kind, "refused"] for kind in kinds) > 300
