@@ -24,7 +24,7 @@ TURNED = (1, 5)
 SHAKEN = 9
 """In this one something shakes the sensor at the first contact: one boundary too many is found."""
 
-_CONTACT_S, _SHAKEN_S, _SHAKEN_N = 3.6, 0.6, 1.45
+_CONTACT_S, _SHAKEN_S, _SHAKEN_N = 3.6, 0.45, 1.75
 _RATE_HZ = 125.0
 
 

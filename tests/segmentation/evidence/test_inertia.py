@@ -8,8 +8,8 @@ from keyphase.demonstration import Demonstration
 from keyphase.making import make
 from keyphase.segmentation import segment
 from keyphase.segmentation.evidence.grid import grid_of
-from keyphase.segmentation.evidence.inertia import without_inertia
 from keyphase.segmentation.evidence.speed import speed_of
+from keyphase.segmentation.evidence.tool.inertia import without_inertia
 from keyphase.segmentation.motion import motion_of
 
 TOUCHED_S, LEFT_S = 4.0, 6.5

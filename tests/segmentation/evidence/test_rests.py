@@ -5,7 +5,7 @@ import numpy as np
 import synthetic
 from keyphase.demonstration import Demonstration
 from keyphase.segmentation.evidence.grid import grid_of
-from keyphase.segmentation.evidence.rests import rests
+from keyphase.segmentation.evidence.rests import rests, up_to_strokes
 from keyphase.segmentation.evidence.speed import speed_of
 from keyphase.segmentation.motion import motion_of
 
@@ -47,3 +47,24 @@ def test_stops_parted_by_a_sway_are_one_and_by_a_stroke_two():
     speed = speed_of(grid)
     assert len(speed.rests) == 3
     assert grid.time_s[speed.stops].round(1).tolist() == [[0.0, 3.3], [5.1, 6.4]]
+
+
+def test_a_stop_ends_where_the_stroke_after_it_sets_off_and_not_where_its_place_is_left():
+    still, creep = np.zeros(60), np.linspace(0.0, 0.004, 20)
+    stroke = 0.004 + 0.4 * synthetic.minimum_jerk(np.linspace(0.0, 1.0, 75))
+    position = np.concatenate(
+        [still, creep, stroke, stroke[-1] + creep, stroke[-1] + 0.004 + still]
+    )
+    recording = Demonstration(
+        "gentle", np.arange(len(position)) / 50.0, np.outer(position, [1.0, 0.0, 0.0])
+    )
+    grid = grid_of(recording, motion_of(recording))
+    speed = speed_of(grid)
+    (_, place_left), (place_reached, _) = speed.stops.tolist()
+    peak = np.array([np.argmax(speed.speed_m_s)])
+    (_, sets_off), (comes_to_rest, _) = up_to_strokes(speed.stops, peak, speed.speed_m_s).tolist()
+    slow = 0.07 * speed.speed_m_s[peak[0]]
+    assert place_left + 5 < sets_off
+    assert comes_to_rest < place_reached - 5
+    assert speed.speed_m_s[sets_off] < slow <= speed.speed_m_s[sets_off + 1]
+    assert speed.speed_m_s[comes_to_rest] < slow <= speed.speed_m_s[comes_to_rest - 1]

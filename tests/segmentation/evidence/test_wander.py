@@ -6,7 +6,13 @@ import numpy as np
 
 import synthetic
 from keyphase.demonstration import Demonstration
+from keyphase.making import make
 from keyphase.segmentation import Parameters, Segmentation, segment
+from keyphase.segmentation.evidence.probability import CONTACT_COLUMNS
+from keyphase.segmentation.evidence.stage import evidence_of
+from keyphase.segmentation.evidence.telling.told import NONE_CLEAR
+from keyphase.segmentation.evidence.weights import shipped_weights
+from keyphase.segmentation.motion import motion_of
 
 RATE_HZ = 50.0
 PRESSED_S, RELEASED_S = 16.0, 20.0
@@ -58,3 +64,26 @@ def test_a_least_step_of_zero_holds_nothing_back():
     )
     assert len(contacts_s(found)) > 2
     assert "least_step_N" not in {each.parameter for each in found.held_back}
+
+
+def test_a_force_that_is_never_strong_speaks_against_contact():
+    weights = shipped_weights()
+    said = []
+    for newton in (0.3, 3.0):
+        recording = press_after_a_long_rest(newton, slips=False, noise_N=0.01)
+        terms = evidence_of(recording, motion_of(recording), weights).contact.terms
+        added = weights.step.contributions(terms, CONTACT_COLUMNS)
+        said.append(added[0, weights.step.names.index("strength")])
+    assert said[0] < -0.5 < 0.0 < said[1]
+
+
+def test_where_no_contact_change_is_clear_all_are_doubted():
+    found = segment(make("carry", 6_000_019).demonstration)
+    assert contacts_s(found) == []
+    doubted = [c for c in found.candidates if c.kind == "contact"]
+    assert doubted
+    for candidate in doubted:
+        (lost,) = [r.contribution for r in candidate.reasons if r.name == NONE_CLEAR]
+        assert lost < -0.2
+    pressed = segment(press_after_a_long_rest(8.7, slips=True, noise_N=0.017))
+    assert NONE_CLEAR not in {r.name for c in pressed.candidates for r in c.reasons}

@@ -30,6 +30,7 @@ CONTACT_TERMS: Mapping[str, str] = {
     "stays_slow": "the force has changed a second later",
     "echo": "ringing of an earlier impact",
     "newton": "size of the step",
+    "strength": "how strong the force is in this recording",
     "sharpness": "sharpness of the step",
     "dominance": "strongest step within a second",
     "vibration": "vibration begins or ends",
@@ -60,6 +61,9 @@ _STEP_GAP_S, _STEP_LENGTH_S = 0.08, 0.2
 _ECHO_S = (0.1, 1.5)
 _ECHO_FADES_S = 0.7
 _BESIDE_S = 1.0
+_STRENGTH_N = (0.5, 1.5)
+"""A wrench that is never stronger than the lower one shows what it does of itself; from the upper
+one on something may be touched, and more says no more."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,6 +163,7 @@ def _steps(look: _Look) -> dict[str, Array]:
         "over_busy_side": np.log(top / busy).clip(-2.0, 3.0),
         "slow_over_quiet": np.log(slow / curves.quiet[3, at]).clip(-1.0, 4.0),
         "newton": np.log((top * look.grid.size_N).clip(0.05, 20.0)),
+        "strength": np.full(len(at), np.log(np.clip(look.grid.size_N, *_STRENGTH_N))),
         "sharpness": np.log(fast / slow),
     }
 

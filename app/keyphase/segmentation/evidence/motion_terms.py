@@ -8,6 +8,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.grid import Grid
+from keyphase.segmentation.evidence.rests import up_to_strokes
 from keyphase.segmentation.evidence.speed import QUICK_HZ, Speed, speed_of
 from keyphase.segmentation.evidence.ways import rotation_share, rounds
 
@@ -78,7 +79,7 @@ def motion_candidates(grid: Grid, speed: Speed) -> MotionCandidates:
             # Beside a force a mere turn is no boundary by itself.
             quick = _Valleys(grid, speed_of(grid, QUICK_HZ), LEVELS[-1])
             tables.append(quick.rows(crowd))
-        tables.append(_standing(grid, speed, crowd))
+        tables.append(_standing(grid, speed, strokes[0]))
     rows = _distinct(tables, grid.rate_hz)
     if speed.fast_m_s > 0.0:
         rows = rows[~_inside_a_stop(rows[:, 0], _stops(grid, speed, strokes[-1]), grid.rate_hz)]
@@ -254,21 +255,20 @@ def _crowding(at: Indices | Array, crowd: Indices, rate_hz: float) -> Array:
     return np.log(np.maximum(high - low, 1))
 
 
-def _standing(grid: Grid, speed: Speed, crowd: Indices) -> Array:
+def _standing(grid: Grid, speed: Speed, fine: _Valleys) -> Array:
     """Both edges of every stop of half a second within a millimetre and a degree."""
-    found = speed.stops
-    if not len(found):
+    if not len(speed.stops):
         return np.zeros((0, 4 + len(MOTION_TERMS)))
-    early, late = found[:, 0].astype(float), found[:, 1].astype(float)
-    dwell = (late - early) / grid.rate_hz
-    middle = 0.5 * (early + late)
+    found = up_to_strokes(speed.stops, fine.stroke, speed.speed_m_s)
+    early, late = found.T.astype(float)
+    dwell, middle = (late - early) / grid.rate_hz, 0.5 * (early + late)
     ones = np.ones(len(found))
     fast = np.log(speed.fast_m_s)
     terms = np.column_stack(
         [
             -np.log(0.02) * ones,
             np.log(dwell),
-            _crowding(middle, crowd, grid.rate_hz),
+            _crowding(middle, fine.valley, grid.rate_hz),
             ones,
             np.log(0.2) * ones,
             np.log(0.5) * ones,

@@ -18,6 +18,10 @@ MAX_ODDS = 9.0
 FAR = 0.2
 """A recording further than this from all that was fitted on is called unlike it."""
 
+CLEAR, _DOUBTED = 0.8, 0.5
+"""Who touches something does so clearly once: where no contact change is as likely as CLEAR, all
+of them lose half of the nats by which the likeliest one falls short."""
+
 _LIKELIEST = 12
 _OF_FREE_SPACE = ("over_core", "separation")
 _FADES = 2.0
@@ -50,13 +54,22 @@ def motion_odds(terms: Array, weights: Weights) -> Array:
     return weights.motion.log_odds(terms, MOTION_COLUMNS)
 
 
-def calibrated(odds: Array, calibration: Calibration, unlike: float) -> Array:
-    """Log-odds (C,) that hold in the mean over recordings like those that were fitted on.
+def doubt(odds: Array, calibration: Calibration) -> float:
+    """How many nats contact changes of these log-odds (C,) lose because none of them is clear."""
+    if not len(odds):
+        return 0.0
+    likeliest = float(calibration.log_odds(odds).max())
+    return _DOUBTED * max(0.0, log_odds(CLEAR) - likeliest)
+
+
+def calibrated(odds: Array, calibration: Calibration, unlike: float, doubted: float = 0.0) -> Array:
+    """Log-odds (C,) that hold in the mean over recordings like those that were fitted on, less
+    what is doubted.
 
     For recordings unlike those they are drawn towards the automatic line: what is given stays
     given, but with less confidence.
     """
-    z = np.clip(calibration.log_odds(odds), -MAX_ODDS, MAX_ODDS)
+    z = np.clip(calibration.log_odds(odds) - doubted, -MAX_ODDS, MAX_ODDS)
     line = log_odds(calibration.line)
     return line + (z - line) / (1.0 + _FADES * unlike)
 

@@ -65,3 +65,28 @@ def joined(stops: Indices, grid: Grid, speed_m_s: Array, fast_m_s: float) -> Ind
         ends[index] = extent >= SWAY_M or fastest >= SWAY_SHARE * fast_m_s
     begins = np.concatenate([[True], ends[:-1]])
     return np.column_stack([stops[begins, 0], stops[ends, 1]])
+
+
+SETS_OFF = 0.07
+"""A stop lasts until the stroke after it is faster than this part of its largest speed: a slow one
+leaves the stop's place before it begins."""
+
+
+def up_to_strokes(stops: Indices, strokes: Indices, speed_m_s: Array) -> Indices:
+    """The stops (R, 2), each from where the stroke before it has ended to where the next begins.
+
+    strokes (V,) are the cells at which the speed of each stroke is largest.
+    """
+    found = stops.copy()
+    after = np.searchsorted(strokes, stops[:, 1], side="right")
+    before = np.searchsorted(strokes, stops[:, 0]) - 1
+    for row, (early, late) in enumerate(stops.tolist()):
+        if before[row] >= 0:
+            peak = int(strokes[before[row]])
+            slow = speed_m_s[peak : early + 1] < SETS_OFF * speed_m_s[peak]
+            found[row, 0] = peak + int(np.argmax(slow)) if slow.any() else early
+        if after[row] < len(strokes):
+            peak = int(strokes[after[row]])
+            slow = speed_m_s[late : peak + 1] < SETS_OFF * speed_m_s[peak]
+            found[row, 1] = peak - int(np.argmax(slow[::-1])) if slow.any() else late
+    return found

@@ -10,9 +10,9 @@ from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.choice import distance_to, spaced_scores
 from keyphase.segmentation.evidence.contact_terms import breadth
-from keyphase.segmentation.evidence.probability import MOTION_COLUMNS, calibrated, log_odds
+from keyphase.segmentation.evidence.probability import MOTION_COLUMNS, calibrated, doubt, log_odds
 from keyphase.segmentation.evidence.stage import Evidence
-from keyphase.segmentation.evidence.weights import Weights
+from keyphase.segmentation.evidence.weights import Calibration, Weights
 from keyphase.segmentation.parameters import Parameters
 
 CLEAR_DEPTH = float(np.log(10.0))
@@ -27,11 +27,15 @@ that is too small, a turn that does not count, motion that a contact change besi
 
 @dataclass(frozen=True, eq=False)
 class Scores:
-    """Log-odds of all candidates after the choice, whatever the lines; -inf for those too close."""
+    """Log-odds of all candidates after the choice, whatever the lines; -inf for those too close.
+
+    `doubt` is what contact changes lost because none of them is clear, see `probability`.
+    """
 
     contact: Array
     motion: Array
     small: NDArray[np.bool_]
+    doubt: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,19 +72,19 @@ def scores_of(evidence: Evidence, weights: Weights, parameters: Parameters) -> S
     broad = breadth(evidence.contact.terms)
     contact = spaced_scores(evidence.contact_s, touch, distance, evidence.seen_s, broad)
     motion = spaced_scores(evidence.motion_s, evidence.motion_odds, distance)
+    doubted = doubt(contact[np.isfinite(contact)], weights.contact_calibration)
     return Scores(
-        _calibrated(contact, weights, evidence, "contact"),
-        _calibrated(motion, weights, evidence, "motion"),
+        _calibrated(contact, weights.contact_calibration, evidence.unlike, doubted),
+        # Motion knows nothing of kinds of force.
+        _calibrated(motion, weights.motion_calibration, 0.0, 0.0),
         small,
+        doubted,
     )
 
 
-def _calibrated(scores: Array, weights: Weights, evidence: Evidence, kind: str) -> Array:
-    contact = kind == "contact"
-    calibration = weights.contact_calibration if contact else weights.motion_calibration
+def _calibrated(scores: Array, calibration: Calibration, unlike: float, doubted: float) -> Array:
     with_none = np.where(np.isfinite(scores), scores, 0.0)
-    # Motion knows nothing of kinds of force.
-    odds = calibrated(with_none, calibration, evidence.unlike if contact else 0.0)
+    odds = calibrated(with_none, calibration, unlike, doubted)
     return np.where(np.isfinite(scores), odds, -np.inf)
 
 

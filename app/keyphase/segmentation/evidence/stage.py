@@ -7,10 +7,10 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.evidence.contact_terms import ContactCandidates, contact_candidates
 from keyphase.segmentation.evidence.grid import Grid, grid_of
-from keyphase.segmentation.evidence.inertia import without_inertia
 from keyphase.segmentation.evidence.motion_terms import MotionCandidates, motion_candidates
 from keyphase.segmentation.evidence.probability import contact_odds, motion_odds, unlike
 from keyphase.segmentation.evidence.speed import speed_of
+from keyphase.segmentation.evidence.tool import without_tool
 from keyphase.segmentation.evidence.weights import Weights
 from keyphase.segmentation.motion import Motion
 
@@ -44,7 +44,7 @@ def evidence_of(demonstration: Demonstration, motion: Motion, weights: Weights) 
     """Look at every place where a boundary could be."""
     grid = grid_of(demonstration, motion)
     speed = speed_of(grid)
-    grid = without_inertia(grid, speed)
+    grid = without_tool(grid, speed)
     contact, moves = contact_candidates(grid, speed), motion_candidates(grid, speed)
     contact = _in_order(contact)
     cells = np.arange(len(grid))

@@ -39,6 +39,7 @@ STEP_SIGNS: Mapping[str, int] = {
     "stays_slow": 1,
     "echo": -1,
     "newton": 1,
+    "strength": 1,
     "sharpness": 1,
     "dominance": 1,
     "vibration": 1,
@@ -57,6 +58,7 @@ STATE_SIGNS: Mapping[str, int] = {
     "over_core": 1,
     "separation": 1,
     "contact_newton": 1,
+    "strength": 1,
     "lasts": 1,
 }
 MOTION_SIGNS: Mapping[str, int] = {

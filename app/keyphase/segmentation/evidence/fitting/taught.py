@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 from keyphase.demonstration import Array, Demonstration
 from keyphase.segmentation.evidence.contact_terms import contact_candidates
 from keyphase.segmentation.evidence.grid import grid_of
-from keyphase.segmentation.evidence.inertia import without_inertia
 from keyphase.segmentation.evidence.motion_terms import motion_candidates
 from keyphase.segmentation.evidence.speed import speed_of
+from keyphase.segmentation.evidence.tool import without_tool
 from keyphase.segmentation.motion import motion_of
 
 SERVED_S = 0.4
@@ -67,7 +67,7 @@ def taught(family: str, demonstration: Demonstration, truth: Truth) -> Taught:
     motion = motion_of(demonstration)
     grid = grid_of(demonstration, motion)
     speed = speed_of(grid)
-    grid = without_inertia(grid, speed)
+    grid = without_tool(grid, speed)
     touches, moves = contact_candidates(grid, speed), motion_candidates(grid, speed)
     cells = np.arange(len(grid))
     touch_s = grid.time_s[touches.cell]

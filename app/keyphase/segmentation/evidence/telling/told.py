@@ -37,6 +37,7 @@ MAX_TOLD = 2000
 
 CROWDED = "a likelier boundary close by"
 UNLIKE = "unlike the recordings the weights were fitted on"
+NONE_CLEAR = "no contact change of this recording is clear"
 
 
 class Told:
@@ -195,6 +196,9 @@ class Told:
         ]
         score = (self._scores.contact if kind == "contact" else self._scores.motion)[index]
         lost = float(score) - self._alone(kind, index) if np.isfinite(score) else 0.0
+        if kind == "contact" and np.isfinite(score) and self._scores.doubt > 0.05:
+            reasons.append(Reason(NONE_CLEAR, self._scores.doubt, -self._scores.doubt))
+            lost += self._scores.doubt
         if abs(lost) > 0.05:
             unlike = kind == "contact" and evidence.unlike > 0.0
             value = evidence.unlike if unlike else 0.0

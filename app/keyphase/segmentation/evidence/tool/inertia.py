@@ -9,6 +9,7 @@ import numpy as np
 from keyphase.demonstration import Array
 from keyphase.segmentation.evidence.grid import Grid
 from keyphase.segmentation.evidence.speed import SMOOTHING_HZ, Speed
+from keyphase.segmentation.evidence.tool.lever import lever
 from keyphase.segmentation.filters import smoothed
 from keyphase.segmentation.order_statistics import column_medians, median, quantile
 
@@ -50,8 +51,7 @@ def without_inertia(grid: Grid, speed: Speed) -> Grid:
     wrench[:, :3] -= mass * acceleration
     if wrench.shape[1] > 3:
         cells = np.flatnonzero(moving)[free]
-        lever = _lever(wrench[cells, 3:], acceleration[cells])
-        wrench[:, 3:] -= np.cross(lever, acceleration)
+        wrench[:, 3:] -= np.cross(lever(wrench[cells, 3:], acceleration[cells]), acceleration)
     return grid.with_wrench(wrench)
 
 
@@ -69,13 +69,6 @@ def _jumps_explained(
     whole = median(np.square(force[most]).sum(axis=1))
     left = median(np.square(force[most] - mass * acceleration[most]).sum(axis=1))
     return 1.0 - left / (whole + 1e-12)
-
-
-def _lever(torque: Array, acceleration: Array) -> Array:
-    """The vector (3,) whose cross product with the acceleration is nearest to the torque."""
-    around = torque - column_medians(torque)
-    square = float(np.square(acceleration).sum()) * np.eye(3) - acceleration.T @ acceleration
-    return np.linalg.lstsq(square, np.cross(acceleration, around).sum(axis=0))[0]
 
 
 def _mass_kg(force: Array, acceleration: Array) -> tuple[float, float, np.ndarray]:
