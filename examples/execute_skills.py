@@ -16,10 +16,15 @@ import numpy as np
 REST, UNTURNED = np.zeros(6), np.array([1.0, 0.0, 0.0, 0.0])
 
 
-def named(values):
+class Named(SimpleNamespace):
     """An object of the file: its values by name, lists as arrays."""
-    arrays = {k: np.array(v) if isinstance(v, list) else v for k, v in values.items()}
-    return SimpleNamespace(**arrays)
+
+    def __init__(self, values):
+        lists = {k: np.array(v) for k, v in values.items() if isinstance(v, list)}
+        super().__init__(**{**values, **lists})
+
+    def __getattr__(self, name):
+        raise AttributeError(f"the skill file has no '{name}': export it again, with this keyphase")
 
 
 def times(a, b):
@@ -61,7 +66,9 @@ def at_share(rows, share):
 class Plan:
     def __init__(self, file, sensed):
         with open(file, encoding="utf-8") as text:
-            self.file = json.load(text, object_hook=named)
+            self.file = json.load(text, object_hook=Named)
+        if getattr(self.file, "version", None) != 2:
+            raise ValueError(f"{file} is no skill file of version 2: export it again")
         self.n, self.h = self.file.execution, self.file.execution.step_s
         self.shift, self.rotated, self.outcomes, self.over = np.zeros(3), UNTURNED, [], False
         self.sense(*sensed)

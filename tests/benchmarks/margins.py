@@ -4,7 +4,8 @@
 
 A set-up is its bundled recording, segmented as it is proposed, beside the same boundaries 0.4 s
 late, as many boundaries evenly spaced, and the first two skills as one. Any other recording is
-tried in the world made from it. Beside both stand the plan by pose alone and all as one skill.
+tried in the world made from it, one whose force is doubted as if it were not. Beside both stand the
+plan by pose alone and all as one skill.
 Prints a row of a Markdown table for each plan.
 """
 
@@ -23,6 +24,7 @@ from keyphase.segmentation import Segmenter
 from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.segmentation.segmentation import Segment
 from keyphase.simulation.choosing import cell_for, met_by
+from keyphase.simulation.recorded.cell import RecordedCell
 from keyphase.simulation.replay.margin import Margin, axes_of, margin_of
 from keyphase.simulation.replay.margin_plans import margin_plans
 from keyphase.simulation.workcells.registry import workcell_names
@@ -70,6 +72,9 @@ def margin_for(
     bundled = name in workcell_names()
     demonstration = read(shipped("data") / f"{name}.npz" if bundled else Path(name))
     cell = cell_for(demonstration, name if bundled else "recording")
+    if isinstance(cell, RecordedCell) and cell.doubt is not None:
+        print(f"{name}: {cell.doubt}")
+        cell.doubt = None
     met = met_by(demonstration, cell)
     segmenter = Segmenter(met)
     segments = proposed(segmenter)

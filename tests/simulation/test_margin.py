@@ -72,7 +72,14 @@ def test_the_furthest_is_tried_first_and_then_the_distance_halved() -> None:
     assert tried[0] == 32.0
     assert 6.0 <= good <= 7.0
     assert failed == "too far"
-    assert len(tried) < 8
+    assert len(tried) < 11
+
+
+def test_a_plan_that_fails_in_a_nearer_world_reaches_no_further() -> None:
+    axis = Axis("higher", "mm", 32.0, 1.0, lambda _: None)  # pyright: ignore
+    good, failed = _furthest(lambda value: "hit" if 7.0 < value < 9.0 else None, axis)
+    assert 6.0 <= good <= 7.0
+    assert failed == "hit"
 
 
 def test_workcells_differ_in_height_place_turn_and_friction() -> None:

@@ -15,6 +15,7 @@ from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, Gr
 from keyphase.simulation import Disturbance
 from keyphase.simulation.choosing import cell_for, unfit
 from keyphase.simulation.recorded.cell import RecordedCell
+from keyphase.simulation.recorded.meeting import Meeting
 from keyphase.simulation.replay.replay import run
 from keyphase.skills.library import skills_of
 
@@ -31,7 +32,7 @@ def test_the_plan_of_a_recording_meets_its_contact_again_and_succeeds() -> None:
     assert result.succeeded, result.outcome()
     assert [each.outcome for each in result.results] == ["contact", "reached"]
     assert PRESSED_N < result.peak_force < 2.0 * PRESSED_N
-    assert world.touched[0] == pytest.approx(DOWN_S - 0.25, abs=0.4)
+    assert world.meeting.touched[0] == pytest.approx(DOWN_S - 0.25, abs=0.4)
 
 
 @pytest.mark.parametrize("height_m", [0.008, -0.008])
@@ -62,6 +63,62 @@ def test_a_plan_that_skips_the_contact_does_not_succeed() -> None:
     result, _ = replayed(pressed_slide(), Disturbance(part_height_m=-0.03), wrong)
     assert not result.succeeded
     assert "plan carried out" in result.outcome()
+
+
+def test_a_contact_that_only_a_later_skill_meets_is_not_met() -> None:
+    """By its pose alone the way down ends above the table, and the slide sinks onto it."""
+    down, slide = its_plan()
+    end_s = down.end_s + 0.15
+    by_pose = [
+        replace(down, end_s=end_s, end_condition=ConfigurationEnd()),
+        replace(slide, start_s=end_s),
+    ]
+    lower = Disturbance(part_height_m=-0.004)
+    result, world = replayed(pressed_slide(), lower, by_pose)
+    assert result.completed
+    assert world.meeting.touched
+    assert "contacts met in order" in result.outcome()
+    assert replayed(pressed_slide(), lower)[0].succeeded
+
+
+@pytest.mark.parametrize(
+    ("asked_N", "felt_N", "firm"), [(10, 4, False), (10, 6, True), (2, 0, True)]
+)
+def test_a_contact_is_repeated_if_it_is_pressed_with_half_of_what_was_demonstrated(
+    asked_N, felt_N, firm
+) -> None:
+    (surface,) = RecordedCell(pressed_slide()).surfaces
+    meeting = Meeting([replace(surface, force_N=np.full(len(surface.time_s), asked_N))], 0.0)
+    meeting.repeat(surface.made_s + 0.1, (0.0, 3.0))
+    for tick in range(50):
+        meeting.press({0: float(felt_N)} if felt_N else {}, 0.004 * tick)
+    assert meeting.firm == firm
+
+
+def test_a_contact_that_a_recording_begins_in_was_met_by_nobody() -> None:
+    """It rests on something at first; further away, that is not touched, and nothing is missed."""
+    late = pressed_slide()
+    assert late.force_N is not None
+    rested = np.clip((0.2 - late.time_s) / 0.02, 0.0, 1.0)[:, None] * np.array([0.0, -2.0, 0.0])
+    result, world = replayed(
+        replace(late, force_N=late.force_N + rested), Disturbance(part_offset_m=(0.0, 0.004))
+    )
+    assert len(world.workcell.surfaces) == 2
+    assert list(world.meeting.touched) == [1]
+    assert result.succeeded, result.outcome()
+
+
+def test_what_is_come_to_at_a_slant_may_be_met_further_along_the_way() -> None:
+    """Down at 30° to the table: 8 mm lower is 16 mm further along the way."""
+    straight = pressed_slide()
+    down = 0.2 - straight.position_m[:, 2]
+    aside = np.array([0.0, np.sqrt(3.0), 0.0])
+    slanted = replace(straight, position_m=straight.position_m + down[:, None] * aside)
+    (surface,) = RecordedCell(slanted).surfaces
+    assert surface.slant == pytest.approx(2.0, abs=0.05)
+    result, world = replayed(slanted, Disturbance(part_height_m=-0.008))
+    assert world.furthest_m > 0.013
+    assert result.succeeded, result.outcome()
 
 
 def test_a_constant_offset_of_the_sensor_is_no_contact() -> None:

@@ -1,10 +1,11 @@
 """A plan replayed: it succeeds from the bundled data, survives edits, and says how it ended."""
 
 import hashlib
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from replaying import NAMES, begun, bundled, nominal, plan, replayed, with_thresholds
+from replaying import NAMES, begun, bundled, nominal, plan, replayed, stroke, with_thresholds
 
 from keyphase.errors import SimulationError
 from keyphase.labeling.edits import Move
@@ -90,6 +91,17 @@ def test_a_skill_that_ends_otherwise_stops_the_plan() -> None:
     assert result.results[-1].outcome == "unexpected contact"
     assert len(result.results) < len(result.skills)
     assert "unexpected contact" in result.outcome()
+
+
+def test_a_goal_that_the_arm_does_not_reach_is_said_to_be_one() -> None:
+    curve, segment = stroke(1.0)
+    start = curve.position_m[0]
+    far = replace(curve, position_m=start + 4.0 * (curve.position_m - start))
+    part = replace(segment, end_condition=ConfigurationEnd(timeout_s=1.0))
+    result = run(workcell("setup1").build(), skills_of(far, [part]), far)
+    assert result.outcome().endswith(
+        "ended with timeout: nothing is in its way, the arm does not reach its goal"
+    )
 
 
 def test_where_the_arm_is_away_from_the_start_it_is_connected_first() -> None:

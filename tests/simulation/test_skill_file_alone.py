@@ -34,6 +34,27 @@ def test_the_example_interpreter_does_what_the_replay_does(name, world, last, tm
     assert alone[0][-1] == last
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('"version": 2', '"version": 1', "no skill file of version 2"),
+        ('"step_s"', '"steps_s"', "has no 'step_s'"),
+    ],
+)
+def test_a_file_that_the_example_cannot_execute_is_refused_in_one_line(
+    old, new, said, tmp_path
+) -> None:
+    demonstration = pressed_slide()
+    part = Drawn(0.0, 0.1, "stand")
+    file = tmp_path / "stand.skills.json"
+    skills = skills_of(demonstration, [part])
+    write_skills(file, library_of(demonstration, skills))
+    file.write_text(file.read_text().replace(old, new))
+    here = demonstration.position_m[0], np.array([1.0, 0.0, 0.0, 0.0]), np.zeros(6), np.zeros(3)
+    with pytest.raises((ValueError, AttributeError), match=said):
+        example().Plan(file, here)
+
+
 def same_reference(executor, alone):
     """What the executor wants, which the example interpreter wants, too."""
     wanted = executor.reference

@@ -7,7 +7,7 @@ import numpy as np
 from keyphase.demonstration import Array, Demonstration
 from keyphase.rotations import quaternions
 from keyphase.segmentation.end_condition import ContactEnd
-from keyphase.segmentation.end_condition.agreement import WITHIN_S
+from keyphase.segmentation.end_condition.agreement import DRAGGED_S, WITHIN_S
 from keyphase.segmentation.end_condition.travel import RATE_HZ, sampled
 from keyphase.skills.end_monitor import Outcome, start_monitor
 from keyphase.skills.primitive import PHASE_SPAN
@@ -29,7 +29,8 @@ def tried(skill: Skill, demonstration: Demonstration) -> Skill:
     outcome, time_s = outcome_on(skill, demonstration)
     assert skill.demonstrated_s is not None
     # One that was dragged by hand was found to agree about its contact, not about its end.
-    near = bool(end.agrees) or abs(time_s - skill.demonstrated_s[1]) < WITHIN_S
+    dragged_s = DRAGGED_S if end.agrees else 0.0
+    near = abs(time_s - skill.demonstrated_s[1]) < WITHIN_S + dragged_s
     if outcome != "contact" or not near:
         return replace(skill, agrees=False)
     at_s, columns = time_s - skill.debounce_s, demonstration.position_m.T

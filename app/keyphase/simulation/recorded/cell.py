@@ -14,6 +14,7 @@ from keyphase.errors import SimulationError
 from keyphase.recorded_force import Even, evenly, offset_while_moving
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.impedance import Gains
+from keyphase.simulation.recorded.meeting import DUE_S
 from keyphase.simulation.recorded.reaching import Pose
 from keyphase.simulation.recorded.robot_arm import robot_arm
 from keyphase.simulation.recorded.surfaces import Surface, surfaces_of
@@ -57,6 +58,11 @@ class RecordedCell:
         self.surfaces: tuple[Surface, ...] = surfaces_of(self.even)
         self.arm = None if robot is None else robot_arm(*robot, self._some_poses())
         self.parts = ("held", *(f"surface_{n + 1}" for n in range(len(self.surfaces))))
+
+    @property
+    def begins_s(self) -> float:
+        """A contact that was made by then is one the recording begins in [s]."""
+        return float(self.even.time_s[0]) + DUE_S
 
     def build(self, disturbance: Disturbance = NOMINAL, seed: int = 0) -> RecordedWorld:
         """The world at the recording's start; `seed` sets the sensor's noise."""
@@ -108,16 +114,22 @@ class RecordedCell:
 
     def checks(self, world: RecordedWorld) -> Mapping[str, bool]:
         """Contacts, path, and whether the force can be what it says."""
-        due = sorted(world.due)
-        met = [world.touched[index] for index in due if index in world.touched]
-        in_order = len(met) == len(due) and met == sorted(met)
-        shift = world.disturbance.part_offset_m
-        moved = sqrt(shift[0] ** 2 + shift[1] ** 2 + world.disturbance.part_height_m**2)
         checks = {
-            "contacts met in order": in_order,
-            f"path within {1e3 * WITHIN_M:.0f} mm": world.furthest_m <= WITHIN_M + moved,
+            "contacts met in order": world.meeting.in_order,
+            "contacts pressed": world.meeting.firm,
+            f"path within {1e3 * WITHIN_M:.0f} mm": world.furthest_m
+            <= WITHIN_M + self._moved_by(world.disturbance),
         }
         return checks | ({} if self.doubt is None else {"a force to be trusted": False})
+
+    def _moved_by(self, disturbance: Disturbance) -> float:
+        """How much further off its recorded path a tool may be in a world that was moved [m].
+
+        As far as it was moved, and as far as the tool goes on to meet what it comes to at a slant.
+        """
+        shift = np.array([*disturbance.part_offset_m, disturbance.part_height_m])
+        goes_on = [one.slant * abs(float(shift @ one.normal[0])) for one in self.surfaces]
+        return max(float(np.linalg.norm(shift)), *goes_on, 0.0)
 
     def goals(self, world: RecordedWorld) -> tuple[str, ...]:
         """Names of all that success asks, before anything has happened."""

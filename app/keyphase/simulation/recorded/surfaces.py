@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.recorded_force import RATE_HZ, Even, running_mean
+from keyphase.segmentation.end_condition.travel import last_way
 from keyphase.simulation.recorded.stops import Stop, stops_of
 
 STIFFNESS_N_M = 4000.0
@@ -37,6 +38,9 @@ STANDS_M_S = 0.003
 
 BREAKS_OFF_S = 0.1
 
+MOST_SLANTED = 3.0
+"""A tool that comes at a more slanted way passes by: where it meets is not told by its way."""
+
 
 @dataclass(frozen=True, eq=False)
 class Surface:
@@ -47,6 +51,7 @@ class Surface:
     time_s (N,), position_m (N, 3) of the tool, point_m (N, 3) of the unloaded surface,
     normal (N, 3), closing_m_s (N,) of the tool along it, force_N (N,), friction (N,)
     stops           where a slide on it ended
+    slant           way that the tool goes on for each metre that the surface lies further away
     """
 
     made_s: float
@@ -60,6 +65,7 @@ class Surface:
     force_N: Array
     friction: Array
     stops: tuple[Stop, ...] = ()
+    slant: float = 1.0
 
     def stands(self, moment_s: float) -> bool:
         """Whether it is there at a moment of the demonstration."""
@@ -149,4 +155,11 @@ def _surface(even: Even, rows: slice, before: int) -> Surface:
         force_N=size,
         friction=np.where(speed < STANDS_M_S, STICKS, SLIPS),
         stops=stops_of(even, rows.start, rows.stop),
+        slant=_slant(even.position_m[before : rows.start + 1], first),
     )
+
+
+def _slant(path_m: Array, normal: Array) -> float:
+    """How slanted the last 10 mm of a path (N, 3) come to a surface: 1 is straight."""
+    way = last_way(path_m)
+    return 1.0 if way is None else 1.0 / max(abs(float(way[0] @ normal)), 1.0 / MOST_SLANTED)

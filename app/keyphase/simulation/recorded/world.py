@@ -13,6 +13,7 @@ from keyphase.simulation.impedance import RATE_HZ, Gains, Reference
 from keyphase.simulation.part_shapes import Shape
 from keyphase.simulation.recorded.arm_body import ArmBody
 from keyphase.simulation.recorded.body import ToolBody
+from keyphase.simulation.recorded.meeting import Meeting, made_within
 from keyphase.simulation.recorded.surfaces import SLIPS, STIFFNESS_N_M
 from keyphase.simulation.simulation import Sample
 
@@ -25,7 +26,6 @@ DAMPING_NS_M = 40.0
 ASIDE_M, BEHIND_M = 0.04, 0.02
 """A surface ends this far aside of where it was touched, and this far behind itself."""
 
-TOUCHED_N = 0.2
 NOISE_N = 0.05
 CUTOFF_HZ = 70.0
 
@@ -38,8 +38,6 @@ DISC_M, TIP_M = (0.03, 0.03, 0.001), (0.008, 0.008, 0.008)
 GREY, RED = (0.45, 0.47, 0.50, 0.7), (0.80, 0.10, 0.10, 1.0)
 _CREEP_M_S = 0.005
 _MEASURED_EVERY = 5
-_DUE_S = 0.05
-_AFTER_S = 0.3
 
 
 class RecordedWorld:
@@ -69,10 +67,9 @@ class RecordedWorld:
         else:
             at = even.position_m[0], even.orientation_wxyz[0]
             self.body = ToolBody(*at, np.zeros(3), np.zeros(3))
-        self.touched: dict[int, float] = {}
+        self.meeting = Meeting(self.workcell.surfaces, self.workcell.begins_s)
         self._late_s: dict[int, float] = {}
         self._span_s: tuple[float, float] | None = None
-        self.due: set[int] = set()
         self.furthest_m = 0.0
         self._ticks, self._pushed = 0, (np.zeros(3), np.zeros(3))
         self._moment: float | None = float(start)
@@ -99,12 +96,8 @@ class RecordedWorld:
         self._moment, self._on_path = moment_s, span_s is not None
         if moment_s is not None:
             self._opening = self.workcell.opening_at(moment_s)
-        if moment_s is None or span_s is None:
-            return
-        for index, surface in enumerate(self.workcell.surfaces):
-            begun = surface.made_s - _DUE_S <= moment_s <= surface.lost_s
-            if begun and surface.made_s <= span_s[1] + _AFTER_S:
-                self.due.add(index)
+        if moment_s is not None and span_s is not None:
+            self.meeting.repeat(moment_s, span_s)
 
     def step(self, reference: Reference) -> Sample:
         """One control tick of 4 ms towards `reference`.
@@ -193,7 +186,7 @@ class RecordedWorld:
     def _plane(self, index: int) -> tuple[Array, Array, float, float]:
         assert self._moment is not None
         surface, moment = self.workcell.surfaces[index], self._moment - self._late_s.get(index, 0.0)
-        if index not in self.touched and self._is_made_now(index):
+        if index not in self.meeting.touched and self._is_made_now(index):
             # Until then it is what was met first, and not what it became under the tool.
             moment = min(moment, surface.made_s)
         shift, turn = self._place
@@ -203,8 +196,7 @@ class RecordedWorld:
 
     def _is_made_now(self, index: int) -> bool:
         """Whether the contact was made within the stretch that is repeated, not before it."""
-        made_s = self.workcell.surfaces[index].made_s
-        return self._span_s is not None and self._span_s[0] < made_s <= self._span_s[1] + _AFTER_S
+        return made_within(self.workcell.surfaces[index].made_s, self._span_s)
 
     def _moved(self, point: Array, normal: Array) -> tuple[Array, Array]:
         shift, turn = self._place
@@ -228,12 +220,10 @@ class RecordedWorld:
         return total, each
 
     def _note(self) -> None:
-        for index, pressed in self._contact()[1].items():
-            if pressed > TOUCHED_N and index not in self.touched:
-                self.touched[index] = self._ticks / RATE_HZ
-                if self._is_made_now(index):
-                    late_s = (self._moment or 0.0) - self.workcell.surfaces[index].made_s
-                    self._late_s[index] = max(late_s, 0.0)
+        for index in self.meeting.press(self._contact()[1], self._ticks / RATE_HZ):
+            if self._is_made_now(index):
+                late_s = (self._moment or 0.0) - self.workcell.surfaces[index].made_s
+                self._late_s[index] = max(late_s, 0.0)
         on_path = self._moment is not None and self._on_path
         if on_path and self._ticks % _MEASURED_EVERY == 0:
             away = self.workcell.off_path(self.body.position_m, self._moment or 0.0)

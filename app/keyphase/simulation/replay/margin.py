@@ -1,8 +1,9 @@
 """How far the world may differ until a plan fails: a margin instead of a bit.
 
 A plan that succeeds where it was demonstrated may hang by a millimetre. Along each axis the
-furthest world is tried first, then the distance is halved until it is known to the resolution:
-right segmentations are told from wrong ones by how far they reach.
+furthest world is tried first, then the distance is halved until it is known to the resolution, and
+worlds on the way there are tried, too. Right segmentations are told from wrong ones by how far they
+reach.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -18,6 +19,9 @@ from keyphase.simulation.recorded.cell import RecordedCell
 from keyphase.simulation.replay.replay import Replay
 from keyphase.simulation.simulated import Cell
 from keyphase.skills.skill import Skill
+
+BETWEEN = (0.25, 0.5, 0.75)
+"""Where, of the way to the furthest world that a plan bears, it is tried as well."""
 
 
 @dataclass(frozen=True)
@@ -134,7 +138,10 @@ def _counted(
 
 
 def axes_of(cell: Cell) -> tuple[Axis, ...]:
-    """The ways in which a workcell differs; a recorded world along what was touched first."""
+    """The ways in which a workcell differs; a recorded world along what was met first.
+
+    What a recording begins in nobody came to: it counts only where nothing else was touched.
+    """
     if isinstance(cell, RecordedCell):
         return _recorded_axes(cell)
     return (
@@ -150,7 +157,8 @@ def axes_of(cell: Cell) -> tuple[Axis, ...]:
 def _recorded_axes(cell: RecordedCell) -> tuple[Axis, ...]:
     if not cell.surfaces:
         return ()
-    towards = cell.surfaces[0].normal[:10].mean(axis=0)
+    met = [one for one in cell.surfaces if one.made_s > cell.begins_s] or cell.surfaces
+    towards = met[0].normal[:10].mean(axis=0)
     towards /= np.linalg.norm(towards)
     across = np.cross(towards, np.eye(3)[int(np.abs(towards).argmin())])
     across /= np.linalg.norm(across)
@@ -186,11 +194,33 @@ def _reach_in(
 
 
 def _furthest(failure: Callable[[float], str | None], axis: Axis) -> tuple[float, str | None]:
-    """The furthest value that succeeds, known to succeed at the nominal one, and what failed."""
+    """The furthest value that succeeds, known to succeed at the nominal one, and what failed.
+
+    A plan that fails in a near world may succeed in a far one by chance: a quarter, a half and
+    three quarters of the way there have to succeed, too.
+    """
     failed = failure(axis.most)
-    if failed is None:
-        return axis.most, None
-    good, bad = axis.nominal, axis.most
+    good, failed = (
+        (axis.most, None)
+        if failed is None
+        else _halved(failure, axis.nominal, axis.most, failed, axis)
+    )
+    nearer, whole = axis.nominal, good - axis.nominal
+    for share in BETWEEN:
+        there = axis.nominal + share * whole
+        if there - nearer < axis.resolution:
+            continue
+        now = failure(there)
+        if now is not None:
+            return _halved(failure, nearer, there, now, axis)
+        nearer = there
+    return good, failed
+
+
+def _halved(
+    failure: Callable[[float], str | None], good: float, bad: float, failed: str, axis: Axis
+) -> tuple[float, str]:
+    """Between a value that succeeds and one that failed, known to the axis' resolution."""
     while bad - good > axis.resolution:
         middle = 0.5 * (good + bad)
         now = failure(middle)

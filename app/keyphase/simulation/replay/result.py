@@ -12,6 +12,10 @@ from keyphase.skills.execution.result import SkillResult, Stage, went_on
 from keyphase.skills.library import FORCE_LIMIT_FACTOR, MIN_FORCE_LIMIT_N
 from keyphase.skills.skill import Skill
 
+_STOOD_TICKS, _STOOD_M, _OFF_M, _FREE_N = 75, 0.003, 0.005, 1.0
+"""A tool that moved less than so far in 0.3 s stood; one so far off its reference is pulled by more
+than 10 N, which something holds, and that is the arm if no more than so much is felt."""
+
 
 @dataclass(frozen=True, eq=False)
 class ReplayState:
@@ -127,8 +131,22 @@ class ReplayResult:
     def _reason(self) -> str:
         bad = next((r for r in self.results if not went_on(r)), None)
         if bad is not None:
-            return f"skill {bad.skill + 1} ({bad.label}) ended with {bad.outcome}"
+            why = ": nothing is in its way, the arm does not reach its goal"
+            out_of_reach = bad.outcome == "timeout" and self._is_out_of_reach(bad.skill)
+            said = f"skill {bad.skill + 1} ({bad.label}) ended with {bad.outcome}"
+            return said + (why if out_of_reach else "")
         return "every skill ended as planned"
+
+    def _is_out_of_reach(self, skill: int) -> bool:
+        """Whether a tool that nothing touched stood still in the end, off what it was to follow."""
+        ticks = [state for state in self.states if state.skill == skill][-_STOOD_TICKS:]
+        if not ticks or not len(ticks[-1].sample.joints_rad) or ticks[-1].held:
+            return False
+        felt = np.mean([state.sample.force_N for state in ticks], axis=0)
+        end, begin = ticks[-1].sample.position_m, ticks[0].sample.position_m
+        off_m = float(np.linalg.norm(ticks[-1].reference.position_m - end))
+        stood = float(np.linalg.norm(end - begin)) < _STOOD_M
+        return stood and off_m > _OFF_M and float(np.linalg.norm(felt)) < _FREE_N
 
 
 def greatest_force(demonstration: Demonstration) -> float:
