@@ -65,6 +65,24 @@ def test_a_plan_that_skips_the_contact_does_not_succeed() -> None:
     assert "plan carried out" in result.outcome()
 
 
+@pytest.mark.parametrize(
+    ("segments", "whole"),
+    [
+        (its_plan()[::-1], False),
+        (its_plan()[1:], False),
+        (its_plan()[:1], False),
+        (2 * its_plan(), True),
+    ],
+    ids=["reversed", "the last skill only", "the first skill only", "twice"],
+)
+def test_a_plan_that_leaves_out_or_reorders_has_not_repeated_the_demonstration(
+    segments, whole
+) -> None:
+    result, _ = replayed(pressed_slide(), segments=segments)
+    assert result.checks["demonstration repeated"] == whole
+    assert result.succeeded == whole, result.outcome()
+
+
 def test_a_contact_that_only_a_later_skill_meets_is_not_met() -> None:
     """By its pose alone the way down ends above the table, and the slide sinks onto it."""
     down, slide = its_plan()

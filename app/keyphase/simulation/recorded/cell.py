@@ -115,6 +115,7 @@ class RecordedCell:
     def checks(self, world: RecordedWorld) -> Mapping[str, bool]:
         """Contacts, path, and whether the force can be what it says."""
         checks = {
+            "demonstration repeated": world.repeating.whole,
             "contacts met in order": world.meeting.in_order,
             "contacts pressed": world.meeting.firm,
             f"path within {1e3 * WITHIN_M:.0f} mm": world.furthest_m

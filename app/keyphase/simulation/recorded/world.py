@@ -14,6 +14,7 @@ from keyphase.simulation.part_shapes import Shape
 from keyphase.simulation.recorded.arm_body import ArmBody
 from keyphase.simulation.recorded.body import ToolBody
 from keyphase.simulation.recorded.meeting import Meeting, made_within
+from keyphase.simulation.recorded.repeating import Repeating
 from keyphase.simulation.recorded.surfaces import SLIPS, STIFFNESS_N_M
 from keyphase.simulation.simulation import Sample
 
@@ -67,6 +68,7 @@ class RecordedWorld:
         else:
             at = even.position_m[0], even.orientation_wxyz[0]
             self.body = ToolBody(*at, np.zeros(3), np.zeros(3))
+        self.repeating = Repeating(self.workcell.even)
         self.meeting = Meeting(self.workcell.surfaces, self.workcell.begins_s)
         self._late_s: dict[int, float] = {}
         self._span_s: tuple[float, float] | None = None
@@ -97,6 +99,7 @@ class RecordedWorld:
         if moment_s is not None:
             self._opening = self.workcell.opening_at(moment_s)
         if moment_s is not None and span_s is not None:
+            self.repeating.begin(span_s)
             self.meeting.repeat(moment_s, span_s)
 
     def step(self, reference: Reference) -> Sample:
