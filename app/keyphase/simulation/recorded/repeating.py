@@ -4,8 +4,9 @@ import numpy as np
 
 from keyphase.recorded_force import Even
 
-PAUSE_M, PAUSE_RAD = 0.01, 0.1
-"""A stretch in which the tool stayed so near to where it was is a pause."""
+PAUSE_M, PAUSE_RAD = 0.02, 0.2
+"""A stretch in which the tool stayed so near to where it was is a pause, the beginning of a motion
+that was cut 0.2 s late included."""
 
 Span = tuple[float, float]
 
