@@ -18,6 +18,7 @@ import numpy as np
 from joblib import Memory, Parallel, delayed
 from transferring.known import GRIPPER, WORKCELLS, Known, made, real_sets, simulated
 from transferring.outliers import outliers
+from transferring.repeated import REPEATED, repeated
 from transferring.trying import METHODS, Tried, row, tries
 
 TEACHERS = (1, 3)
@@ -33,6 +34,11 @@ def main() -> int:
         if count
     }
     by_simulation = set(tasks)
+    by_goal = set(tasks)
+    if asked.again:
+        again = {name: repeated(name, seed, asked.again) for name, seed in REPEATED.items()}
+        tasks |= again
+        by_goal |= set(again)
     if asked.real is not None:
         tasks |= real_sets(asked.real)
     if asked.only:
@@ -44,7 +50,7 @@ def main() -> int:
         for count in TEACHERS:
             tried = _tried(known, count, asked)
             everything += tried
-            line, met = row(name, count, tried, simulated=name in by_simulation)
+            line, met = row(name, count, tried, simulated=name in by_goal)
             good &= met
             print(line, flush=True)
     good &= _calibrated(everything)
@@ -58,6 +64,7 @@ def _asked() -> argparse.Namespace:
     parser.add_argument("--real", type=Path, help="folder of real recordings with its truth.json")
     parser.add_argument("--count", type=int, default=40, help="recordings of each workcell")
     parser.add_argument("--grips", type=int, default=40, help="recordings of the pick and place")
+    parser.add_argument("--again", type=int, default=20, help="recordings of each made task")
     parser.add_argument("--only", default="", help="only tasks with this in their name")
     parser.add_argument("--seed", type=int, default=0, help="of who teaches")
     parser.add_argument("--first", type=int, default=0, help="seed of the first recording")

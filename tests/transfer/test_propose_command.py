@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 from keyphase.cli import main
-from keyphase.readers import save_npz
+from keyphase.demonstration import Demonstration
+from keyphase.readers import read, save_npz
 from keyphase.simulation import record
 
 
@@ -60,6 +61,31 @@ def test_two_processes_propose_the_same_bytes_as_one(
         written.append(((out / "b.segments.json").read_bytes(), report.read_bytes()))
         (out / "b.segments.json").unlink()
     assert written[0] == written[1]
+
+
+def test_a_phase_that_the_task_of_its_folder_calls_optional_may_be_missing(
+    folder: Path, tmp_path: Path
+) -> None:
+    file, cut = tmp_path / "a.segments.json", tmp_path / "cut"
+    cut.mkdir()
+    assert keyphase("segment", folder / "a.npz", "--output", tmp_path) == 0
+    content = json.loads(file.read_text())
+    for segment, name in zip(content["segments"], "abcdefgh", strict=False):
+        segment["label"] = name
+    file.write_text(json.dumps(content))
+    last = content["segments"][-1]
+    whole = read(folder / "a.npz")
+    kept = whole.time_s < last["start_s"]
+    channels = ("time_s", "position_m", "orientation_wxyz", "force_N", "torque_Nm")
+    save_npz(Demonstration("c", *(getattr(whole, each)[kept] for each in channels)), cut / "c.npz")
+    differs = []
+    for optional in ("", ":optional"):
+        assert keyphase("phases", cut, "--write", f"{last['label']}{optional}") == 0
+        out, report = tmp_path / f"out{optional[1:]}", tmp_path / f"report{optional[1:]}.json"
+        keyphase("propose", cut, "--from", file, "--output", out, "--report", report)
+        differs += [one["differs"] for one in json.loads(report.read_text())]
+    assert differs[0]["told"] == f"'{last['label']}' is missing"
+    assert differs[1] is None
 
 
 def test_a_folder_without_a_finished_recording_says_what_to_do(

@@ -21,7 +21,7 @@ from keyphase.transfer.as_edit import as_edit
 from keyphase.transfer.evidence_places import Place, Places
 from keyphase.transfer.own_boundaries import ProposedBoundary, is_better
 from keyphase.transfer.placing import Teacher
-from keyphase.transfer.proposing import propose, usual_cost_of
+from keyphase.transfer.proposing import ProposedPhase, Transfer, propose, usual_cost_of
 from keyphase.transfer.signals import signals_of
 from keyphase.transfer.taught import Taught, taught_by
 
@@ -341,6 +341,25 @@ def test_a_program_of_which_three_of_four_were_kept_is_not_believed_yet(
     assert not _better([teacher(three, second)], proposed, own)
 
 
+def test_a_program_of_which_two_of_three_were_right_is_not_believed_however_many_there_were(
+    first: Taught, second: Demonstration
+) -> None:
+    own = segment(second)
+    proposed = propose([first], second).boundaries
+    wrong = tuple(end_s + 0.4 for end_s in first.ends_s[-2:])
+    half = teacher(replace(first, found_s=(*first.ends_s, *wrong)), second)
+    assert first.agreement == (4, 4)
+    assert half.taught.agreement == (4, 4)
+    assert not _better([half] * 6, proposed, own)
+
+
+def test_a_brief_phase_tells_nothing_by_how_well_it_fits() -> None:
+    long = ProposedPhase(0.0, 2.0, "long", True, 0.5)
+    brief = replace(long, brief=True)
+    told = [Transfer("a", (), (phase,), False, 0.1, ("b",)).differs for phase in (long, brief)]
+    assert [one is None for one in told] == [False, True]
+
+
 def test_a_little_early_in_a_fast_recording_is_early_in_a_slow_one(
     first: Taught, second: Demonstration
 ) -> None:
@@ -390,6 +409,9 @@ def test_another_number_than_proposed_is_believed_of_a_program_that_found_what_p
 ) -> None:
     own = segment(second)
     fewer = replace(own, boundaries=own.boundaries[1:], candidates=())
-    early = replace(first, found_s=tuple(end_s + 0.15 for end_s in first.ends_s))
-    found = propose([early], second, fewer)
-    assert len(found.boundaries) == len(fewer.boundaries)
+    early, far = (
+        replace(first, found_s=tuple(end_s + away_s for end_s in first.ends_s))
+        for away_s in (0.1, 0.15)
+    )
+    for taught, count in ((early, len(fewer.boundaries)), (far, len(first.ends_s))):
+        assert len(propose([taught], second, fewer).boundaries) == count

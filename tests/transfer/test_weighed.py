@@ -9,9 +9,9 @@ import pytest
 
 from keyphase.segmentation.segmentation import Boundary
 from keyphase.transfer.alignment import Alignment
-from keyphase.transfer.evidence_places import NO_PLACES
+from keyphase.transfer.evidence_places import NO_PLACES, Place, Places
 from keyphase.transfer.meant_places import meant_elsewhere_s
-from keyphase.transfer.placing import Teacher
+from keyphase.transfer.placing import Teacher, placed_ends
 from keyphase.transfer.signals import Signals
 from keyphase.transfer.taught import Phase, Taught
 from keyphase.transfer.weighed import weighed
@@ -47,6 +47,25 @@ def test_a_short_pause_that_persons_mark_once_is_one_boundary_in_its_middle() ->
 def test_who_has_a_phase_as_short_as_a_pause_would_have_marked_it() -> None:
     own = [boundary(2.0), boundary(4.8), boundary(5.2)]
     assert times_of(own, [teacher([2.0, 2.3, 5.0])]) == [2.0, 4.8, 5.2]
+
+
+def test_who_marks_pauses_once_does_so_where_no_mark_arrives() -> None:
+    own = [boundary(2.0), boundary(4.8), boundary(5.2), boundary(8.0)]
+    one = teacher([2.0, 8.0], (1.8, 2.2, 8.0)).taught
+    stops = Places(tuple(Place(at_s, "motion", 0.9) for at_s in (1.8, 2.2)))
+    habit = Teacher(replace(one, places=stops), teacher([]).alignment)
+    assert [b.time_s for b in weighed(own, [habit], [habit])] == [2.0, 5.0, 8.0]
+    assert [b.time_s for b in weighed(own, [habit])] == [2.0, 4.8, 5.2, 8.0]
+
+
+def test_ends_that_arrive_at_one_moment_are_put_beside_each_other() -> None:
+    finished = teacher([2.0, 5.0, 8.0])
+    at_s = finished.alignment.to_s
+    arrives_s = np.where(at_s > 4.0, np.maximum(at_s, 9.0), at_s)
+    squeezed = Teacher(finished.taught, replace(finished.alignment, to_s=arrives_s))
+    ends = placed_ends([squeezed], finished.taught.signals, NO_PLACES)
+    assert ends is not None
+    assert [end.time_s for end in ends] == pytest.approx([2.0, 9.0, 9.04], abs=0.05)
 
 
 def test_a_pause_in_which_the_contact_changes_keeps_both_ends() -> None:

@@ -153,7 +153,8 @@ def _refuse_unlike(demonstrated: Sequence[Demonstrated]) -> None:
             raise SkillError(
                 f"Expected demonstrations of the same phases, but {first.name} has "
                 f"{', '.join(labels) or 'none'} and {one.name} has {', '.join(theirs) or 'none'}; "
-                "leave out those that differ."
+                "leave out those that differ, or let them get the phases of one that is finished "
+                "(keyphase propose)."
             )
 
 

@@ -78,8 +78,12 @@ def align(first: Signals, second: Signals) -> Alignment:
     if upright.cost < _FITS_POORLY:
         return upright
     other = in_any_frame(first, second)
-    limit = min(_FITS_OTHERWISE, _CLEARLY_BETTER * upright.cost)
-    return other if other.cost < limit else upright
+    return other if clearly(other, upright) else upright
+
+
+def clearly(other: Alignment, upright: Alignment) -> bool:
+    """Whether one in any frame fits well, and so much better that the second does stand so."""
+    return other.cost < min(_FITS_OTHERWISE, _CLEARLY_BETTER * upright.cost)
 
 
 def _upright(first: Signals, second: Signals) -> Alignment:

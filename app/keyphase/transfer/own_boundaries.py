@@ -11,7 +11,6 @@ import numpy as np
 from keyphase.segmentation.segmentation import Boundary, Segmentation
 from keyphase.transfer.meant_places import REACH_S, meant_elsewhere_s, offsets_s
 from keyphase.transfer.placing import MIN_GAP_S, Teacher
-from keyphase.transfer.taught import Taught
 from keyphase.transfer.weighed import weighed
 
 TRUSTED = 0.6
@@ -19,8 +18,19 @@ TRUSTED = 0.6
 its own are taken. Of n boundaries with k right it is (k + 1) / (n + 3): one right of three is
 supposed before anything is known, so that three of four are not enough and four are."""
 
+MOST = 2.0 / 3.0
+"""More than this share of all must have been right, however many there were."""
+
 CLOSE_S = 0.09
 """Persons who mean boundaries farther than this from the program's mean other places."""
+
+FAR_S = 0.125
+"""Who means them farther than this away, half of what makes two boundaries different ones, means
+others, as many as they may be."""
+
+FITS_WELL = 0.25
+"""Nothing is missing or doubled in a recording that costs less to align: a program that missed
+marks of the finished ones misses some here, too."""
 
 SAME_S = 0.2
 """A boundary of the program this near to the evidence of a proposed one is the same."""
@@ -46,7 +56,10 @@ def own_where_better(
     segmentation: Segmentation,
 ) -> tuple[ProposedBoundary, ...] | None:
     """The program's own boundaries, weighed and moved, where they are to be taken; else None."""
-    stand = replace(segmentation, boundaries=weighed(segmentation.boundaries, teachers))
+    another_number = len(segmentation.boundaries) != len(proposed)
+    if another_number and teachers[0].alignment.cost < FITS_WELL and _misses_marks(teachers):
+        return None
+    stand = replace(segmentation, boundaries=weighed(segmentation.boundaries, teachers, aligned))
     if not is_better(teachers, aligned, proposed, stand):
         return None
     return with_own(teachers, proposed, stand)
@@ -62,13 +75,14 @@ def is_better(
 
     They are where persons kept nearly all of them and added hardly any, as those `teachers` say who
     fit, and it now finds another number than is proposed: something is missing or doubled. Where it
-    finds as many, only if persons mean no other places, as all that were `aligned` say.
+    finds as many, only if persons mean no other places, as all that were `aligned` say, and never
+    where they mean places far from them.
     """
-    if _trust([one.taught for one in teachers]) < TRUSTED:
+    if not _is_trusted(teachers):
         return False
-    if len(segmentation.boundaries) != len(proposed):
-        return True
-    return means_own(aligned)
+    away_s = meant_elsewhere_s(aligned)
+    another_number = len(segmentation.boundaries) != len(proposed)
+    return away_s < (FAR_S if another_number else CLOSE_S)
 
 
 def means_own(aligned: Sequence[Teacher]) -> bool:
@@ -76,12 +90,17 @@ def means_own(aligned: Sequence[Teacher]) -> bool:
     return meant_elsewhere_s(aligned) < CLOSE_S
 
 
-def _trust(taught: Sequence[Taught]) -> float:
-    """How probable it is that a boundary of the program is right, and a right one found."""
-    kept, found = np.sum([one.agreement for one in taught], axis=0)
-    all_found = sum(len(one.found_s) for one in taught)
-    all_theirs = sum(len(one.ends_s) for one in taught)
-    return float(min((kept + 1) / (all_found + 3), (found + 1) / (all_theirs + 3)))
+def _is_trusted(teachers: Sequence[Teacher]) -> bool:
+    """Whether a boundary of the program is probably right, and a right one probably found."""
+    kept, found = np.sum([one.taught.agreement for one in teachers], axis=0)
+    all_found = sum(len(one.taught.found_s) for one in teachers)
+    all_theirs = sum(len(one.taught.ends_s) for one in teachers)
+    counts = ((kept, all_found), (found, all_theirs))
+    return all(k > MOST * n and (k + 1) / (n + 3) >= TRUSTED for k, n in counts)
+
+
+def _misses_marks(teachers: Sequence[Teacher]) -> bool:
+    return any(one.taught.agreement[1] < len(one.taught.ends_s) for one in teachers)
 
 
 def with_own(

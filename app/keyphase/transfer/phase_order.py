@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from keyphase.demonstration import Array
 from keyphase.labeling.tasks.task import TaskPhase
-from keyphase.transfer.alignment import align, distances, in_any_frame
+from keyphase.transfer.alignment import align, clearly, distances, in_any_frame
 from keyphase.transfer.placing import Teacher
 from keyphase.transfer.rests import LONGEST_S, WITHIN_S
 from keyphase.transfer.signals import Signals, in_common, unlike
@@ -25,6 +25,10 @@ LEAP_S = 0.1
 
 _FASTEST = 2.5
 """A phase may be done this much faster than the whole."""
+
+BRIEF_S = 0.75
+"""Whether a phase that takes less time is there cannot be told at the beginning and the end, nor
+by how well it fits: moments are aligned to some tenths of a second."""
 
 _LEAST_STEPS = 3
 _BETTER = 0.97
@@ -55,7 +59,7 @@ def as_done(
     """
     found: list[tuple[Difference | None, Sequence[Teacher]]] = []
     for teacher in teachers:
-        order = phase_order(teacher, signals)
+        order = _with_brief_ends(phase_order(teacher, signals), teacher)
         if order == tuple(range(len(teacher.taught.phases))):
             continue
         differs = how_it_differs(order, teacher.taught.names, phases)
@@ -65,7 +69,8 @@ def as_done(
         alignment = align(reordered.signals, signals)
         stands = in_any_frame(teacher.taught.signals, signals)
         if stands.cost < alignment.cost:
-            found.append((None, [Teacher(teacher.taught, stands)]))
+            if clearly(stands, teacher.alignment):
+                found.append((None, [Teacher(teacher.taught, stands)]))
         elif alignment.cost < _BETTER * teacher.alignment.cost:
             found.append((differs, [Teacher(reordered, alignment)]))
     return found[0] if 2 * len(found) > len(teachers) else (None, teachers)
@@ -89,6 +94,19 @@ def phase_order(teacher: Teacher, signals: Signals) -> tuple[int, ...]:
     number = np.searchsorted(edges, theirs.time_s[rows], side="right") - 1
     new = np.flatnonzero((np.diff(rows) < 0) | (np.diff(number) != 0)) + 1
     return tuple(number[[0, *new]].tolist())
+
+
+def _with_brief_ends(order: tuple[int, ...], teacher: Teacher) -> tuple[int, ...]:
+    """With the phases before the first and after the last of them where those are brief."""
+    phases, tempo = teacher.taught.phases, teacher.alignment.tempo
+    before, after = range(order[0]), range(order[-1] + 1, len(phases))
+    if set(before).isdisjoint(order):
+        brief = tempo * (phases[order[0]].start_s - phases[0].start_s) < BRIEF_S
+        order = (*before, *order) if brief else order
+    if set(after).isdisjoint(order):
+        brief = tempo * (phases[-1].end_s - phases[order[-1]].end_s) < BRIEF_S
+        order = (*order, *after) if brief else order
+    return order
 
 
 def how_it_differs(

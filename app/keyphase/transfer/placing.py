@@ -71,7 +71,7 @@ class _Option:
 def placed_ends(
     teachers: Sequence[Teacher], signals: Signals, places: Places
 ) -> tuple[PlacedEnd, ...] | None:
-    """The ends of all phases but the last; None where they have no room in their order.
+    """The ends of all phases but the last; None where they have no room in the recording.
 
     The teachers have the same phases. Each places them by itself, and of each end the median is
     taken: one that marked it at other evidence than the others, or where there was none, decides
@@ -95,9 +95,9 @@ def _placed_by(teacher: Teacher, signals: Signals, places: Places) -> tuple[Plac
     wanted = [_wanted(teacher, number) for number in range(len(teacher.taught.phases) - 1)]
     options = [_options(one, places) for one in wanted]
     chosen = _cheapest(teacher, wanted, options, signals)
-    if chosen is None:
-        return None
     start_s, end_s = float(signals.time_s[0]), float(signals.time_s[-1])
+    if chosen is None:
+        return _as_aligned(teacher, start_s, end_s)
     edges = signals.awake_s(np.array([start_s, *(o.time_s for o in chosen), end_s])).tolist()
     times = [
         option.time_s + _offset_s(teacher, wanted, number, edges)
@@ -108,6 +108,18 @@ def _placed_by(teacher: Teacher, signals: Signals, places: Places) -> tuple[Plac
         PlacedEnd(time, option.time_s, option.probability, 0.0)
         for time, option in zip(times, chosen, strict=True)
     )
+
+
+def _as_aligned(teacher: Teacher, start_s: float, end_s: float) -> tuple[PlacedEnd, ...] | None:
+    """Where the alignment alone puts them, moved apart: evidence leaves no room for their order."""
+    times = np.array([teacher.alignment.at(each) for each in teacher.taught.ends_s])
+    later = MIN_GAP_S * np.arange(1, len(times) + 1)
+    if end_s - start_s < later[-1] + MIN_GAP_S:
+        return None
+    times = np.maximum.accumulate(np.maximum(times - later, start_s)) + later
+    before = later[::-1]
+    times = np.minimum.accumulate((np.minimum(times + before, end_s))[::-1])[::-1] - before
+    return tuple(PlacedEnd(time_s, time_s, 0.0, 0.0) for time_s in times.tolist())
 
 
 def _wanted(teacher: Teacher, number: int) -> _Wanted:

@@ -17,9 +17,10 @@ from keyphase.labeling.tasks.task import TaskPhase
 from keyphase.segmentation.segmentation import Segmentation
 from keyphase.transfer.alignment import align
 from keyphase.transfer.evidence_places import NO_PLACES, Places, places_of
+from keyphase.transfer.meant_places import REACH_S
 from keyphase.transfer.own_boundaries import ProposedBoundary, means_own, own_where_better
 from keyphase.transfer.phase_fit import PhaseFit
-from keyphase.transfer.phase_order import Difference, as_done, quoted
+from keyphase.transfer.phase_order import BRIEF_S, Difference, as_done, quoted
 from keyphase.transfer.placing import Teacher, placed_ends
 from keyphase.transfer.signals import Signals, signals_of
 from keyphase.transfer.taught import Taught
@@ -46,13 +47,17 @@ _MAX_ALIGNED = 3
 
 @dataclass(frozen=True)
 class ProposedPhase:
-    """A phase proposed from others, and how sure its name is."""
+    """A phase proposed from others, and how sure its name is.
+
+    brief  it was taught as so short that nothing is told by how well it fits
+    """
 
     start_s: float
     end_s: float
     name: str
     kept: bool
     confidence: float
+    brief: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +82,7 @@ class Transfer:
     def differs(self) -> Difference | None:
         """How its phases differ from those of the finished ones; None where they do not: done in
         another order, or one that is kept and hardly is what it is called."""
-        kept = [phase for phase in self.phases if phase.kept]
+        kept = [phase for phase in self.phases if phase.kept and not phase.brief]
         least = min(kept, key=lambda one: one.confidence, default=None)
         if self.done_otherwise or least is None or least.confidence >= DIFFERS_BELOW:
             return self.done_otherwise
@@ -119,7 +124,7 @@ def propose(
     boundaries = _boundaries(same if stands is aligned else stands, signals, places)
     own = segmentation and own_where_better(fitting, aligned, boundaries, segmentation)
     fit = PhaseFit(stands[0], signals)
-    named = _phases(fit, own or (), demonstration, joined=False)
+    named = _phases(fit, own or (), demonstration, joined=False, rests=stands is aligned)
     if own is None or (_same_but_for_rests(own, named, boundaries) and not means_own(aligned)):
         named = _phases(fit, boundaries, demonstration, joined=True)
     else:
@@ -182,7 +187,10 @@ def _same_but_for_rests(
 ) -> bool:
     """Whether the program finds another number only by rests that belong to phases: then nothing
     is missing or doubled."""
-    return len(own) != len(proposed) == len(phases) - 1
+    if not len(own) != len(proposed) == len(phases) - 1:
+        return False
+    pairs = zip(phases[:-1], proposed, strict=True)
+    return all(abs(phase.end_s - one.time_s) <= REACH_S for phase, one in pairs)
 
 
 def _limit(usual_cost: float | None) -> float:
@@ -198,11 +206,12 @@ def _phases(
     demonstration: Demonstration,
     *,
     joined: bool,
+    rests: bool = True,
 ) -> tuple[ProposedPhase, ...]:
     """Each phase is called what most of its time is called in the best fitting recording.
 
     `joined`: neighbours that are parts of one phase there are one phase here, too; else only a rest
-    that the finished recording has not, and what it interrupts.
+    that the finished recording has not, and what it interrupts; nor that without `rests`.
     """
     best, alignment = fit.teacher.taught, fit.teacher.alignment
     edges = [demonstration.start_s, *(b.time_s for b in boundaries), demonstration.end_s]
@@ -220,10 +229,13 @@ def _phases(
         confidence = _name_confidence(share, min(sure[i], sure[i + 1]))
         confidence *= fit.of(index, edges[i], edges[i + 1])
         start_s = edges[i]
-        rests = fit.rests(edges[i], edges[i + 1])
-        if index == before and (joined or rests or rested):
+        resting = rests and fit.rests(edges[i], edges[i + 1])
+        if index == before and (joined or resting or rested):
             last = found.pop()
             start_s, confidence = last.start_s, min(confidence, last.confidence)
-        before, rested = index, rests
-        found.append(ProposedPhase(start_s, edges[i + 1], phase.name, phase.kept, confidence))
+        before, rested = index, resting
+        brief = alignment.tempo * (phase.end_s - phase.start_s) < BRIEF_S
+        found.append(
+            ProposedPhase(start_s, edges[i + 1], phase.name, phase.kept, confidence, brief)
+        )
     return tuple(found)
