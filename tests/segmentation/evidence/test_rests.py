@@ -8,6 +8,7 @@ from keyphase.segmentation.evidence.grid import grid_of
 from keyphase.segmentation.evidence.rests import rests, up_to_strokes
 from keyphase.segmentation.evidence.speed import speed_of
 from keyphase.segmentation.motion import motion_of
+from keyphase.segmentation.segmenter import segment
 
 
 def stops(position: np.ndarray) -> list[list[float]]:
@@ -68,3 +69,20 @@ def test_a_stop_ends_where_the_stroke_after_it_sets_off_and_not_where_its_place_
     assert comes_to_rest < place_reached - 5
     assert speed.speed_m_s[sets_off] < slow <= speed.speed_m_s[sets_off + 1]
     assert speed.speed_m_s[comes_to_rest] < slow <= speed.speed_m_s[comes_to_rest - 1]
+
+
+def test_stops_of_half_a_second_are_idle_however_short_the_strokes_between_them_are():
+    rate, stroke_s, stop_s = 50, 0.4, 0.56
+    reach = out_and_back(0.3, 3.0, 0.0)
+    short = synthetic.minimum_jerk(np.linspace(0.0, 1.0, round(rate * stroke_s)))
+    still = np.ones(round(rate * stop_s))
+    steps = [0.02 * (k + part) for k in range(3) for part in (short, still)]
+    position = np.concatenate([np.zeros(rate), reach, reach, 0.0 * still, *steps, 0.06 - reach])
+    noise = 1e-5 * np.random.default_rng(0).standard_normal((len(position), 3))
+    time = np.arange(len(position)) / rate
+    found = segment(Demonstration("steps", time, np.outer(position, [1.0, 0.0, 0.0]) + noise))
+    idle = [(one.start_s, one.end_s) for one in found.segments if one.label == "idle"]
+    first_s = time[rate + 2 * len(reach) + len(still)] + stroke_s
+    middles = first_s + stop_s / 2 + np.arange(3) * (stroke_s + stop_s)
+    assert all(any(start < middle < end for start, end in idle) for middle in middles)
+    assert all(end - start < 1.0 for start, end in idle if first_s < start < middles[-1])

@@ -19,6 +19,10 @@ CLEAR_DEPTH = float(np.log(10.0))
 """Beside a force, a turn without a rest is clear if the speed falls to a tenth of the slower
 stroke's."""
 
+STANDS = float(np.log(1.5))
+"""Edges of a stop of half a second within a millimetre and a degree are given with 0.6 at least,
+however short the stroke to the next stop is."""
+
 Reasons = NDArray[np.int8]
 GIVEN, BELOW, CLOSE, SMALL, TURN, CONTACT = range(6)
 """Why a candidate is or is not given: below its line, too close to a likelier one, a force step
@@ -76,10 +80,15 @@ def scores_of(evidence: Evidence, weights: Weights, parameters: Parameters) -> S
     return Scores(
         _calibrated(contact, weights.contact_calibration, evidence.unlike, doubted),
         # Motion knows nothing of kinds of force.
-        _calibrated(motion, weights.motion_calibration, 0.0, 0.0),
+        _stands(evidence, _calibrated(motion, weights.motion_calibration, 0.0, 0.0)),
         small,
         doubted,
     )
+
+
+def _stands(evidence: Evidence, motion: Array) -> Array:
+    stands = evidence.motion.terms[:, MOTION_COLUMNS["stands"]] > 0.0
+    return np.where(stands & np.isfinite(motion), np.maximum(motion, STANDS), motion)
 
 
 def _calibrated(scores: Array, calibration: Calibration, unlike: float, doubted: float) -> Array:
