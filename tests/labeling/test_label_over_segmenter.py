@@ -56,10 +56,9 @@ def test_a_removed_contact_stays_removed_and_the_segment_takes_the_next_one_as_i
     merged = labeled(segmenter, document).segments[contact]
     before, following = seen.segments[contact : contact + 2]
     assert (merged.start_s, merged.end_s) == (before.start_s, following.end_s)
-    # Derived anew: it is tried along the whole way to the contact, which begins earlier now.
-    derived = segmenter.segment_between(merged.start_s, merged.end_s, True).end_condition
+    # The condition belongs to the contact: it ends the longer way to it, too.
     assert isinstance(merged.end_condition, ContactEnd)
-    assert merged.end_condition == derived
+    assert merged.end_condition == following.end_condition
 
 
 def test_edits_cost_the_segmentation_nothing(segmenter):
