@@ -22,10 +22,10 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import clasp
 import methods
-from report import draw, macro, table
+from report import Timed, draw, macro, table
 from scoring_within import Judged, by_set, in_turns, scored
 from sets import Recording, made_recordings, real_recordings
-from timing import LENGTHS_S, long_demonstration, timed
+from timing import LENGTHS_S, MEANS_HZ, RATES_HZ, long_demonstration, timed
 
 from keyphase.scoring import judge
 
@@ -96,21 +96,24 @@ def _scored_claspy(
     return sets
 
 
-def _times(name: str, limit_s: float) -> dict[float, float | str]:
-    times: dict[float, float | str] = {}
+def _times(name: str, limit_s: float) -> dict[Timed, float | str]:
+    times: dict[Timed, float | str] = {}
     for length in LENGTHS_S:
-        times[length] = timed(name, length, limit_s)
-        print(json.dumps([name, length, times[length]]), file=sys.stderr, flush=True)
+        for rate_hz in RATES_HZ:
+            times[length, rate_hz] = timed(name, length, rate_hz, limit_s)
+            said = [name, length, rate_hz, times[length, rate_hz]]
+            print(json.dumps(said), file=sys.stderr, flush=True)
     return times
 
 
-def _times_claspy(given: argparse.Namespace, scratch: Path) -> dict[float, float | str]:
-    times: dict[float, float | str] = {}
+def _times_claspy(given: argparse.Namespace, scratch: Path) -> dict[Timed, float | str]:
+    times: dict[Timed, float | str] = {}
     for length in LENGTHS_S:
         recording = Recording("", "long", *long_demonstration(length), made=True)
         answers = clasp.run(given.claspy, {"long": recording}, scratch / f"{length:g}", given.limit)
-        times[length] = answers["long"][1] if "long" in answers else f"> {given.limit:.0f} s"
-        print(json.dumps([clasp.NAME, length, times[length]]), file=sys.stderr, flush=True)
+        taken = answers["long"][1] if "long" in answers else f"> {given.limit:.0f} s"
+        times[length, MEANS_HZ] = taken
+        print(json.dumps([clasp.NAME, length, MEANS_HZ, taken]), file=sys.stderr, flush=True)
     return times
 
 

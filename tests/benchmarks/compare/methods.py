@@ -2,7 +2,8 @@
 
 The others know less of demonstrations than keyphase, so they are helped where that is possible:
 where only contact is labelled they see the wrench alone, one is told the true number, and what
-they find may be of any kind.
+they find may be of any kind. They are given means at a rate, 25 Hz for accuracy; keyphase and the
+paper's method see every sample.
 """
 
 from collections.abc import Callable, Sequence
@@ -10,7 +11,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from samples import RATE_HZ, samples
+from samples import samples
 
 from keyphase.demonstration import Demonstration
 from keyphase.scoring import Claim, Truth
@@ -27,24 +28,25 @@ MAX_STATES = 8
 @dataclass(frozen=True)
 class Method:
     """A way from a demonstration and its truth (of which most look at nothing but whether only
-    contact is labelled) to boundaries; `told` says what it is told beyond the recording."""
+    contact is labelled) to boundaries, given the rate of the means it works on; `told` says what it
+    is told beyond the recording."""
 
     name: str
-    find: Callable[[Demonstration, Truth], list[Claim]]
+    find: Callable[[Demonstration, Truth, float], list[Claim]]
     told: str = ""
 
 
-def keyphase(demonstration: Demonstration, truth: Truth) -> list[Claim]:
+def keyphase(demonstration: Demonstration, truth: Truth, rate_hz: float) -> list[Claim]:
     """The default."""
     return _claims(demonstration, Parameters())
 
 
-def paper(demonstration: Demonstration, truth: Truth) -> list[Claim]:
+def paper(demonstration: Demonstration, truth: Truth, rate_hz: float) -> list[Claim]:
     """The paper's method with the choices made for it here."""
     return _claims(demonstration, Parameters(variant="paper"))
 
 
-def author(demonstration: Demonstration, truth: Truth) -> list[Claim]:
+def author(demonstration: Demonstration, truth: Truth, rate_hz: float) -> list[Claim]:
     """The paper's method with its author's constants: R1 = R2 = 0.01, height 10."""
     constants = Parameters(
         variant="paper",
@@ -56,25 +58,25 @@ def author(demonstration: Demonstration, truth: Truth) -> list[Claim]:
     return _claims(demonstration, constants)
 
 
-def kernel_true_number(demonstration: Demonstration, truth: Truth) -> list[Claim]:
+def kernel_true_number(demonstration: Demonstration, truth: Truth, rate_hz: float) -> list[Claim]:
     """ruptures' kernel change points (radial), told how many there are."""
     number = len(truth.judged.events)
-    return _kernel(demonstration, truth, n_bkps=number) if number else []
+    return _kernel(demonstration, truth, rate_hz, n_bkps=number) if number else []
 
 
-def kernel_penalty(demonstration: Demonstration, truth: Truth) -> list[Claim]:
+def kernel_penalty(demonstration: Demonstration, truth: Truth, rate_hz: float) -> list[Claim]:
     """The same with a penalty for each change."""
-    return _kernel(demonstration, truth, pen=PENALTY)
+    return _kernel(demonstration, truth, rate_hz, pen=PENALTY)
 
 
-def hidden_markov(demonstration: Demonstration, truth: Truth) -> list[Claim]:
+def hidden_markov(demonstration: Demonstration, truth: Truth, rate_hz: float) -> list[Claim]:
     """hmmlearn's Gaussian hidden Markov model, 2 to 8 states by BIC: its changes of state."""
     import logging
 
     from hmmlearn.hmm import GaussianHMM
 
     logging.getLogger("hmmlearn").setLevel(logging.ERROR)
-    taken = samples(demonstration)
+    taken = samples(demonstration, rate_hz)
     features = taken.features(_contact_only(truth))
     best, best_states = np.inf, None
     for count in range(2, MAX_STATES + 1):
@@ -92,12 +94,12 @@ def hidden_markov(demonstration: Demonstration, truth: Truth) -> list[Claim]:
     return _found(taken.time_s[changes], truth)
 
 
-def speed_threshold(demonstration: Demonstration, truth: Truth) -> list[Claim]:
+def speed_threshold(demonstration: Demonstration, truth: Truth, rate_hz: float) -> list[Claim]:
     """Where the speed passes 5 % of its 98 % quantile and stays there for 0.1 s."""
-    taken = samples(demonstration)
+    taken = samples(demonstration, rate_hz)
     slow = taken.speed_m_s < SLOW * np.quantile(taken.speed_m_s, 0.98)
     changes = [0, *(np.flatnonzero(np.diff(slow)) + 1).tolist(), len(slow)]
-    kept = [b for a, b in pairwise(changes) if b - a >= 0.1 * RATE_HZ]
+    kept = [b for a, b in pairwise(changes) if b - a >= 0.1 * rate_hz]
     return _found(taken.time_s[[each for each in kept if each < len(slow)]], truth)
 
 
@@ -119,12 +121,14 @@ def _claims(demonstration: Demonstration, parameters: Parameters) -> list[Claim]
     ]
 
 
-def _kernel(demonstration: Demonstration, truth: Truth, **number: float) -> list[Claim]:
+def _kernel(
+    demonstration: Demonstration, truth: Truth, rate_hz: float, **number: float
+) -> list[Claim]:
     import ruptures
 
-    taken = samples(demonstration)
+    taken = samples(demonstration, rate_hz)
     features = taken.features(_contact_only(truth))
-    least = max(2, round(MIN_DURATION_S * RATE_HZ))
+    least = max(2, round(MIN_DURATION_S * rate_hz))
     detector = ruptures.KernelCPD("rbf", min_size=least, params={"gamma": 1.0 / features.shape[1]})
     most = max(1, len(features) // least - 1)
     if "n_bkps" in number:

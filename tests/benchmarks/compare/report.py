@@ -8,7 +8,9 @@ from typing import Any
 from scoring_within import Judged
 
 Scores = Mapping[str, Mapping[str, Judged]]
-Times = Mapping[str, Mapping[float, float | str]]
+Timed = tuple[float, float]
+"""How long a recording is [s], and the rate of the means it is given as [1/s]."""
+Times = Mapping[str, Mapping[Timed, float | str]]
 
 
 def table(scores: Scores, times: Times, made: set[str]) -> str:
@@ -26,10 +28,9 @@ def table(scores: Scores, times: Times, made: set[str]) -> str:
         if named:
             figures = [macro({n: scores[m][n] for n in named}) for m in methods]
             lines.append(_row(f"**macro, {title}**", _best(figures)))
-    lengths = sorted({length for each in times.values() for length in each})
-    for length in lengths:
-        cells = [_time(times.get(method, {}).get(length, "–")) for method in methods]
-        lines.append(_row(f"time for {_length(length)}", cells))
+    for length, rate_hz in sorted({key for each in times.values() for key in each}, key=_by_rate):
+        cells = [_time(times.get(method, {}).get((length, rate_hz), "–")) for method in methods]
+        lines.append(_row(f"{_length(length)}, others at {rate_hz:g} Hz", cells))
     return "\n".join(lines)
 
 
@@ -55,8 +56,7 @@ def draw(scores: Scores, times: Times, made: set[str], path: Path) -> None:
         places = [place for place, value in enumerate(values) if value is not None]
         known = [value for value in values if value is not None]
         accuracy.scatter(known, places, color=colour, label=method, **bold)
-        taken = {s: t for s, t in times.get(method, {}).items() if isinstance(t, float)}
-        speed.plot(list(taken), list(taken.values()), "o-", color=colour, label=method)
+        _draw_times(speed, times.get(method, {}), colour)
     accuracy.set(yticks=range(len(sets)), xlim=(-0.02, 1.02), xlabel="judged F1")
     accuracy.set_yticklabels(sets)
     for label, name in zip(accuracy.get_yticklabels(), sets, strict=True):
@@ -65,11 +65,25 @@ def draw(scores: Scores, times: Times, made: set[str], path: Path) -> None:
     figure.legend(*accuracy.get_legend_handles_labels(), loc="outside lower center", ncols=4)
     scale = "log" if times else "linear"
     speed.set(xscale=scale, yscale=scale, xlabel="recording [s]", ylabel="processor time [s]")
+    speed.set_title("others given 25 Hz (solid), every sample (dashed)", fontsize=10)
     for axes in (accuracy, speed):
         axes.grid(color="#dfe4ea", lw=0.6)
         axes.spines[["top", "right"]].set_visible(False)
         axes.set_axisbelow(True)
     figure.savefig(path, dpi=100)
+
+
+def _draw_times(axes: Any, times: Mapping[Timed, float | str], colour: str) -> None:
+    """Of the lowest rate as a line, of higher ones dashed."""
+    rates = sorted({rate_hz for _, rate_hz in times})
+    for rate_hz in rates:
+        taken = {s: t for (s, r), t in times.items() if r == rate_hz and isinstance(t, float)}
+        style = "o-" if rate_hz == rates[0] else "o--"
+        axes.plot(list(taken), list(taken.values()), style, color=colour)
+
+
+def _by_rate(timed: Timed) -> tuple[float, float]:
+    return timed[1], timed[0]
 
 
 _COLOURS = ("#d1495b", "#2f6fb3", "#7aa6d6", "#5b8c5a", "#a3c293", "#e0a030", "#8f6fb0", "#7d8894")

@@ -1,4 +1,4 @@
-"""What the other methods are given: the same recording, evenly at 25 Hz, every channel to scale."""
+"""What the other methods are given: the same recording at an even rate, every channel to scale."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ TURN_M_PER_RAD = 0.2
 
 @dataclass(frozen=True)
 class Samples:
-    """Block means at 25 Hz, or at the recording's own rate: time (N,), pose (N, 3 or 6), wrench
+    """Block means at a rate, at most the recording's own: time (N,), pose (N, 3 or 6), wrench
     (N, 3 or 6) or None, speed (N,) in m/s with turning counted by 0.2 m/rad."""
 
     time_s: np.ndarray
@@ -31,9 +31,9 @@ class Samples:
         return np.hstack([_scaled(part) for part in parts])
 
 
-def samples(demonstration: Demonstration) -> Samples:
+def samples(demonstration: Demonstration, rate_hz: float = RATE_HZ) -> Samples:
     """The samples of a demonstration."""
-    step = max(1.0 / RATE_HZ, 1.0 / demonstration.rate_hz)
+    step = max(1.0 / rate_hz, 1.0 / demonstration.rate_hz)
     edges = np.arange(demonstration.start_s, demonstration.end_s, step)
     which = np.searchsorted(edges, demonstration.time_s, side="right") - 1
     pose = [demonstration.position_m]

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from methods import METHODS
+from samples import RATE_HZ
 from sets import Recording
 
 from keyphase.scoring import Tally, judge
@@ -77,5 +78,5 @@ def _work(name: str, recordings: Sequence[Recording], budget_s: float, answer) -
     soft = int(resource.getrusage(resource.RUSAGE_SELF).ru_utime + budget_s) + 1
     resource.setrlimit(resource.RLIMIT_CPU, (soft, soft + 5))
     for each in recordings:
-        claims = find(each.demonstration, each.truth)
+        claims = find(each.demonstration, each.truth, RATE_HZ)
         answer.send((each.key, judge(each.truth.judged, claims).tally))
