@@ -1,4 +1,4 @@
-"""Which segment a page has selected, and what others at the same recording have, as values."""
+"""Which segments a page has selected, and what others at the same recording have, as values."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
@@ -14,31 +14,48 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Selection:
-    """A segment of a document by its index, or none.
+    """A segment of a document by its index, or none, and so far more are selected with it (`to`).
 
     `cut_at` is the revision since which the segments lie as they do: what was meant on an older
     one may have been another segment.
     """
 
     segment: int | None = None
+    to: int | None = None
     cut_at: int = 0
 
-    def of(self, segment: int | None, state: DeskState | None, revision: int | None) -> "Selection":
-        """Another segment, meant on a revision. Raises RequestError where there is none such."""
-        if segment is not None:
+    @property
+    def stretch(self) -> tuple[int, int] | None:
+        """The first and the last segment that are selected, or None."""
+        if self.segment is None:
+            return None
+        other = self.segment if self.to is None else self.to
+        return min(self.segment, other), max(self.segment, other)
+
+    def of(
+        self, segment: int | None, to: int | None, state: DeskState | None, revision: int | None
+    ) -> "Selection":
+        """Other segments, meant on a revision. Raises RequestError where there are none such."""
+        for index in (segment, to):
+            if index is None:
+                continue
             if state is not None and revision is not None and revision < self.cut_at:
                 raise RequestError("The segments were changed meanwhile; select again.")
             count = len(state.labeling.segments) if state else 0
-            if segment >= count:
-                raise RequestError(f"There are {count} segments, so none has the index {segment}.")
-        return replace(self, segment=segment)
+            if index >= count:
+                raise RequestError(f"There are {count} segments, so none has the index {index}.")
+        return replace(self, segment=segment, to=to)
 
     def after(self, before: DeskState | None, state: DeskState) -> "Selection":
         """What is still selected once the document has changed."""
         cut_anew = before is None or _cuts(before) != _cuts(state)
-        is_there = self.segment is not None and self.segment < len(state.labeling.segments)
+        count = len(state.labeling.segments)
+        is_there = self.segment is not None and self.segment < count
+        is_whole = before is not None and len(before.labeling.segments) == count
         return Selection(
-            self.segment if is_there else None, state.revision if cut_anew else self.cut_at
+            self.segment if is_there else None,
+            self.to if is_whole else None,
+            state.revision if cut_anew else self.cut_at,
         )
 
 

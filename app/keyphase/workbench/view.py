@@ -78,7 +78,7 @@ class View:
             watcher.show_recordings(self._around.recordings.listing, self.recording)
             if self._state is not None:
                 watcher.show_document(self._state)
-                watcher.show_selection(self.selected)
+                watcher.show_selection(self._selection)
                 watcher.show_playhead(self.playhead)
             for task in self._around.tasks.under_way:
                 watcher.show_task(task)
@@ -201,7 +201,7 @@ class View:
 
     def _show_state(self, state: DeskState) -> None:
         self.each(lambda watcher: watcher.show_document(state))
-        self.each(lambda watcher: watcher.show_selection(self.selected))
+        self.each(lambda watcher: watcher.show_selection(self._selection))
 
     def _give_back(self, *desks: Desk | None) -> None:
         for desk in filter(None, desks):
@@ -211,9 +211,13 @@ class View:
     # -- selection, playback, scene
 
     def select(
-        self, segment: int | None, recording: str | None = None, revision: int | None = None
+        self,
+        segment: int | None,
+        recording: str | None = None,
+        revision: int | None = None,
+        to: int | None = None,
     ) -> None:
-        """Select a segment of what is looked at, or none.
+        """Select a segment of what is looked at, or none; with `to` all from it to that one.
 
         `recording` and `revision` are those the page saw: segments of another recording, or of
         one that was cut anew since, are not meant. Raises RequestError where there is none of
@@ -223,7 +227,7 @@ class View:
         with self._lock:
             if recording is not None and recording != self.recording:
                 raise RequestError("Another recording is shown by now, so nothing was selected.")
-            self._select(self._selection.of(segment, self._state, revision))
+            self._select(self._selection.of(segment, to, self._state, revision))
         self._around.selection_changed()
         self._lead_on()
 
@@ -254,7 +258,7 @@ class View:
     def _select(self, selection: Selection) -> None:
         with self._lock:
             self._selection = selection
-            self.each(lambda watcher: watcher.show_selection(selection.segment))
+            self.each(lambda watcher: watcher.show_selection(selection))
 
     def _move(self, change: Callable[[Playhead], Playhead]) -> None:
         with self._lock:
@@ -279,15 +283,16 @@ class View:
 
     def mirror(self, leader: "View") -> None:
         """Take over what the page that is followed sees."""
-        recording, playhead, selected = leader.recording, leader.playhead, leader.selected
+        recording, playhead, selection = leader.recording, leader.playhead, leader._selection
         if recording != self.recording:
             if recording is not None:
                 self._open(recording)
             return
         if playhead != self.playhead:
             self._move(lambda _: playhead)
-        if selected != self.selected:
-            self._select(replace(self._selection, segment=selected))
+        if (selection.segment, selection.to) != (self._selection.segment, self._selection.to):
+            cut_at = self._selection.cut_at
+            self._select(replace(selection, cut_at=cut_at))
             self._around.selection_changed()
 
     def _leave_other(self) -> None:

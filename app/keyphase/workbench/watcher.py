@@ -16,7 +16,7 @@ from keyphase.workbench.replaying.run import Tick
 from keyphase.workbench.replaying.running import Running
 from keyphase.workbench.replaying.settings import ReplaySettings
 from keyphase.workbench.replaying.trials import TrialsRun
-from keyphase.workbench.selection import OtherSelection
+from keyphase.workbench.selection import OtherSelection, Selection
 from keyphase.workbench.spread import Spread
 from keyphase.workbench.tasks import TaskState
 from keyphase.workbench.telling import Level
@@ -39,8 +39,8 @@ class Watcher:
     def show_playhead(self, playhead: Playhead) -> None:
         """The playhead has moved."""
 
-    def show_selection(self, segment: int | None) -> None:
-        """Another segment is selected."""
+    def show_selection(self, selection: Selection) -> None:
+        """Other segments are selected."""
 
     def show_others(self, others: Sequence[OtherSelection]) -> None:
         """What the other pages at the same recording have selected."""

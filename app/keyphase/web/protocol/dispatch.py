@@ -39,7 +39,7 @@ def do(page: "Conversation", request: ask.DispatchedRequest) -> None:
     """Do what a page asks. Raises KeyphaseError for what is refused at once."""
     match request:
         case ask.Select():
-            page.view.select(request.segment, request.recording, request.revision)
+            page.view.select(request.segment, request.recording, request.revision, request.to)
         case ask.Signals():
             with page.workbench.library.at(request.recording) as desk:
                 _send_signals(page, desk, request)

@@ -142,9 +142,10 @@ class TakeOver(OnDocument, tag="take_over", frozen=True):
 
 
 class Select(OnDocument, tag="select", frozen=True):
-    """Select a segment, or none."""
+    """Select a segment, or none; with `to` all from it to that one."""
 
     segment: Annotated[int, Meta(ge=0, le=1_000_000)] | None
+    to: Annotated[int, Meta(ge=0, le=1_000_000)] | None = None
 
 
 MAX_TRACKS = 250

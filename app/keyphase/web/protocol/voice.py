@@ -32,7 +32,7 @@ from keyphase.workbench.replaying.running import Running
 from keyphase.workbench.replaying.settings import ReplaySettings
 from keyphase.workbench.replaying.trials import TrialsRun
 from keyphase.workbench.scene_choices import PARTS
-from keyphase.workbench.selection import OtherSelection
+from keyphase.workbench.selection import OtherSelection, Selection
 from keyphase.workbench.spread import Spread
 from keyphase.workbench.tasks import TaskState
 from keyphase.workbench.telling import Level
@@ -144,9 +144,9 @@ class Voice(Watcher):
         )
         self._send(documents.PlayheadMessage(*told), playhead.playing)
 
-    def show_selection(self, segment: int | None) -> None:
-        """Which segment is selected."""
-        self._send(documents.SelectionMessage(segment))
+    def show_selection(self, selection: Selection) -> None:
+        """Which segment is selected; how far more are with it the page knows itself."""
+        self._send(documents.SelectionMessage(selection.segment))
 
     def show_parts(self, hidden: frozenset[str]) -> None:
         """Which parts the scene shows."""

@@ -32,6 +32,7 @@ from keyphase.workbench.playback import Playhead
 from keyphase.workbench.replaying.exports import write_page
 from keyphase.workbench.replaying.run import Tick
 from keyphase.workbench.replaying.running import Running
+from keyphase.workbench.selection import Selection
 from keyphase.workbench.view import View
 from keyphase.workbench.watcher import Watcher
 from keyphase.workbench.worker import Worker
@@ -92,9 +93,9 @@ class PageScene(Watcher):
         """So much of the recording is in view."""
         self._later(lambda: self.stage.show_range(recording, from_s, to_s), "range")
 
-    def show_selection(self, segment: int | None) -> None:
-        """Another segment is selected."""
-        self._later(lambda: self.stage.show_selection(segment), "selection")
+    def show_selection(self, selection: Selection) -> None:
+        """Other segments are selected."""
+        self._later(lambda: self.stage.show_selection(selection.stretch), "selection")
 
     def show_parts(self, hidden: frozenset[str]) -> None:
         """Parts of the scene are shown or hidden."""

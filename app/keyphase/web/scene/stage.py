@@ -61,7 +61,7 @@ class Stage:
         self._dressing = Dressing(client)
         self._floor = Floor(client, shadow)
         self._standing: _Standing | None = None
-        self._selected: int | None = None
+        self._selected: tuple[int, int] | None = None
         self._theme: Theme = LIGHT
         self._hidden = FIRST_HIDDEN
         self._drawn: tuple[object, ...] = ()
@@ -95,14 +95,14 @@ class Stage:
             self._floor.clear()
         self._client.flush()
 
-    def show_selection(self, segment: int | None) -> None:
-        """Draw the selected segment as it is and the rest faintly."""
-        if segment == self._selected:
+    def show_selection(self, stretch: tuple[int, int] | None) -> None:
+        """Draw the segments from the first to the last selected as they are, the rest faintly."""
+        if stretch == self._selected:
             return
-        self._selected = segment
+        self._selected = stretch
         if self._standing is not None:
             with self._client.atomic():
-                self._standing.tube.select(segment)
+                self._standing.tube.select(stretch)
                 self._draw_forces(self._standing)
             self._client.flush()
 

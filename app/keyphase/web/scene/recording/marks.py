@@ -65,12 +65,12 @@ def draw_forces(
     labeling: Labeling,
     path: Path,
     theme: Theme,
-    selected: int | None = None,
+    selected: tuple[int, int] | None = None,
     in_view: tuple[float, float] = EVER,
 ) -> None:
     """An arrow at each contact change: the change of force, the greatest a third of the path.
 
-    With a segment selected only those at its ends; of very many the greatest only. What is in view
+    With segments selected only those at their ends; of very many the greatest only. What is in view
     changes no arrow's length.
     """
     found = [(one, force_step(one, labeling)) for one in labeling.boundaries]
@@ -98,12 +98,10 @@ def draw_forces(
     )
 
 
-def _ends(boundary: LabeledBoundary, labeling: Labeling, segment: int) -> bool:
-    """Whether a boundary is at either end of a segment."""
-    if segment >= len(labeling.segments):
-        return False
-    one = labeling.segments[segment]
-    return boundary.time_s in (one.start_s, one.end_s)
+def _ends(boundary: LabeledBoundary, labeling: Labeling, stretch: tuple[int, int]) -> bool:
+    """Whether a boundary is at an end of one of the segments from the first to the last."""
+    chosen = labeling.segments[stretch[0] : stretch[1] + 1]
+    return bool(chosen) and chosen[0].start_s <= boundary.time_s <= chosen[-1].end_s
 
 
 def _position_m(labeling: Labeling, time_s: float) -> Array:

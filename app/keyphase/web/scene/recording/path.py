@@ -1,6 +1,6 @@
 """The path in the scene: a tube in the colours of the segments that can be clicked.
 
-With a segment selected that one is solid and the rest faint; only what lies in the time that the
+With segments selected those are solid and the rest faint; only what lies in the time that the
 timeline shows is drawn. Chevrons say which way it goes.
 """
 
@@ -35,7 +35,7 @@ _CHEVRONS = "/path/chevrons"
 
 
 class ScenePath:
-    """The whole path, and over it the selected segment thicker. `on_click` is told a time."""
+    """The whole path, and over it the selected segments thicker. `on_click` is told a time."""
 
     def __init__(
         self, client: viser.ClientHandle, path: Path, on_click: Callable[[float], None]
@@ -45,7 +45,7 @@ class ScenePath:
         self._on_click = on_click
         self._color_of_piece = np.zeros((len(path.time_s), 3), np.uint8)
         self._segment_of_piece = np.zeros(len(path.time_s), np.intp)
-        self._selected: int | None = None
+        self._selected: tuple[int, int] | None = None
         self._in_view = np.ones(len(path.time_s), np.bool_)
         self._shown: tuple[object, ...] = ()
         self._chevrons: tuple[object, ...] = ()
@@ -63,10 +63,10 @@ class ScenePath:
             self._tube.paint(self._color_of_piece)
         self._emphasize()
 
-    def select(self, segment: int | None) -> None:
-        """Draw a segment thicker, and the others faintly."""
-        if segment != self._selected:
-            self._selected = segment
+    def select(self, stretch: tuple[int, int] | None) -> None:
+        """Draw the segments from a first to a last thicker, and the others faintly."""
+        if stretch != self._selected:
+            self._selected = stretch
             self._emphasize()
 
     def limit(self, from_s: float, to_s: float) -> bool:
@@ -87,17 +87,21 @@ class ScenePath:
     def _emphasize(self) -> None:
         """What is selected as it is, the rest faint."""
         if self._tube is not None:
-            faint = self._selected is not None
-            opaque = (self._segment_of_piece == self._selected) | np.array(not faint)
+            opaque = self._is_selected() | np.array(self._selected is None)
             self._tube.fade(np.where(opaque, 1.0, FAINT).astype(np.float32))
         self._draw_selected()
         self._draw_chevrons()
 
+    def _is_selected(self) -> NDArray[np.bool_]:
+        """(M,) which pieces of the path belong to what is selected."""
+        first, last = self._selected or (1, 0)
+        return (self._segment_of_piece >= first) & (self._segment_of_piece <= last)
+
     def _draw_selected(self) -> None:
-        """All of the selected segment, whatever of it was left out of the whole path."""
-        chosen = np.flatnonzero((self._segment_of_piece == self._selected) & self._in_view)
+        """All of what is selected, whatever of it was left out of the whole path."""
+        chosen = np.flatnonzero(self._is_selected() & self._in_view)
         chosen = chosen[:: -(-len(chosen) // MAX_PIECES)] if len(chosen) else chosen
-        shown = (chosen.tobytes(), self._color_of_piece[chosen[:1]].tobytes())
+        shown = (chosen.tobytes(), self._color_of_piece[chosen].tobytes())
         if shown == self._shown:
             return
         self._shown = shown
@@ -108,8 +112,8 @@ class ScenePath:
 
     def _draw_chevrons(self) -> None:
         """Along what is selected, or along all."""
-        of_them = self._selected is None or self._segment_of_piece == self._selected
-        chosen = spaced(self._path, np.flatnonzero(self._in_view & of_them))
+        of_them = self._in_view if self._selected is None else self._in_view & self._is_selected()
+        chosen = spaced(self._path, np.flatnonzero(of_them))
         colors = (_DARKER * self._color_of_piece[chosen]).astype(np.uint8)
         thick = 1.0 if self._selected is None else 0.8 * _SELECTED
         shown = (chosen.tobytes(), colors.tobytes(), thick)

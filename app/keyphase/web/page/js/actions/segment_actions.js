@@ -50,7 +50,9 @@ export function createSegmentActions(store, given, others) {
     selectTo(index) {
       if (!doc()?.segments[index]) return;
       if (state.selected === null) return actions.select(index);
-      store.set({ selectedTo: index === state.selected ? null : index });
+      const to = index === state.selected ? null : index;
+      store.set({ selectedTo: to });
+      if (share({ type: "select", segment: state.selected, to })) selecting(state.selected);
     },
     /** Draws the choice out by one segment, or takes it back. */
     selectFurther(direction) {

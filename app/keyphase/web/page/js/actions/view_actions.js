@@ -1,6 +1,7 @@
 /** What a person looks at: how near, which scale, which order, light or dark. */
 
 import { clampView, zoomView } from "../lib/scale.js";
+import { chosenStretch } from "../model/segments.js";
 
 /** @param {import("../lib/store.js").Store} store */
 export function createViewActions(store) {
@@ -17,11 +18,13 @@ export function createViewActions(store) {
     },
     /** Zooms to what is selected, and back to what was seen before. */
     zoomToSelection() {
-      const segment = doc()?.segments[state.selected];
-      if (!segment) return;
+      const [first, last] = chosenStretch(state) ?? [];
+      const from = doc()?.segments[first]?.start_s;
+      const to = doc()?.segments[last]?.end_s;
+      if (from === undefined || to === undefined) return;
       const { view, viewBefore } = state;
-      const margin = 0.15 * (segment.end_s - segment.start_s);
-      const wanted = clampView(segment.start_s - margin, segment.end_s + margin, doc());
+      const margin = 0.15 * (to - from);
+      const wanted = clampView(from - margin, to + margin, doc());
       const isThere = Math.abs(view.from - wanted.from) + Math.abs(view.to - wanted.to) < 1e-6;
       if (!isThere) store.set({ view: wanted, viewBefore: view });
       else if (viewBefore) store.set({ view: viewBefore, viewBefore: null });

@@ -203,10 +203,11 @@ export interface ExportRequest {
   event?: number | null;
 }
 
-/** Select a segment, or none. */
+/** Select a segment, or none; with `to` all from it to that one. */
 export interface SelectRequest {
   type: "select";
   segment: number | null;
+  to?: number | null;
   recording: string;
   revision: number;
   event?: number | null;

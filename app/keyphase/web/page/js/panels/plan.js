@@ -6,6 +6,7 @@ import { plural } from "../lib/format.js";
 import { DOUBT, howItEnds } from "../model/end_condition.js";
 import { planStands } from "../model/held.js";
 import { shorter } from "../model/label_forms.js";
+import { chosenStretch } from "../model/segments.js";
 import { attachChipKeys } from "./plan_keys.js";
 
 const CLICK_PX = 4;
@@ -29,31 +30,36 @@ export function createPlan(store, actions) {
   );
 
   const keys = attachChipKeys(chips, store, actions);
-  store.on(["document", "selected", "small", "planDrag", "readOnly", "take"], (state) => {
-    const { document: doc, selected, planDrag, take } = state;
-    if (!doc || take) {
-      [summary, chips, drops].forEach((node) => node.replaceChildren());
-      if (take) chips.append(el("span", { class: "plan-note", text: TAKE }));
-      return;
-    }
-    summary.textContent = describe(doc, state.small);
-    const order = planDrag ? planDrag.order : doc.plan.map((_, k) => k);
-    const nodes = order.slice(0, MOST_CHIPS).flatMap((k, place) => {
-      const entry = doc.plan[k];
-      const chip = drawChip(entry, k, doc, selected, state);
-      const dragged = planDrag && place === planDrag.place;
-      if (dragged) chip.classList.add("dragged");
-      return [place ? between(entry, planDrag) : null, chip];
-    });
-    if (order.length > MOST_CHIPS)
-      nodes.push(el("span", { class: "plan-note", text: `and ${order.length - MOST_CHIPS} more` }));
-    redraw(chips, "entry", nodes.filter(Boolean), keys.wanted());
-    if (!doc.plan.length)
-      chips.replaceChildren(
-        el("span", { class: "plan-note", text: "No segment is kept: nothing would run." }),
-      );
-    drops.replaceChildren(...drawDrops(doc, state, actions));
-  });
+  store.on(
+    ["document", "selected", "selectedTo", "small", "planDrag", "readOnly", "take"],
+    (state) => {
+      const { document: doc, planDrag, take } = state;
+      if (!doc || take) {
+        [summary, chips, drops].forEach((node) => node.replaceChildren());
+        if (take) chips.append(el("span", { class: "plan-note", text: TAKE }));
+        return;
+      }
+      summary.textContent = describe(doc, state.small);
+      const order = planDrag ? planDrag.order : doc.plan.map((_, k) => k);
+      const nodes = order.slice(0, MOST_CHIPS).flatMap((k, place) => {
+        const entry = doc.plan[k];
+        const chip = drawChip(entry, k, doc, state);
+        const dragged = planDrag && place === planDrag.place;
+        if (dragged) chip.classList.add("dragged");
+        return [place ? between(entry, planDrag) : null, chip];
+      });
+      if (order.length > MOST_CHIPS)
+        nodes.push(
+          el("span", { class: "plan-note", text: `and ${order.length - MOST_CHIPS} more` }),
+        );
+      redraw(chips, "entry", nodes.filter(Boolean), keys.wanted());
+      if (!doc.plan.length)
+        chips.replaceChildren(
+          el("span", { class: "plan-note", text: "No segment is kept: nothing would run." }),
+        );
+      drops.replaceChildren(...drawDrops(doc, state, actions));
+    },
+  );
   store.later(["selected", "recording"], () => showChosen(chips));
   chips.addEventListener("wheel", turnSideways, { passive: false });
   attachDragging(chips, store, actions);
@@ -92,10 +98,12 @@ function describe(doc, small) {
  * @param {import("../model/types.js").PlanEntry} entry
  * @param {number} k
  * @param {import("../model/types.js").Doc} doc
- * @param {number|null} selected
  * @param {import("../lib/store.js").State} state
  */
-function drawChip(entry, k, doc, selected, { small }) {
+function drawChip(entry, k, doc, state) {
+  const { small } = state;
+  const [first, last] = chosenStretch(state) ?? [0, -1];
+  const on = entry.segment >= first && entry.segment <= last;
   const segment = doc.segments[entry.segment];
   const repeated = entry.repeat > 0;
   const contact = segment.end_condition.kind === "contact";
@@ -106,7 +114,7 @@ function drawChip(entry, k, doc, selected, { small }) {
   return el(
     "div",
     {
-      class: `chip ${entry.segment === selected ? "on" : ""} ${doubted ? "doubted" : ""}`,
+      class: `chip ${on ? "on" : ""} ${doubted ? "doubted" : ""}`,
       role: "listitem",
       tabindex: 0,
       title: `${segment.label}, ${how}.${doubted ? ` ${DOUBT}` : ""} Drag to reorder, Ctrl drag to repeat, Delete takes it out.`,

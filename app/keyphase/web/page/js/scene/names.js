@@ -5,6 +5,7 @@
  */
 
 import { segmentFill } from "../lib/colors.js";
+import { chosenStretch } from "../model/segments.js";
 import { isPlaced, sceneFrames, viserIn } from "./viser_client.js";
 import { byId, el, svg } from "../lib/dom.js";
 import { time as timeText } from "../lib/format.js";
@@ -13,7 +14,7 @@ import { projection } from "./projection.js";
 import { placed } from "./placing.js";
 import { forceName, forceNow, skillNames } from "./replay_names.js";
 
-/** With more names than this only the selected segment is named. */
+/** With more names than this only what is selected is named. */
 const MOST = 10;
 /** The node the server shows and hides for all names, and the one that holds a replay. */
 const NODE = "/labels";
@@ -43,7 +44,8 @@ export function createNames(store, actions, inside) {
   let followed = null;
 
   function build() {
-    const { document: doc, selected, small, replay } = store.state;
+    const { document: doc, small, replay } = store.state;
+    const selected = chosenStretch(store.state);
     const named = replay ? skillNames(replay) : doc ? namesOf(doc, selected, small) : [];
     names = named.map((name) => drawn(name, actions));
     force = replay ? drawn(forceName(), actions) : null;
@@ -102,31 +104,38 @@ export function createNames(store, actions, inside) {
     place();
   }
 
-  store.later(["document", "selected", "small", "replay"], build);
+  store.later(["document", "selected", "selectedTo", "small", "replay"], build);
   store.later(["samples"], forceChanged);
   store.later(["dark", "firstSteps"], place);
   setInterval(look, LOOK_MS);
 }
 
-/** What is to be named. @param {import("../model/types.js").Doc} doc @returns {Named[]} */
+/**
+ * What is to be named.
+ * @param {import("../model/types.js").Doc} doc
+ * @param {[number, number]|null} selected first and last
+ * @param {boolean} small
+ * @returns {Named[]}
+ */
 function namesOf(doc, selected, small) {
   const kept = doc.segments.flatMap((one, index) => (one.kept ? [index] : []));
   const contacts = doc.boundaries.flatMap((one, index) => (one.at_m ? [index] : []));
   const shown = kept.length > MOST ? [] : kept;
   const told = small || kept.length + contacts.length > MOST ? [] : contacts;
-  const withSelected = [...new Set([...shown, ...(selected === null ? [] : [selected])])];
+  const [first, last] = selected ?? [0, -1];
+  const isSelected = (index) => index >= first && index <= last;
+  const named = doc.segments.flatMap((_, index) =>
+    shown.includes(index) || (isSelected(index) && last - first < MOST) ? [index] : [],
+  );
   return [
-    ...withSelected
-      .filter((index) => doc.segments[index])
-      .map((index) => segmentName(doc, index, selected, small)),
+    ...named.map((index) => segmentName(doc, index, isSelected(index), small)),
     ...told.map((index) => contactName(doc, index)),
   ];
 }
 
-/** @param {import("../model/types.js").Doc} doc @param {number} index @param {number|null} selected @param {boolean} small */
-function segmentName(doc, index, selected, small) {
+/** @param {import("../model/types.js").Doc} doc @param {number} index @param {boolean} isSelected @param {boolean} small */
+function segmentName(doc, index, isSelected, small) {
   const { middle_m: at, short, color: number, kept, label } = doc.segments[index];
-  const isSelected = index === selected;
   const color = kept ? segmentFill({ color: number }) : "var(--idle)";
   return {
     at,

@@ -111,7 +111,7 @@ const replayCommands = (actions) => [
 /** @type {(actions: any, store: import("../../lib/store.js").Store) => Row[]} */
 const viewCommands = (actions, store) => [
   ["The whole recording", ["F"], actions.fit],
-  ["Zoom to the selected segment, and back", ["Z"], actions.zoomToSelection],
+  ["Zoom to what is selected, and back", ["Z"], actions.zoomToSelection],
   ["Show the robot or not", ["B"], actions.toggleRobot],
   ["Show the cameras or not", ["H"], actions.toggleCameras],
   ["Next camera", ["Shift H"], actions.nextCamera],
