@@ -46,6 +46,10 @@ class Selection:
                 raise RequestError(f"There are {count} segments, so none has the index {index}.")
         return replace(self, segment=segment, to=to)
 
+    def like(self, other: "Selection") -> "Selection":
+        """The segments another page has selected."""
+        return replace(self, segment=other.segment, to=other.to)
+
     def after(self, before: DeskState | None, state: DeskState) -> "Selection":
         """What is still selected once the document has changed."""
         cut_anew = before is None or _cuts(before) != _cuts(state)

@@ -111,7 +111,7 @@ class View:
         self.lead.close()
         self.replay.close()
         with self._lock:
-            lent = (self._desk, self._coming)
+            lent = self._desk, self._coming
             self._desk = self._coming = self._state = None
             self._watchers.clear()
         self._give_back(*lent)
@@ -143,17 +143,15 @@ class View:
 
     def recording_gone(self, removed: Recording, neighbour: Recording | None) -> None:
         """A recording was taken out of the list: look at its neighbour instead."""
-        if self.recording != removed.id:
-            return
-        if neighbour is not None:
+        if self.recording == removed.id and neighbour is not None:
             self._open(neighbour.id)
-            return
-        with self._lock:
-            before, self._desk, self._state = self._desk, None, None
-            self._selection = Selection()
-            self.each(lambda watcher: watcher.show_nothing())
-        self._give_back(before)
-        self._around.view_changed(self)
+        elif self.recording == removed.id:
+            with self._lock:
+                before, self._desk, self._state = self._desk, None, None
+                self._selection = Selection()
+                self.each(lambda watcher: watcher.show_nothing())
+            self._give_back(before)
+            self._around.view_changed(self)
 
     # -- what a desk tells
 
@@ -219,9 +217,8 @@ class View:
     ) -> None:
         """Select a segment of what is looked at, or none; with `to` all from it to that one.
 
-        `recording` and `revision` are those the page saw: segments of another recording, or of
-        one that was cut anew since, are not meant. Raises RequestError where there is none of
-        that number.
+        `recording` and `revision` are those the page saw: segments of another one, or of what was
+        cut anew since, are not meant. Raises RequestError where there is none of that number.
         """
         self._leave_other()
         with self._lock:
@@ -233,9 +230,8 @@ class View:
 
     def select_at(self, time_s: float) -> None:
         """Select the segment around a time, as a click in the scene does."""
-        with self._lock:
-            segment = self._state.labeling.segment_at(time_s) if self._state else None
-        if segment is not None:
+        state = self._state
+        if state and (segment := state.labeling.segment_at(time_s)) is not None:
             self.select(segment)
 
     def move_playhead(self, change: Callable[[Playhead], Playhead]) -> None:
@@ -283,16 +279,14 @@ class View:
 
     def mirror(self, leader: "View") -> None:
         """Take over what the page that is followed sees."""
-        recording, playhead, selection = leader.recording, leader.playhead, leader._selection
-        if recording != self.recording:
+        if (recording := leader.recording) != self.recording:
             if recording is not None:
                 self._open(recording)
             return
-        if playhead != self.playhead:
+        if (playhead := leader.playhead) != self.playhead:
             self._move(lambda _: playhead)
-        if (selection.segment, selection.to) != (self._selection.segment, self._selection.to):
-            cut_at = self._selection.cut_at
-            self._select(replace(selection, cut_at=cut_at))
+        if (selection := self._selection.like(leader._selection)) != self._selection:
+            self._select(selection)
             self._around.selection_changed()
 
     def _leave_other(self) -> None:
