@@ -3,7 +3,7 @@
 import re
 from collections.abc import Mapping, Sequence
 
-AXIS = re.compile(r"(|.*?[^a-z]|.*?[a-z])([xyz])(|[\W_].*|\d*)")
+AXIS = re.compile(r"(|.*?[^a-z]|.*?[a-z])([xyz])(|[\W_].*(?<![\W_][xyz])|\d*)")
 TIME = re.compile(
     r"time|zeit|temps|tiempo|時刻|時間|时间|stamp|(^|[\W_])t($|[\W_])|sec|(^|[\W_])tm($|[\W_])",
     re.I,
@@ -15,15 +15,18 @@ NO_POSITION = re.compile(
     r"vel|speed|acc|cmd|soll|target|desired|action|goal|force|torque|wrench|quat|orient|ori[\W_]"
     r"|roll|pitch|yaw|kraft|moment|effort|couple|力|トルク|モーメント|扭矩|joint|gripper|finger|rot|covariance"
     r"|(^|[\W_])[ftmq]\d?[\W_]?[xyz]($|[\W_])|(?-i:[a-z][FTM][xyz])"
-    r"|(^|[\W_])r[xyz]($|[\W_])|[\W_](deg|rad)\W*$",
+    r"|(^|[\W_])r[xyz]($|[\W_])|[\W_](deg|rad)\W*$"
+    r"|^[ftm][\W_](act|actual|meas|measured|filt|filtered|raw|ext|sens|sensor|des|ref)[\W_]",
     re.I,
 )
 FORCE = re.compile(
-    r"force|(?-i:[a-z]F[xyz])|kraft|effort|力(?!矩)|(^|[\W_])f_?ext|(^|[\W_])f[\W_]?[xyz]|^f\d?[xyz]|(^|[./])f$",
+    r"force|(?-i:[a-z]F[xyz])|kraft|effort|力(?!矩)|(^|[\W_])f_?ext|(^|[\W_])f[\W_]?[xyz]|^f\d?[xyz]|(^|[./])f$"
+    r"|^f[\W_](act|actual|meas|measured|filt|filtered|raw|ext|sens|sensor|des|ref)[\W_]",
     re.I,
 )
 TORQUE = re.compile(
-    r"torque|(?-i:[a-z][TM][xyz])|moment|couple|力矩|トルク|モーメント|扭矩|(^|[\W_])[tm][\W_]?[xyz]($|[\W_])|(^|[./])(tau|m)$",
+    r"torque|(?-i:[a-z][TM][xyz])|moment|couple|力矩|トルク|モーメント|扭矩|(^|[\W_])[tm][\W_]?[xyz]($|[\W_])|(^|[./])(tau|m)$"
+    r"|^[tm][\W_](act|actual|meas|measured|filt|filtered|raw|ext|sens|sensor|des|ref)[\W_]",
     re.I,
 )
 WRENCH = re.compile(r"wrench|force|力|(^|[\W_])ft($|[\W_])|f_?ext|kraft", re.I)
@@ -42,12 +45,19 @@ NO_JOINT = re.compile(
 )
 COMMANDED = re.compile(
     r"cmd|command|soll|target|desired|action|goal|vel|speed|twist|acc|jerk|covariance|_[dc]$"
-    r"|demo_start|start_pose",
+    r"|demo_start|start_pose|目标|目標|期望|指令"
+    r"|(^|[\W_])(des|ref|reference|setpoint|wanted|planned|sollwert|err|error|delta)(?=$|[\W_\d])",
     re.I,
 )
 """What is no measurement of where the tool was or what acted on it."""
 
 TOOL = re.compile(r"eef|(^|[\W_])ee|tcp|tool|flange|end.?effector|cartesian", re.I)
+OTHER_THINGS = re.compile(r"object|cube|goal|camera|base_pose|marker", re.I)
+"""What is not the tool."""
+
+GRIPPER_PLACE = re.compile(r"gripper|greifer", re.I)
+"""Three columns of x, y and z called so are where the gripper is, not how far it is open."""
+
 RAW = re.compile(r"raw|bias|uncomp|offset", re.I)
 COUNTER = re.compile(r"^$|sample|frame|index|idx|count|seq|^#$|^nr?$|row|zeile|^i$|^id$", re.I)
 DEMONSTRATION = re.compile(

@@ -21,9 +21,11 @@ from keyphase.readers.proposing.naming import (
     EULER,
     FORCE,
     GRIPPER,
+    GRIPPER_PLACE,
     JOINT,
     NO_JOINT,
     NO_POSITION,
+    OTHER_THINGS,
     POSITION,
     QUATERNION,
     RAW,
@@ -37,6 +39,7 @@ from keyphase.readers.proposing.one_axis import ONE_AXIS, is_one_axis
 from keyphase.readers.proposing.vectors import vector_guesses
 
 _NEAR_ONE = 0.9
+_UNIT_NORM, _WELL_UNIT_NORM = 0.02, 0.002
 _HOMOGENEOUS = 16
 _MOST_JOINTS = 16
 _TURNS = ("quaternion", "euler", "turn", "rot6d", "matrix", "pose")
@@ -93,7 +96,9 @@ def _before_quaternion(
 
 
 def _quaternion(names: Sequence[str], values: Array, free: list[int]) -> Guess | None:
+    """Four of norm one: whose names say so, and else whose norm is nearest to one."""
     apart = parts_of_matrices(names)
+    fitting: list[tuple[bool, bool, Guess]] = []
     for first in free:
         columns = tuple(range(first, first + 4))
         if (
@@ -113,14 +118,19 @@ def _quaternion(names: Sequence[str], values: Array, free: list[int]) -> Guess |
         enough = told or (unnamed and moving >= 2) or moving == 4 or still
         # Of a rotation matrix three numbers have norm one, and a zero beside them changes nothing.
         beside = _one_of_more(names, columns) and moving < 4 and not still
-        if np.abs(norms - 1).max() > 0.02 or not enough or beside:
+        off = float(np.abs(norms - 1).max())
+        if off > _UNIT_NORM or not enough or beside:
             continue
-        order, why = _order([names[c] for c in columns])
-        likely, seen = ("", "") if order else _likely_order(rows[0])
-        evidence = (f"norm of these four is {norms.mean():.3f} in every row: a quaternion", why)
-        more = (seen,) if seen else ()
-        return Guess("quaternion", columns, "", order, (*evidence, *more), likely)
-    return None
+        norm = f"norm of these four is {norms.mean():.3f} in every row: a quaternion"
+        fitting.append((not told, off > _WELL_UNIT_NORM, _of_four(names, columns, rows[0], norm)))
+    # A number that hardly moves beside three of a quaternion may give a norm near one, too.
+    return min(fitting, key=lambda one: one[:2])[2] if fitting else None
+
+
+def _of_four(names: Sequence[str], columns: tuple[int, ...], row: Array, norm: str) -> Guess:
+    order, why = _order([names[c] for c in columns])
+    likely, seen = ("", "") if order else _likely_order(row)
+    return Guess("quaternion", columns, "", order, (norm, why, *([seen] if seen else [])), likely)
 
 
 def _at_rest(values: Array, row: Array, first: int) -> bool:
@@ -187,7 +197,8 @@ def _torque(names: Sequence[str], values: Array, free: list[int]) -> Guess | Non
 
 
 def _position(names: Sequence[str], values: Array, free: list[int]) -> Guess | None:
-    columns, told = _three(names, free, POSITION, NO_POSITION)
+    called = [GRIPPER_PLACE.sub("tool", name) for name in names]
+    columns, told = _three(called, free, POSITION, NO_POSITION)
     if columns is None:
         shown = {i: bare(names[i]) for i in free}
         plain = [i for i in free if not NO_POSITION.search(shown[i])]
@@ -228,6 +239,8 @@ def _euler(names: Sequence[str], values: Array, free: list[int]) -> Guess | None
 
 def _gripper(names: Sequence[str], values: Array, free: list[int]) -> Guess | None:
     fitting = [i for i in free if GRIPPER.search(names[i]) and not COMMANDED.search(names[i])]
+    places = _by_axis({i: bare(names[i]) for i in free}, fitting)
+    fitting = [i for i in fitting if all(i not in place for place in places)]
     if not fitting:
         return None
     columns = tuple(fitting[:1])
@@ -268,10 +281,11 @@ def _three(
 
 
 def _first(groups: list[tuple[int, int, int]], names: Sequence[str]) -> _Three:
-    """The first that is not called raw, and the others by name."""
+    """The first of the tool that is not called raw, and the others by name."""
     if not groups:
         return None, ()
-    groups = sorted(groups, key=lambda one: bool(RAW.search(names[one[0]])))
+    called = {one: names[one[0]] for one in groups}
+    groups.sort(key=lambda g: (bool(OTHER_THINGS.search(called[g])), bool(RAW.search(called[g]))))
     others = ", ".join(names[one[0]] for one in groups[1:4])
     return groups[0], (f"{OTHERS} {others}",) if others else ()
 

@@ -24,6 +24,7 @@ from keyphase.readers.proposing.naming import (
     GRIPPER,
     JOINT,
     NO_JOINT,
+    OTHER_THINGS,
     POSITION,
     TOOL,
     TORQUE,
@@ -33,7 +34,6 @@ from keyphase.readers.proposing.naming import (
 )
 
 _UNIT_NORM = 0.02
-_NOT_THE_TOOL = ("object", "cube", "goal", "camera", "base_pose", "marker")
 
 
 def vector_guesses(names: Sequence[str], values: Array, free: Sequence[int]) -> list[Guess]:
@@ -70,7 +70,7 @@ def _with_other(guess: Guess, stem: str) -> Guess:
 
 
 def _is_other(stem: str) -> bool:
-    return any(word in stem.lower() for word in _NOT_THE_TOOL)
+    return bool(OTHER_THINGS.search(stem))
 
 
 def _guesses(stem: str, columns: tuple[int, ...], values: Array) -> Iterator[Guess]:
