@@ -50,3 +50,11 @@ def test_a_force_that_has_nothing_to_do_with_the_motion_says_nothing() -> None:
 def test_without_a_force_there_is_nothing_to_say() -> None:
     made = pressing(0.0)
     assert clock_offset(Demonstration("bare", made.time_s, made.position_m)) is None
+
+
+def test_of_a_recording_that_is_mostly_a_gap_nothing_is_said_and_nothing_made_up() -> None:
+    """A day between two rows would be seventeen million samples."""
+    made = pressing(0.3)
+    time = made.time_s + 86_400.0 * (made.time_s > 10.0)
+    broken = Demonstration("broken", time, made.position_m, force_N=made.force_N)
+    assert clock_offset(broken) is None

@@ -28,6 +28,9 @@ TOLD_S = 0.06
 _SMOOTHED_S, _STEP_S, _APART_S = 0.02, 0.06, 0.5
 _LEAST_STEP_N, _NOISES = 1.0, 6.0
 _LEAST_FALL_M_S = 0.005
+_MEAN_STEP_S = 1.0
+"""Of rows that are further apart on the average, be it by a gap of hours, nothing can be said: all
+that lies between them would have to be made up."""
 _NEAR_S = 0.15
 
 
@@ -69,6 +72,8 @@ class ClockOffset:
 def clock_offset(demonstration: Demonstration) -> ClockOffset | None:
     """What the contacts of a recording say; None without a force, or without a contact in it."""
     if demonstration.force_N is None or demonstration.duration_s < 2.0 * MOST_S + 1.0:
+        return None
+    if demonstration.duration_s > _MEAN_STEP_S * len(demonstration):
         return None
     time = np.arange(demonstration.start_s, demonstration.end_s, 1.0 / RATE_HZ)
     smoothed = _SMOOTHED_S * RATE_HZ

@@ -58,6 +58,16 @@ def test_a_table_of_several_is_not_read_as_one(tmp_path: Path) -> None:
         read(path)
 
 
+def test_a_name_in_a_file_of_one_recording_is_refused(tmp_path: Path) -> None:
+    native = tmp_path / "run.csv"
+    rows = "".join(f"{i / 50},0,{i},0\n" for i in range(20))
+    native.write_text(f"time_s,position_x_m,position_y_m,position_z_m\n{rows}")
+    np.savez(tmp_path / "run.npz", time_s=np.arange(20) / 50, position_m=np.eye(20)[:, :3])
+    for name in ("run.csv", "run.npz"):
+        with pytest.raises(DemonstrationError, match=r"one recording; name it without #left"):
+            read(tmp_path / f"{name}#left")
+
+
 def test_two_of_one_name_are_refused(tmp_path: Path) -> None:
     path = table(tmp_path, ARMS, BOTH.replace('"right"', '"left"'))
     with pytest.raises(RecipeError, match="needs a name of its own"):

@@ -153,6 +153,16 @@ def test_a_movement_inside_a_gap_of_the_data_is_not_idle():
     assert (words, measure, idle) == ("Move forward", "198 mm", False)
 
 
+def test_a_movement_beside_a_long_gap_of_the_data_is_not_idle():
+    """Of 0.4 s of movement in half a minute without data the speed says nothing."""
+    time = np.concatenate([np.arange(0.0, 1.0, 0.01), np.arange(31.0, 33.0, 0.01)])
+    place = np.interp(time, [0.5, 1.0, 31.0, 31.4], [0.0, 0.1, 0.1, 0.18])
+    whole = Demonstration("gap", time, place[:, None] * [1.0, 0.0, 0.0])
+    evidence = Evidence.of(whole)
+    assert proposed_label(evidence, 0.5, 12.0, False)[::2] == ("Move forward", False)
+    assert proposed_label(evidence, 20.0, 31.5, False)[::2] == ("Move forward", False)
+
+
 @pytest.mark.parametrize("rows", [1, 3])
 def test_rows_in_which_the_recorder_read_nothing_make_no_segment(rows: int) -> None:
     time = np.arange(0.0, 8.0, 0.02)

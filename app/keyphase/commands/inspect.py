@@ -244,6 +244,7 @@ def _proposed_lines(result: dict[str, Any]) -> Iterator[str]:
     proposal: Proposal | None = result["proposal"]
     if proposal is None:
         told = "expected a recording, but" in result["reason"]
+        told = told or "the file is binary" in result["no_recipe"]
         if not told and result["no_recipe"] not in result["reason"]:
             yield f"  no recipe can be proposed: {result['no_recipe']}"
         return

@@ -110,14 +110,22 @@ def _read_table(
     if (foreign := foreign_kind(file.data)) is not None:
         raise DemonstrationError(f"{path}: expected a recording, but {foreign}.")
     if path.suffix.lower() == ".npz" or file.data.startswith(MAGIC):
+        _refuse_part(path, part)
         return read_npz(file, limit_bytes)
     chosen = recipe or own_recipe(path)
     if chosen is None and not has_native_header(file.data):
         chosen = folder_recipe(path)
     loaded = _loaded(chosen)
     if loaded is None:
+        _refuse_part(path, part)
         return _read_undescribed(file, limit_bytes)
     return read_by_recipe(file, loaded, limit_bytes, part)
+
+
+def _refuse_part(path: Path, part: str | None) -> None:
+    """Without a recipe that says which are in it, a table or an archive is one recording."""
+    if part is not None:
+        raise DemonstrationError(f"{path}: it is one recording; name it without #{part[:80]}.")
 
 
 def _read_undescribed(file: WholeFile, limit_bytes: int) -> Demonstration:

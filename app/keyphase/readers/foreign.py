@@ -25,12 +25,16 @@ _KNOWN: tuple[tuple[bytes, str], ...] = (
     (b"ULog\x01\x12\x35", "it is a log of PX4: ulog2csv writes its topics as tables"),
     (b"TDSm", "it is a TDMS file of LabVIEW: save its channels as CSV, or with numpy.savez"),
     (b"<?xml", "it is XML: save its numbers as the columns of a CSV"),
+    (b"version https://git-lfs.github.com", "it only stands for a file that was not fetched: "
+                                            "git lfs pull brings it"),
     (b"RIFF", "it is sound or video: a recording is a table of places over time"),
 )  # fmt: skip
 
 _PICKLES = tuple(b"\x80" + bytes([protocol]) for protocol in (2, 3, 4, 5))
 _PLAIN_PICKLE = re.compile(rb"\(?[dl]p0\n|\(dp|[}\]]q\x00|\(lp|c[\w.]+\n\w+\n")
 """How the two oldest protocols begin, which have no first bytes of their own."""
+
+_WEB_PAGE = re.compile(rb"(\xef\xbb\xbf)?\s*<(!doctype html|html|head|body)\b", re.I)
 
 
 def foreign_kind(data: bytes) -> str | None:
@@ -41,6 +45,8 @@ def foreign_kind(data: bytes) -> str | None:
         return "it is JSON: save its numbers as the columns of a CSV, or with numpy.savez"
     if data.startswith(_PICKLES) or (data.rstrip().endswith(b".") and _PLAIN_PICKLE.match(data)):
         return _PICKLE
+    if _WEB_PAGE.match(data[:256]):
+        return "it is a web page, as a download that failed leaves it: download it again"
     if data[257:262] == b"ustar":
         return _TAR
     if data[4:8] == b"ftyp":

@@ -17,7 +17,12 @@ from numpy.typing import NDArray
 from keyphase.demonstration import Array
 from keyphase.errors import DemonstrationError
 from keyphase.notices import Caution
-from keyphase.readers.list_cells import lists_apart
+from keyphase.readers.table_lines import (
+    lists_apart,
+    refuse_zero_bytes,
+    rows_among,
+    without_lost_end,
+)
 
 _MAX_LINE_LENGTH = 100_000
 """Thousands of columns; what is longer is no table, and the csv module would refuse its cells."""
@@ -26,7 +31,10 @@ _BYTES_PER_LINE = 200
 _BYTES_PER_CHARACTER = 4
 """What a character costs while a table is decoded, split and parsed."""
 
-UNMEASURED = frozenset(("", "nan", "-nan", "null", "none", "na", "n/a"))
+UNMEASURED = frozenset((
+    "", "nan", "-nan", "null", "none", "na", "n/a", "<na>", "#n/a", "#na", "-", "--",
+    "1.#ind", "-1.#ind", "1.#qnan", "-1.#qnan",
+))  # fmt: skip
 """What recorders write, in any case, where nothing was measured."""
 
 _QUOTED_OR_PLAIN = re.compile(r'"([^"]*)"|(\S+)')
@@ -183,32 +191,23 @@ def open_table(file: str, data: bytes, form: TableForm, limit_bytes: int) -> Tab
     Raises DemonstrationError for binary or wrongly encoded content, tables too large for
     `limit_bytes` of memory, tables without rows, and rows of another length.
     """
-    lines = _lines(file, data, form, limit_bytes)
+    lines, lost = _lines(file, data, form, limit_bytes)
     body_at = form.skip_lines + form.header + form.lines_after_header
-    body, numbers = _body(lines, body_at)
+    header = lines[form.skip_lines] if form.header and form.skip_lines < len(lines) else None
+    body, numbers, told = rows_among(lines, body_at, header)
     if not body:
         raise DemonstrationError(
             f"{file}: expected rows of numbers after line {body_at}, but there are none; "
             "record or export the file again."
         )
-    names = header_names(lines[form.skip_lines], form) if form.header else ()
+    names = () if header is None else header_names(header, form)
     width = len(split_cells(body[0], form.separator))
-    notices = _end_notices(body, numbers, width, form) if lines[-1].strip() else ()
+    ends_whole = not lines[-1].strip() or numbers[-1] < len(lines)
+    cut = () if ends_whole else _end_notices(body, numbers, width, form)
     quoted = any('"' in line for line in body)
-    table = Table(file, form, names, width, body, numbers, quoted, notices)
+    table = Table(file, form, names, width, body, numbers, quoted, (*lost, *told, *cut))
     _refuse_ragged(table)
     return table
-
-
-def _body(lines: list[str], begin: int) -> tuple[list[str], Sequence[int]]:
-    """The lines that hold data and their numbers from 1; a range where no blank one is between."""
-    body = lines[begin:]
-    while body and not body[-1].strip():
-        body.pop()
-    if all(map(str.strip, body)):
-        return body, range(begin + 1, begin + 1 + len(body))
-    held = [i for i, line in enumerate(body) if line.strip()]
-    return [body[i] for i in held], [begin + 1 + i for i in held]
 
 
 def _end_notices(
@@ -227,8 +226,12 @@ def _end_notices(
     return (Caution(told),)
 
 
-def _lines(file: str, data: bytes, form: TableForm, limit_bytes: int) -> list[str]:
+def _lines(
+    file: str, data: bytes, form: TableForm, limit_bytes: int
+) -> tuple[list[str], tuple[str, ...]]:
+    """The lines of the text, and what is odd about its end."""
     _refuse_too_large(file, data, limit_bytes)
+    data, notices = without_lost_end(data)
     try:
         text = data.decode(form.encoding)
     except UnicodeError as error:
@@ -237,10 +240,7 @@ def _lines(file: str, data: bytes, form: TableForm, limit_bytes: int) -> list[st
             f"{file}: expected text in {form.encoding.removesuffix('-sig')}, but in line {line} "
             "there is none; save it as UTF-8 or name its encoding in a recipe."
         ) from error
-    if "\0" in text:
-        raise DemonstrationError(
-            f"{file}: expected a text table, but the file is binary; export it as text or NPZ."
-        )
+    refuse_zero_bytes(file, text)
     lines = lists_apart(text.replace("\r\n", "\n").replace("\r", "\n")).split("\n")
     longest = max(range(len(lines)), key=lambda i: len(lines[i]))
     if len(lines[longest]) > _MAX_LINE_LENGTH:
@@ -248,7 +248,7 @@ def _lines(file: str, data: bytes, form: TableForm, limit_bytes: int) -> list[st
             f"{file}: line {longest + 1} has {len(lines[longest])} characters, more than a table "
             f"of numbers can have ({_MAX_LINE_LENGTH}); check that the file is a text table."
         )
-    return lines
+    return lines, notices
 
 
 def _refuse_too_large(file: str, data: bytes, limit_bytes: int) -> None:

@@ -4,7 +4,7 @@ Axes are the robot base's: x forward, y left, z up.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -53,13 +53,16 @@ class Evidence:
 
     contact is the force above the free level, in the motion's bins; None without force.
     idle_m_s is the speed below which this recording is idle, still_m the extent of a place in
-    which it counts as standing still.
+    which it counts as standing still. gaps_s are the stretches without data, which say nothing of
+    how fast the tool was, and gapless the motion without them.
     """
 
     motion: Motion
     idle_m_s: float
     still_m: float
     contact: ContactForce | None
+    gaps_s: tuple[tuple[float, float], ...]
+    gapless: Motion
 
     @classmethod
     def of(cls, demonstration: Demonstration, motion: Motion | None = None) -> "Evidence":
@@ -67,7 +70,23 @@ class Evidence:
         motion = motion or motion_of(demonstration)
         extent = _size(np.ptp(motion.position_m, axis=0))
         still = min(max(_STILL_SHARE * extent, _MIN_STILL_M), _MAX_STILL_M)
-        return cls(motion, idle_speed(motion), still, contact_force_of(demonstration))
+        gaps = demonstration.gaps_s
+        gapless = _without(gaps, motion)
+        contact = contact_force_of(demonstration)
+        return cls(motion, idle_speed(motion), still, contact, gaps, gapless)
+
+    def recorded_s(self, start_s: float, end_s: float) -> float:
+        """How long a stretch of time is without its gaps [s]."""
+        missing = (min(end_s, to) - max(start_s, since) for since, to in self.gaps_s)
+        return end_s - start_s - sum(each for each in missing if each > 0.0)
+
+
+def _without(gaps_s: Sequence[tuple[float, float]], motion: Motion) -> Motion:
+    """A motion whose gaps are as long as one of its steps."""
+    time = motion.time_s.copy()
+    for start, end in gaps_s:
+        time[motion.time_s >= end] -= max(end - start - motion.step_s, 0.0)
+    return replace(motion, time_s=time) if gaps_s else motion
 
 
 class Proposal(NamedTuple):
@@ -99,7 +118,7 @@ def proposed_label(
     next_bin = min(last, len(evidence.motion.time_s) - 1)
     travel = evidence.motion.pose_m[last - 1] - evidence.motion.pose_m[first]
     beyond = evidence.motion.pose_m[next_bin] - evidence.motion.pose_m[first]
-    if _is_idle(evidence, first, next_bin + 1, end_s - start_s, beyond):
+    if _is_idle(evidence, first, next_bin + 1, evidence.recorded_s(start_s, end_s), beyond):
         strength = _built_up_force(evidence, first, last)
         if strength:
             return Proposal(f"Push{ending}", f"{strength:.0f} N", False)
@@ -130,7 +149,7 @@ def _is_idle(evidence: Evidence, first: int, last: int, duration_s: float, trave
     if _size(reach[:3]) < evidence.still_m and _size(reach[3:]) < _STILL_TURN_M:
         return True
     slowest = evidence.idle_m_s
-    drifts = _size(mean_velocity(evidence.motion, first, last)) < slowest
+    drifts = _size(mean_velocity(evidence.gapless, first, last)) < slowest
     nowhere = _size(travel) < 1.5 * slowest * duration_s + _MIN_STILL_M
     return drifts and nowhere and _size(reach) < max(0.02, 2.0 * slowest * duration_s)
 

@@ -193,15 +193,14 @@ def step(
 ) -> tuple[State, Reference]:
     """Advance by `h` seconds against the measured pose; the reference for that time.
 
-    Splits the step where alpha_z h / tau would pass 0.5; the reference then has the mean of its
-    accelerations, as a brief primitive takes up its speed within one. Semi-implicit: velocity, then
-    pose.
+    Splits the step where alpha_z h / tau would pass 0.5. Semi-implicit: velocity, then pose.
     """
-    parts, accelerations = substeps(primitive, state.tau, h), list[Components]()
+    parts = substeps(primitive, state.tau, h)
+    acceleration = None
     for _ in range(parts):
         state, now = _advance(primitive, state, measured, h / parts)
-        accelerations.append(now)
-    acceleration = [sum(each) / parts for each in zip(*accelerations, strict=True)]
+        acceleration = now if acceleration is None else acceleration
+    assert acceleration is not None
     reference = _reference(state, measured, acceleration, h)
     followed = changed(
         state,

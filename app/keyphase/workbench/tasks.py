@@ -41,13 +41,18 @@ class Task:
 
 
 class Tasks:
-    """All tasks of one workbench; `tell` is told of each change, in the task's own thread."""
+    """All tasks of one workbench; `tell` is told of each change, in the task's own thread.
+
+    `cores` is held by the one that works on all cores. Of two at once each would take as long as
+    both, and they would share the processes, which giving up the one ends for the other.
+    """
 
     def __init__(self, tell: Callable[[TaskState], None]) -> None:
         self._tell = tell
         self._numbers = itertools.count(1)
         self._lock = threading.Lock()
         self._under_way: dict[int, TaskState] = {}
+        self.cores = threading.Lock()
 
     @property
     def under_way(self) -> tuple[TaskState, ...]:

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from keyphase.errors import DemonstrationError
-from keyphase.readers.list_cells import lists_apart
 from keyphase.readers.table import TableForm, split_cells
+from keyphase.readers.table_lines import lists_apart, without_lost_end
 
 _ASCII = 127
 _WORDS = {
@@ -72,9 +72,10 @@ def layout_of(data: bytes) -> Layout:
 
     Raises DemonstrationError for what is no text or has no rows of numbers.
     """
-    encoding, evidence = _encoding(data[:_LOOKED_AT_BYTES])
+    data, _ = without_lost_end(data[:_LOOKED_AT_BYTES])
+    encoding, evidence = _encoding(data)
     codec = "utf-8-sig" if encoding == "utf-8" else encoding
-    text = data[:_LOOKED_AT_BYTES].decode(codec, errors="ignore")
+    text = data.decode(codec, errors="ignore")
     lines = lists_apart(text.replace("\r\n", "\n").replace("\r", "\n")).split("\n")
     lines = lines[:_LOOKED_AT_LINES]
     found = [_fitted(lines, separator, decimal) for separator, decimal in _choices()]
@@ -134,7 +135,9 @@ def _encoding(data: bytes) -> tuple[str, dict[str, str]]:
     for mark, name in _BOMS:
         if data.startswith(mark):
             return name, {"encoding": f"the file begins with the mark of {name.upper()}"}
-    if b"\0" in data:
+    if (at := data.find(b"\0")) >= 0:
+        if (line := data[:at].count(b"\n") + 1) > 2:
+            raise DemonstrationError(f"line {line} holds zero bytes; leave it out.")
         raise DemonstrationError("expected a text table, but the file is binary.")
     cut = data[: data.rfind(b"\n") + 1] or data
     try:

@@ -1,11 +1,15 @@
 """Work beside a page that goes on for long, says how far it is, and can be given up."""
 
 import threading
-from collections.abc import Callable
+import traceback
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 from keyphase.workbench.tasks import Task
 from keyphase.workbench.telling import Telling
 from keyphase.workbench.worker import Worker
+
+_LOOK_S = 0.1
 
 
 class GivenUpError(Exception):
@@ -13,7 +17,7 @@ class GivenUpError(Exception):
 
 
 class WorkBeside:
-    """One thing at a time, in a thread of its own."""
+    """One thing at a time, in a thread of its own, and on all cores when it is its turn."""
 
     def __init__(self, telling: Telling) -> None:
         self._telling = telling
@@ -31,7 +35,7 @@ class WorkBeside:
         def run() -> None:
             self._given_up.clear()
             try:
-                with self._telling.tasks.begin(title) as task:
+                with self._telling.tasks.begin(title) as task, self._all_cores():
                     work(task)
             except GivenUpError:
                 ended("Cancelled.")
@@ -40,6 +44,21 @@ class WorkBeside:
                 raise
 
         self._worker.submit(run, kind)
+
+    @contextmanager
+    def _all_cores(self) -> Iterator[None]:
+        """Wait until no other page works on all cores; giving up ends the waiting, too."""
+        cores = self._telling.tasks.cores
+        while not cores.acquire(timeout=_LOOK_S):
+            self.go_on()
+        try:
+            yield
+        except Exception as error:
+            # What was begun ends with the frames that hold it, which must not be during the next.
+            traceback.clear_frames(error.__traceback__)
+            raise
+        finally:
+            cores.release()
 
     def go_on(self) -> None:
         """Raise GivenUpError where the work was given up."""

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from keyphase.errors import SimulationError
 from keyphase.simulation.choosing import cell_for, met_by
 from keyphase.simulation.replay.margin import margin_of
 from keyphase.simulation.replay.margin_plans import margin_plans
@@ -69,6 +70,10 @@ class ReplayMargin:
         demonstration = met_by(opened.demonstration, cell)
         labeling = opened.labeling
         segments = [labeling.segments[entry.segment] for entry in labeling.plan]
+        if not segments:
+            raise SimulationError(
+                "A margin needs a plan of at least one segment; keep one, or add one."
+            )
         margin = margin_of(
             cell,
             demonstration,
