@@ -7,6 +7,8 @@ from keyphase.files.shipped import shipped
 from keyphase.making import make
 from keyphase.readers import read, save_npz
 from keyphase.segmentation import Parameters, Segmenter
+from keyphase.segmentation.evidence.probability import log_odds, sigmoid
+from keyphase.segmentation.evidence.telling.counts import HIGHEST, LOWEST
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +40,7 @@ def test_lowering_the_line_brings_the_light_touch(segmenter, touch_s):
     assert np.abs(contacts(segmenter, 0.05) - touch_s).min() < 0.2
 
 
-def test_dragging_the_line_changes_the_number_of_segments_three_times(segmenter):
-    lines = np.linspace(0.02, 0.98, 49)
+def test_dragging_the_line_over_its_track_changes_the_number_of_segments_three_times(segmenter):
+    lines = sigmoid(np.linspace(log_odds(LOWEST), log_odds(HIGHEST), 49))
     counts = [len(segmenter.segment(Parameters(force_threshold=x)).segments) for x in lines]
     assert np.count_nonzero(np.diff(counts)) >= 3

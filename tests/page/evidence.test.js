@@ -30,20 +30,20 @@ test("an even chance is drawn in the middle, and near certainty has as much room
 });
 
 test("a probability comes back from its height", () => {
-  for (const probability of [0.0003, 0.2, 0.35, 0.5, 0.97, 0.9997])
+  for (const probability of [0.00015, 0.2, 0.35, 0.5, 0.97, 0.99985])
     assert.ok(Math.abs(probabilityAt(heightOf(probability)) - probability) < 1e-3);
 });
 
 test("a line dragged out of the track stays a probability that the server takes", () => {
-  assert.equal(probabilityAt(-3), 0.0003);
-  assert.equal(probabilityAt(4), 0.9997);
+  assert.equal(probabilityAt(-3), 0.00015);
+  assert.equal(probabilityAt(4), 0.99985);
 });
 
 test("a line let go within a few pixels of its automatic value becomes automatic", () => {
   const automatic = heightOf(0.2);
   assert.equal(lineValue(automatic + 4 / 100, 0.2, 100), null);
   assert.equal(lineValue(automatic - 4 / 100, 0.2, 100), null);
-  const away = lineValue(automatic + 8 / 100, 0.2, 100);
+  const away = lineValue(automatic + 7 / 100, 0.2, 100);
   assert.ok(away > 0.2 && away < 0.5, String(away));
 });
 

@@ -30,6 +30,13 @@ def test_a_step_after_a_light_touch_lies_where_it_is_and_not_at_the_touch():
     assert min(abs(time - 5.2) for time in found) < 0.06
 
 
+def test_a_touch_that_snaps_at_once_lies_at_the_snap():
+    touch, snap = (np.clip((TIME_S - at_s) / 0.02, 0.0, 1.0) for at_s in (5.0, 5.18))
+    off = np.clip((TIME_S - 9.0) / 0.05, 0.0, 1.0)
+    made, _ = contacts((1.5 * touch + 6.0 * snap) * (1.0 - off))
+    assert made == pytest.approx(5.19, abs=0.03)
+
+
 @pytest.mark.parametrize("seconds", [0.3, 0.5, 0.8])
 def test_contact_begins_as_the_force_leaves_free_space_and_ends_when_it_is_gone(seconds):
     rise = np.clip((TIME_S - 3.0) / seconds, 0.0, 1.0) ** 1.6

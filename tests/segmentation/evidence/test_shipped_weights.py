@@ -4,7 +4,12 @@ import json
 
 import numpy as np
 
-from keyphase.segmentation.evidence.fitting.fit import MOTION_SIGNS, STATE_SIGNS, STEP_SIGNS
+from keyphase.segmentation.evidence.fitting.fit import (
+    HELD,
+    MOTION_SIGNS,
+    STATE_SIGNS,
+    STEP_SIGNS,
+)
 from keyphase.segmentation.evidence.fitting.logistic import (
     CALIBRATED_AT,
     fitted_calibration,
@@ -28,7 +33,7 @@ def test_no_weight_has_a_sign_that_makes_no_sense():
     weights = shipped_weights()
     for line, signs in (
         (weights.step, STEP_SIGNS),
-        (weights.state, STATE_SIGNS),
+        (weights.state, {**STATE_SIGNS, **HELD}),
         (weights.motion, MOTION_SIGNS),
     ):
         for name, weight in zip(line.names, line.weight.tolist(), strict=True):

@@ -87,3 +87,16 @@ def test_where_no_contact_change_is_clear_all_are_doubted():
         assert lost < -0.2
     pressed = segment(press_after_a_long_rest(8.7, slips=True, noise_N=0.017))
     assert NONE_CLEAR not in {r.name for c in pressed.candidates for r in c.reasons}
+
+
+def test_a_force_that_wanders_slowly_as_a_tool_is_moved_about_is_no_contact():
+    time = np.arange(0.0, 40.0, 0.01)
+    part = synthetic.minimum_jerk(np.clip(2.0 * (time % 4.0) / 4.0, 0.0, 1.0))
+    back = (time // 4.0) % 2 == 1
+    position = np.outer(np.where(back, 1.0 - part, part), [0.3, 0.1, 0.0])
+    rng = np.random.default_rng(3)
+    force = rng.normal(0.0, 0.05, (len(time), 3))
+    for hz in (0.06, 0.11, 0.19, 0.31):
+        phases = rng.uniform(0.0, 2.0 * np.pi, 3)
+        force += 1.2 * np.sin(2.0 * np.pi * hz * time[:, None] + phases)
+    assert contacts_s(segment(Demonstration("wander", time, position, None, force))) == []

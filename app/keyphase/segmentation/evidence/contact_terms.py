@@ -46,6 +46,7 @@ CONTACT_TERMS: Mapping[str, str] = {
     "state": "free before, in contact after, or the other way",
     "lasts": "both states last",
     "separation": "contact stands clear of free space",
+    "blurred": "contact and free space run into one another",
     "contact_newton": "force while in contact",
 }
 """Each term of a contact change and what it says."""
@@ -61,6 +62,8 @@ _STEP_GAP_S, _STEP_LENGTH_S = 0.08, 0.2
 _ECHO_S = (0.1, 1.5)
 _ECHO_FADES_S = 0.7
 _BESIDE_S = 1.0
+_PARTED = 1.0
+"""Contact that is not e times as far from free space as free space is wide may be its wander."""
 _STRENGTH_N = (0.5, 1.5)
 """A wrench that is never stronger than the lower one shows what it does of itself; from the upper
 one on something may be touched, and more says no more."""
@@ -252,13 +255,15 @@ def _states(look: _Look) -> dict[str, Array]:
         shorter = np.minimum(np.diff(edges)[:-1], np.diff(edges)[1:]) / grid.rate_hz
         lasts = np.log(shorter.clip(0.1, 3.0) / 0.1)[_nearest_index(view.crossings, at)] * crossing
     odds = Sides(Windows(view.odds), at, grid.cells(0.1), grid.cells(0.8))
+    separation = np.log(view.separation).clip(-1.0, 4.0)
     contact_N = np.clip(view.contact_distance * grid.size_N, 0.05, 20.0)
     return {
         "inside_free": _inside_free(look, crossing),
         "crossing": crossing,
         "state": np.abs(odds.jump[:, 0]) / 4.0,
         "lasts": lasts,
-        "separation": np.full(len(at), np.log(view.separation).clip(-1.0, 4.0)),
+        "separation": np.full(len(at), separation),
+        "blurred": np.full(len(at), max(0.0, _PARTED - separation)),
         "contact_newton": np.full(len(at), np.log(contact_N)),
     }
 

@@ -51,21 +51,30 @@ def force_curves(grid: Grid) -> ForceCurves:
     """The curves of a grid's wrench at every scale."""
     assert grid.wrench is not None
     channels = np.ascontiguousarray(grid.wrench.T)
-    step = np.array([_two_filters(channels, grid.rate_hz, scale) for scale in SCALES_S])
-    sides = [_background(row, grid, w) for row, w in zip(step, SCALES_S, strict=True)]
+    apart = [_two_filters(channels, grid.rate_hz, scale) for scale in SCALES_S]
+    # What happens beside a step is told by the curve as it is: tapered, an end would look quiet.
+    sides = [_background(row, grid, w) for row, w in zip(apart, SCALES_S, strict=True)]
     quiet, busy = (np.array(side) + _FLOOR for side in zip(*sides, strict=True))
-    return ForceCurves(step, quiet, busy)
+    step = [
+        row * _taper(len(row), w * grid.rate_hz) for row, w in zip(apart, SCALES_S, strict=True)
+    ]
+    return ForceCurves(np.array(step), quiet, busy)
 
 
 def _two_filters(channels: Array, rate_hz: float, scale_s: float) -> Array:
-    """|backward - forward prediction| (n,) of channels (D, n), tapered at the ends."""
+    """|backward - forward prediction| (n,) of channels (D, n)."""
     gain = 1.0 - np.exp(-2.0 / max(scale_s * rate_hz, 1.0))
-    count = channels.shape[1]
     forward, backward = _settled(channels, gain), _settled(channels[:, ::-1], gain)[:, ::-1]
-    step = np.zeros(count)
+    step = np.zeros(channels.shape[1])
     step[1:] = np.linalg.norm(backward[:, 1:] - forward[:, :-1], axis=0)
+    step[0] = step[1]
+    return step
+
+
+def _taper(count: int, cells: float) -> Array:
+    """What the curve counts (n,): less at the ends, where one of the filters has hardly begun."""
     from_end = np.minimum(np.arange(count), count - np.arange(count))
-    return step * np.sqrt(np.clip(from_end / (scale_s * rate_hz), 0.0, 1.0))
+    return np.sqrt(np.clip(from_end / cells, 0.0, 1.0))
 
 
 def _settled(channels: Array, gain: float) -> Array:

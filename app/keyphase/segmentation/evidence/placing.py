@@ -25,6 +25,10 @@ _STEP, _PART = 0.75, 0.3
 """A step is seen at the finest scale almost as large as over a quarter of a second, and is no small
 part of a slow change on whose way it lies."""
 
+_RISE_S, _LARGER = 0.2, 1.5
+"""Within a rise no longer than this a step so many times as large, further off than a step is
+sought, is the change itself: a touch and the snap that follows it at once are one."""
+
 _LEVEL_S = 0.2
 _LEAST_S = 0.04
 
@@ -41,7 +45,7 @@ def placed(
     tops (5, C) are the largest steps near each at every scale.
     """
     begin, end = rises(grid, at)
-    cell = _steepest(curves.step[0], at, whole_in(_STEP_REACH_S, grid.rate_hz))
+    cell = _fastest(curves.step[0], at, begin, end, grid.rate_hz)
     if len(view.crossings):
         # Here, over 0.12 and 0.24 s, and over the longer of both times in which ramps are seen.
         here, (short, long), slow = curves.step[0, cell], tops[1:FINE], tops[FINE:].max(axis=0)
@@ -60,6 +64,16 @@ def _halfway(steepest: Indices, edge: Indices, at_most: float) -> Indices:
     """Between the fastest places (C,) of steps and their edges (C,), at most so many cells off."""
     off = np.clip(_HALFWAY * (edge - steepest), -at_most, at_most)
     return steepest + np.round(off).astype(np.intp)
+
+
+def _fastest(row: Array, at: Indices, begin: Indices, end: Indices, rate_hz: float) -> Indices:
+    """Where the force changes fastest near places (C,), or in the short rise they belong to."""
+    near = _steepest(row, at, whole_in(_STEP_REACH_S, rate_hz))
+    cells = np.arange(whole_in(_RISE_S, rate_hz) + 1)
+    inside = np.minimum(begin[:, None] + cells, np.maximum(end, begin)[:, None])
+    within = inside[np.arange(len(at)), row[inside].argmax(axis=1)]
+    short = end - begin <= _RISE_S * rate_hz
+    return np.where(short & (row[within] >= _LARGER * row[near]), within, near)
 
 
 def _steepest(row: Array, at: Indices, reach: int) -> Indices:

@@ -37,6 +37,17 @@ class Line:
         """Log-odds (C,)."""
         return self.contributions(terms, columns).sum(axis=1) + self.bias
 
+    def holding(self, weights: Mapping[str, float]) -> "Line":
+        """The line with further terms whose weights are given, for terms as they are."""
+        count = len(weights)
+        return Line(
+            (*self.names, *weights),
+            np.append(self.mean, np.zeros(count)),
+            np.append(self.scale, np.ones(count)),
+            np.append(self.weight, list(weights.values())),
+            self.bias,
+        )
+
 
 @dataclass(frozen=True, eq=False)
 class Calibration:

@@ -61,6 +61,9 @@ STATE_SIGNS: Mapping[str, int] = {
     "strength": 1,
     "lasts": 1,
 }
+HELD: Mapping[str, float] = {"blurred": -3.0}
+"""Weights in the line of states that are set beside those that are fitted: made recordings hold too
+few wrenches that wander slowly and widely to show what believing them costs."""
 MOTION_SIGNS: Mapping[str, int] = {
     "depth": 1,
     "dwell": 1,
@@ -114,7 +117,7 @@ def fit(recordings: Sequence[Taught], say: Callable[[str], None] = lambda _: Non
     outside = scores_left_out(recordings, say)
     contact = _calibration(
         [(t.family, t.contact, s) for t, (s, _) in outside],
-        lambda lines, worth: float(lines[worth >= worth.max() - _CONTACT_AS_GOOD][0]),
+        lambda lines, worth: lowest_line(lines, with_neighbours(worth), _CONTACT_AS_GOOD),
     )
     motion = _calibration(
         [(t.family, t.motion, s) for t, (_, s) in outside],
@@ -122,6 +125,7 @@ def fit(recordings: Sequence[Taught], say: Callable[[str], None] = lambda _: Non
     )
     return replace(
         weights,
+        state=weights.state.holding(HELD),
         contact_calibration=contact,
         motion_calibration=motion,
         kinds=_kinds(recordings, weights),
@@ -210,6 +214,18 @@ def scores_left_out(
         found += [(t, chosen_scores(t, weights)) for t in recordings if t.family in out]
         say(f"left out {', '.join(sorted(out))}")
     return found
+
+
+def with_neighbours(worth: Array) -> Array:
+    """What each line is worth (L,) together with those beside it: a single one that happens to be
+    best, or worst, by a few recordings decides nothing."""
+    padded = np.pad(worth, 1, mode="edge")
+    return (padded[:-2] + padded[1:-1] + padded[2:]) / 3.0
+
+
+def lowest_line(lines: Array, worth: Array, as_good: float) -> float:
+    """The lowest of lines in their order that costs at most `as_good` of what the best is worth."""
+    return float(lines[worth >= worth.max() - as_good][0])
 
 
 def middle_line(lines: Array) -> float:

@@ -22,7 +22,7 @@ from keyphase.segmentation.parameters import Parameters
 from keyphase.segmentation.recent import Recent
 from keyphase.segmentation.segmentation import HeldBack, LineCounts
 
-LOWEST, HIGHEST = 0.0003, 0.9997
+LOWEST, HIGHEST = 0.00015, 0.99985
 """The ends of the way of a line: clear contacts lie above 0.99, and a faint one below 0.01.
 Candidates that no line reaches are not told."""
 

@@ -53,7 +53,7 @@ const TOLERANCE = number(
 );
 
 /** @type {[number, number, number]} */
-const PROBABILITIES = [0.0003, 0.9997, 0.0001];
+const PROBABILITIES = [0.00015, 0.99985, 0.00005];
 
 /** How a threshold over a probability runs. */
 export const PROBABILITY = number("", "", PROBABILITIES, "", "odds");
