@@ -113,6 +113,12 @@ def test_links_to_other_files_are_not_followed(tmp_path: Path, robomimic: Path) 
         read(path)
 
 
+def test_an_empty_dataset_is_passed_over(tmp_path: Path, robomimic: Path) -> None:
+    with h5py.File(robomimic, "a") as file:
+        file["data/demo_2/note"] = h5py.Empty("f8")
+    assert len(read(f"{robomimic}#demo_2")) > 2
+
+
 def test_a_recording_larger_than_the_limit_is_refused_before_it_is_read(tmp_path: Path) -> None:
     path = tmp_path / "huge.h5"
     with h5py.File(path, "w") as file:

@@ -120,6 +120,24 @@ def test_the_command_says_what_is_lost_before_it_writes(tmp_path, capsys):
     assert capsys.readouterr().out.endswith(f"{tmp_path / 'out' / 'run.segments.csv'}\n")
 
 
+def test_one_that_cannot_be_written_costs_no_other_its_file(tmp_path, capsys):
+    for name in ("a", "b", "c"):
+        write_segment_file(saved(tmp_path, name), tmp_path / f"{name}{SUFFIX}")
+    (tmp_path / f"b{SUFFIX}").write_text("{")
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "a.segments.csv").write_text("somebody's own")
+    with pytest.raises(SystemExit) as done:
+        main(["export", str(tmp_path), "--to", "csv", "--output", str(out)])
+    assert done.value.code == 1
+    told = capsys.readouterr().err
+    assert told.startswith("2 refused:\n")
+    assert f"b{SUFFIX}" in told
+    assert "a.segments.csv" in told
+    assert (out / "a.segments.csv").read_text() == "somebody's own"
+    assert (out / "c.segments.csv").exists()
+
+
 def test_without_a_folder_the_command_writes_beside_the_segment_files(tmp_path, monkeypatch):
     write_segment_file(saved(tmp_path), tmp_path / f"run{SUFFIX}")
     elsewhere = tmp_path / "elsewhere"

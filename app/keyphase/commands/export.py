@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import tyro
 
-from keyphase.commands.saying import say
+from keyphase.commands.saying import complain, say
 from keyphase.errors import KeyphaseError
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ class ExportSegments:
     """Say what would be written and what is not carried, and write nothing."""
 
     def run(self) -> int:
-        """List what is lost, then write, and name each file."""
+        """List what is lost, then write, and name each file; what is refused comes last."""
         if self.to is None:
             return _list_formats()
         if not self.segments:
@@ -41,7 +41,10 @@ class ExportSegments:
         from keyphase.writers import Options, planned_export
 
         options = Options(self.trim_idle, "replace" if self.replace else "ask")
-        planned = planned_export(self._items(), self.to, self._folder(), options)
+        items, refused = self._items(self.to)
+        if refused and not items:
+            return _refusals(refused)
+        planned = planned_export(items, self.to, self._folder(), options)
         if planned.not_carried:
             say(f"{planned.writer.title} does not carry:")
         for one in planned.not_carried:
@@ -51,10 +54,13 @@ class ExportSegments:
         if self.dry_run:
             for file in planned.files:
                 say(f"would write {file.target}")
-            return 0
-        for written in planned.write():
-            say(*written)
-        return 0
+            return _refusals(refused)
+        for written in planned.write_each():
+            if isinstance(written, KeyphaseError):
+                refused.append(written)
+            else:
+                say(*written)
+        return _refusals(refused)
 
     def _folder(self) -> Path:
         """Where to write: never just where somebody happens to stand."""
@@ -67,11 +73,30 @@ class ExportSegments:
             )
         return folders.pop()
 
-    def _items(self) -> "list[SegmentedRecording]":
-        from keyphase.writers import SegmentedRecording, found_segment_files
+    def _items(self, to: str) -> "tuple[list[SegmentedRecording], list[KeyphaseError]]":
+        """The recordings that the format can hold, and why the others are refused."""
+        from keyphase.writers import SegmentedRecording, found_segment_files, writer_named
 
-        files = found_segment_files(self.segments)
-        return [SegmentedRecording.of_file(file, recipe=self.recipe) for file in files]
+        writer, items, refused = writer_named(to), [], list[KeyphaseError]()
+        for file in found_segment_files(self.segments):
+            try:
+                item = SegmentedRecording.of_file(file, recipe=self.recipe)
+                writer.requires(item)
+                items.append(item)
+            except KeyphaseError as error:
+                refused.append(error)
+        return items, refused
+
+
+def _refusals(refused: list[KeyphaseError]) -> int:
+    """Tell them; a single one as every command does."""
+    if len(refused) == 1:
+        raise refused[0]
+    if refused:
+        complain(f"{len(refused)} refused:")
+    for error in refused:
+        complain(f"  {error}")
+    return 1 if refused else 0
 
 
 def _list_formats() -> int:

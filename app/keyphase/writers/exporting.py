@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from keyphase.errors import ExportError, FileInTheWayError
+from keyphase.errors import ExportError, FileInTheWayError, KeyphaseError
 from keyphase.writers.carried import left_behind
 from keyphase.writers.registry import writer_named
 from keyphase.writers.segmented import SegmentedRecording
@@ -44,12 +44,27 @@ class PlannedExport:
         MissingPackageError where its package is not installed.
         """
         for file in self.files:
-            refuse_in_place(file)
-            if self.writer.copies and self.options.if_there != "replace":
-                _refuse_replacing(file.target)
+            self._require_free(file)
         for file in self.files:
-            _make_folder(file.target.parent)
-            yield self.writer.write(file.items, file.target, self.options)
+            yield self._write(file)
+
+    def write_each(self) -> Iterator[tuple[Path, ...] | KeyphaseError]:
+        """As `write`, but one that is refused costs no other its file: its refusal is given."""
+        for file in self.files:
+            try:
+                self._require_free(file)
+                yield self._write(file)
+            except KeyphaseError as error:
+                yield error
+
+    def _require_free(self, file: PlannedFile) -> None:
+        refuse_in_place(file)
+        if self.writer.copies and self.options.if_there != "replace":
+            _refuse_replacing(file.target)
+
+    def _write(self, file: PlannedFile) -> tuple[Path, ...]:
+        _make_folder(file.target.parent)
+        return self.writer.write(file.items, file.target, self.options)
 
 
 def planned_export(

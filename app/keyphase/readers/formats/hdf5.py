@@ -190,10 +190,11 @@ def column_names(dataset: Any, values: NDArray[Any]) -> tuple[str, ...]:
 
 
 def is_own_data(item: Any) -> bool:
-    """Whether it is an array whose numbers lie in this file."""
+    """Whether it is an array whose numbers lie in this file; an empty one has no shape."""
     import h5py
 
-    return isinstance(item, h5py.Dataset) and not (item.is_virtual or item.external)
+    own = isinstance(item, h5py.Dataset) and not (item.is_virtual or item.external)
+    return own and item.shape is not None
 
 
 class _Field:
