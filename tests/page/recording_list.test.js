@@ -6,6 +6,7 @@ import {
   byFolder,
   commonBeginning,
   cutName,
+  nameApart,
   nextUndone,
   recordingBeside,
   shownRecordings,
@@ -91,6 +92,12 @@ test("names lose the middle of what all share, at a place where a word begins", 
   assert.equal(cutName(long[1], common), "ses…take_02");
   assert.equal(cutName("pickplace#episode_7", "pickplace#episode_".length), "pic…episode_7");
   assert.equal(cutName("kitchen_demonstration_7", "kitchen_demonstration_".length), "kit…_7");
+});
+
+test("a name stands in one line, and its end splits no letter", () => {
+  assert.deepEqual(nameApart("first\nsecond\t3", 7), ["first s", "econd 3"]);
+  assert.deepEqual(nameApart("gripper 🤖run_02", 7), ["gripper ", "🤖run_02"]);
+  assert.deepEqual(nameApart("S02", 7), ["", "S02"]);
 });
 
 test("short names and single ones stay whole", () => {

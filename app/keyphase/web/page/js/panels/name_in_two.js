@@ -1,7 +1,7 @@
 /** The name of a recording where room is short: what tells it from others is seen. */
 
 import { el } from "../lib/dom.js";
-import { cutName } from "../model/recordings/recording_list.js";
+import { cutName, nameApart } from "../model/recordings/recording_list.js";
 
 /** A longer name may be cut, but for so many letters at its end. */
 const WHOLE = 12;
@@ -14,12 +14,13 @@ const END = 7;
  * @param {number} [common] how much of its beginning all share, of which the middle is left out
  */
 export function nameInTwo(whole, common = 0) {
-  const name = cutName(whole, common);
+  const parts = nameApart(cutName(whole, common), END);
+  const name = parts.join("");
   if (name.length <= WHOLE) return [el("span", { class: "name-start", text: name })];
   const part = (look, text) => el("span", { class: look, text, "aria-hidden": "true" });
   return [
     el("span", { class: "unseen", text: name }),
-    part("name-start", name.slice(0, -END)),
-    part("name-end", name.slice(-END)),
+    part("name-start", parts[0]),
+    part("name-end", parts[1]),
   ];
 }

@@ -192,3 +192,14 @@ export function namesOf(names) {
   const [last, ...others] = [...names].reverse();
   return others.length ? `${others.reverse().join(", ")} and ${last}` : last;
 }
+
+/**
+ * A name on one line, whose last letters stand apart; no letter of two halves is cut between them.
+ * @param {string} name
+ * @param {number} end how many letters
+ * @returns {[string, string]}
+ */
+export function nameApart(name, end) {
+  const letters = [...name.replace(/[\p{Cc}\u2028\u2029]/gu, " ")];
+  return [letters.slice(0, -end).join(""), letters.slice(-end).join("")];
+}
