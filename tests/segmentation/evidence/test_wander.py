@@ -8,7 +8,7 @@ import synthetic
 from keyphase.demonstration import Demonstration
 from keyphase.making import make
 from keyphase.segmentation import Parameters, Segmentation, segment
-from keyphase.segmentation.evidence.probability import CONTACT_COLUMNS
+from keyphase.segmentation.evidence.probability import CLEAR, CONTACT_COLUMNS
 from keyphase.segmentation.evidence.stage import evidence_of
 from keyphase.segmentation.evidence.telling.told import NONE_CLEAR
 from keyphase.segmentation.evidence.weights import shipped_weights
@@ -100,3 +100,11 @@ def test_a_force_that_wanders_slowly_as_a_tool_is_moved_about_is_no_contact():
         phases = rng.uniform(0.0, 2.0 * np.pi, 3)
         force += 1.2 * np.sin(2.0 * np.pi * hz * time[:, None] + phases)
     assert contacts_s(segment(Demonstration("wander", time, position, None, force))) == []
+
+
+def test_a_weak_contact_that_stands_clear_of_free_space_is_not_doubted():
+    found = segment(press_after_a_long_rest(0.25, slips=False, noise_N=0.03))
+    np.testing.assert_allclose(contacts_s(found), [PRESSED_S, RELEASED_S], atol=0.06)
+    likeliest = max(c.probability for c in found.candidates if c.kind == "contact")
+    assert likeliest < CLEAR
+    assert NONE_CLEAR not in {r.name for c in found.candidates for r in c.reasons}

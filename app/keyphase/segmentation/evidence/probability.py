@@ -22,6 +22,10 @@ CLEAR, _DOUBTED = 0.8, 0.5
 """Who touches something does so clearly once: where no contact change is as likely as CLEAR, all
 of them lose half of the nats by which the likeliest one falls short."""
 
+_BLURRED = 0.1
+"""So much less clear of free space than contact ought to stand, in nats, for all of that doubt: a
+contact that is weak but stands clear is none of a wrench's own wander."""
+
 _LIKELIEST = 12
 _OF_FREE_SPACE = ("over_core", "separation")
 _FADES = 2.0
@@ -54,12 +58,14 @@ def motion_odds(terms: Array, weights: Weights) -> Array:
     return weights.motion.log_odds(terms, MOTION_COLUMNS)
 
 
-def doubt(odds: Array, calibration: Calibration) -> float:
-    """How many nats contact changes of these log-odds (C,) lose because none of them is clear."""
+def doubt(odds: Array, calibration: Calibration, blurred: float) -> float:
+    """How many nats contact changes of these log-odds (C,) lose because none of them is clear, in a
+    recording whose contact and free space run into one another by so much."""
     if not len(odds):
         return 0.0
     likeliest = float(calibration.log_odds(odds).max())
-    return _DOUBTED * max(0.0, log_odds(CLEAR) - likeliest)
+    short = max(0.0, log_odds(CLEAR) - likeliest)
+    return _DOUBTED * short * min(1.0, blurred / _BLURRED)
 
 
 def calibrated(odds: Array, calibration: Calibration, unlike: float, doubted: float = 0.0) -> Array:

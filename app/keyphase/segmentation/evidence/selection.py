@@ -10,7 +10,13 @@ from keyphase.demonstration import Array
 from keyphase.segmentation.bins import Indices
 from keyphase.segmentation.evidence.choice import distance_to, spaced_scores
 from keyphase.segmentation.evidence.contact_terms import breadth
-from keyphase.segmentation.evidence.probability import MOTION_COLUMNS, calibrated, doubt, log_odds
+from keyphase.segmentation.evidence.probability import (
+    CONTACT_COLUMNS,
+    MOTION_COLUMNS,
+    calibrated,
+    doubt,
+    log_odds,
+)
 from keyphase.segmentation.evidence.stage import Evidence
 from keyphase.segmentation.evidence.weights import Calibration, Weights
 from keyphase.segmentation.parameters import Parameters
@@ -76,7 +82,8 @@ def scores_of(evidence: Evidence, weights: Weights, parameters: Parameters) -> S
     broad = breadth(evidence.contact.terms)
     contact = spaced_scores(evidence.contact_s, touch, distance, evidence.seen_s, broad)
     motion = spaced_scores(evidence.motion_s, evidence.motion_odds, distance)
-    doubted = doubt(contact[np.isfinite(contact)], weights.contact_calibration)
+    blurred = evidence.contact.terms[:, CONTACT_COLUMNS["blurred"]].max(initial=0.0)
+    doubted = doubt(contact[np.isfinite(contact)], weights.contact_calibration, float(blurred))
     return Scores(
         _calibrated(contact, weights.contact_calibration, evidence.unlike, doubted),
         # Motion knows nothing of kinds of force.
