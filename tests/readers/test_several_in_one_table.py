@@ -68,6 +68,21 @@ def test_a_name_in_a_file_of_one_recording_is_refused(tmp_path: Path) -> None:
             read(tmp_path / f"{name}#left")
 
 
+def test_demonstrations_that_would_have_one_name_are_not_taken_for_one(tmp_path: Path) -> None:
+    recipe = f'table.demonstration = "episode"\n{PLAIN}'
+    path = table(tmp_path, BELOW.replace("a,", "pick/1,").replace("b,", "pick_1,"), recipe)
+    with pytest.raises(RecipeError, match="'pick/1' and 'pick_1' would both be called"):
+        read(f"{path}#pick_1")
+
+
+def test_a_demonstration_without_a_name_can_be_named(tmp_path: Path) -> None:
+    recipe = f'table.demonstration = "episode"\n{PLAIN}'
+    path = table(tmp_path, BELOW.replace("\nb,", "\n,"), recipe)
+    found = [found.path.name for found in find_recordings([tmp_path])]
+    assert found == ["run.csv#a", "run.csv#nameless", "run.csv#c"]
+    assert len(read(f"{path}#nameless")) == 20
+
+
 def test_two_of_one_name_are_refused(tmp_path: Path) -> None:
     path = table(tmp_path, ARMS, BOTH.replace('"right"', '"left"'))
     with pytest.raises(RecipeError, match="needs a name of its own"):

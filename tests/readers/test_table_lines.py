@@ -39,8 +39,9 @@ def test_what_is_no_row_is_left_out_and_told(tmp_path: Path, data: bytes, told: 
     assert any(told in notice for notice in found.notices)
 
 
-def test_rows_that_all_begin_with_a_sign_are_no_remarks(tmp_path: Path) -> None:
-    rows = [f"#{i},{row}" for i, row in enumerate(ROWS)]
+@pytest.mark.parametrize("every", [1, 3])
+def test_rows_that_begin_with_a_sign_are_no_remarks(tmp_path: Path, every: int) -> None:
+    rows = [f"{'#' if i % every == 0 else ''}{i},{row}" for i, row in enumerate(ROWS)]
     (tmp_path / "run.csv").write_bytes(text(f"number,{HEADER}", *rows))
     assert len(read(tmp_path / "run.csv", RECIPE)) == 40
 

@@ -194,7 +194,7 @@ def open_table(file: str, data: bytes, form: TableForm, limit_bytes: int) -> Tab
     lines, lost = _lines(file, data, form, limit_bytes)
     body_at = form.skip_lines + form.header + form.lines_after_header
     header = lines[form.skip_lines] if form.header and form.skip_lines < len(lines) else None
-    body, numbers, told = rows_among(lines, body_at, header)
+    body, numbers, told = rows_among(lines, body_at, header, form.separator)
     if not body:
         raise DemonstrationError(
             f"{file}: expected rows of numbers after line {body_at}, but there are none; "

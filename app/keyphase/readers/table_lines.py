@@ -91,16 +91,20 @@ def refuse_zero_bytes(file: str, text: str) -> None:
 
 
 def rows_among(
-    lines: Sequence[str], begin: int, header: str | None
+    lines: Sequence[str], begin: int, header: str | None, separator: str | None
 ) -> tuple[list[str], Sequence[int], tuple[str, ...]]:
     """The lines from `begin` on that hold rows, their numbers from 1, and what was left out.
 
-    Blank lines are passed over; so are remarks, where they are the lesser part, and the header
+    Blank lines are passed over; so are remarks, which have not the cells of a row, and the header
     where it stands again, and the notices say so.
     """
     held = [i for i in range(begin, len(lines)) if lines[i].strip()]
     remarks = [i for i in held if lines[i].lstrip().startswith(_REMARK)]
-    remarks = remarks if 2 * len(remarks) < len(held) else []
+    if remarks:
+        marked = set(remarks)
+        row = next((lines[i] for i in held if i not in marked), lines[remarks[0]])
+        cells = len(row.split(separator))
+        remarks = [i for i in remarks if len(lines[i].split(separator)) != cells]
     again = [i for i in held if header and lines[i] == header]
     notices = (*_told_remarks(lines, remarks), *_told_again(again))
     if notices:

@@ -11,6 +11,9 @@ from keyphase.readers.table import Table
 
 MAX_PARTS = 100_000
 
+_NAMELESS = "nameless"
+"""The demonstration of rows in which the column that tells them apart is empty."""
+
 
 def parts_of_table(table: Table, recipe: Recipe) -> tuple[str, ...]:
     """The demonstrations a table holds by this recipe, or none where it is one."""
@@ -67,7 +70,8 @@ def _rows_by_part(table: Table, recipe: Recipe, split: Split) -> dict[str, list[
 def _named_rows(table: Table, recipe: Recipe, split: Split) -> list[str]:
     if split.column is not None:
         cells = table.text(split.column.find(table)[0])
-        return [cell.replace("#", "_").replace("/", "_")[:100] for cell in cells]
+        named = _names_of(dict.fromkeys(cells), recipe)
+        return [named[cell] for cell in cells]
     if not isinstance(recipe.time, NumberTime):
         raise RecipeError(
             f"{recipe.name}: time_starts_again needs a column of time in numbers; "
@@ -75,6 +79,22 @@ def _named_rows(table: Table, recipe: Recipe, split: Split) -> list[str]:
         )
     time = table.numbers(recipe.time.column.find(table))[:, 0]
     return [str(number) for number in np.cumsum(np.diff(time, prepend=time[0]) < 0)]
+
+
+def _names_of(cells: Iterable[str], recipe: Recipe) -> dict[str, str]:
+    """What each demonstration is called; raises RecipeError where two would be called the same."""
+    named: dict[str, str] = {}
+    taken: dict[str, str] = {}
+    for cell in cells:
+        name = cell.replace("#", "_").replace("/", "_")[:100] or _NAMELESS
+        other = taken.setdefault(name, cell)
+        if other != cell:
+            raise RecipeError(
+                f"{recipe.name}: [table] demonstration: {other[:80]!r} and {cell[:80]!r} would "
+                f"both be called {name!r}; write them differently."
+            )
+        named[cell] = name
+    return named
 
 
 def _unknown(file: str, part: str | None, parts: Iterable[str]) -> DemonstrationError:
