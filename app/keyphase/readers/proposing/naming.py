@@ -52,7 +52,7 @@ COMMANDED = re.compile(
 """What is no measurement of where the tool was or what acted on it."""
 
 TOOL = re.compile(r"eef|(^|[\W_])ee|tcp|tool|flange|end.?effector|cartesian", re.I)
-OTHER_THINGS = re.compile(r"object|cube|goal|camera|base_pose|marker", re.I)
+OTHER_THINGS = re.compile(r"object|(^|[\W_])obj[\W_]|cube|goal|camera|base_pose|marker", re.I)
 """What is not the tool."""
 
 GRIPPER_PLACE = re.compile(r"gripper|greifer", re.I)

@@ -98,17 +98,15 @@ def _before_quaternion(
 def _quaternion(names: Sequence[str], values: Array, free: list[int]) -> Guess | None:
     """Four of norm one: whose names say so, and else whose norm is nearest to one."""
     apart = parts_of_matrices(names)
-    fitting: list[tuple[bool, bool, Guess]] = []
+    fitting: list[tuple[bool, bool, bool, Guess]] = []
     for first in free:
         columns = tuple(range(first, first + 4))
         if (
             apart & set(columns)
             or not set(columns) <= set(free)
             or any(COMMANDED.search(names[c]) for c in columns)
+            or len(rows := measured_rows(values, columns)) < 2
         ):
-            continue
-        rows = measured_rows(values, columns)
-        if len(rows) < 2:
             continue
         norms = np.linalg.norm(rows, axis=1)
         moving = int((np.ptp(rows, axis=0) > 0).sum())
@@ -122,9 +120,10 @@ def _quaternion(names: Sequence[str], values: Array, free: list[int]) -> Guess |
         if off > _UNIT_NORM or not enough or beside:
             continue
         norm = f"norm of these four is {norms.mean():.3f} in every row: a quaternion"
-        fitting.append((not told, off > _WELL_UNIT_NORM, _of_four(names, columns, rows[0], norm)))
+        rank = (bool(OTHER_THINGS.search(names[first])), not told, off > _WELL_UNIT_NORM)
+        fitting.append((*rank, _of_four(names, columns, rows[0], norm)))
     # A number that hardly moves beside three of a quaternion may give a norm near one, too.
-    return min(fitting, key=lambda one: one[:2])[2] if fitting else None
+    return min(fitting, key=lambda one: one[:3])[3] if fitting else None
 
 
 def _of_four(names: Sequence[str], columns: tuple[int, ...], row: Array, norm: str) -> Guess:
