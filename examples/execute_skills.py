@@ -335,7 +335,7 @@ class Plan:
         here = at, self.here[1]
         parts = max(1, int(np.ceil(c.alpha_z * h / self.tau / n.largest_step - 1e-9)))
         accelerations = [self.advance(c, h / parts, here, v) for _ in range(parts)]
-        self.vr = self.vr + h * accelerations[0]
+        self.vr = self.vr + h * np.mean(accelerations, axis=0)
         away = gap(moved(self.yr, h * self.vr), here)
         far = np.linalg.norm(away[:3]) / n.reach_m, np.linalg.norm(away[3:]) / n.reach_rad
         far = np.maximum(np.repeat(far, 3), 1.0)

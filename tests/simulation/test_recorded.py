@@ -14,8 +14,10 @@ from keyphase.recorded_force import evenly, offset_while_moving
 from keyphase.segmentation.end_condition import ConfigurationEnd, ContactEnd, GripperEnd
 from keyphase.simulation import Disturbance
 from keyphase.simulation.choosing import cell_for, unfit
+from keyphase.simulation.recorded.arising import Arising
 from keyphase.simulation.recorded.cell import RecordedCell
 from keyphase.simulation.recorded.meeting import Meeting
+from keyphase.simulation.replay.margin_plans import as_one
 from keyphase.simulation.replay.replay import run
 from keyphase.skills.library import skills_of
 
@@ -81,6 +83,21 @@ def test_a_plan_that_leaves_out_or_reorders_has_not_repeated_the_demonstration(
     result, _ = replayed(pressed_slide(), segments=segments)
     assert result.checks["demonstration repeated"] == whole
     assert result.succeeded == whole, result.outcome()
+
+
+def test_one_long_skill_may_press_no_harder_where_nothing_was_touched_than_a_short_one() -> None:
+    """Met with 6 N, and pressed with 30 N later: so much was never its beginning."""
+    later = pressed_slide()
+    assert later.force_N is not None
+    firmer = 1.0 + 4.0 * np.clip((later.time_s - DOWN_S - 0.7) / 0.2, 0.0, 1.0)
+    shown = replace(later, force_N=later.force_N * firmer[:, None])
+    nearer = Disturbance(part_height_m=0.005)
+    assert replayed(shown, nearer)[0].succeeded
+    result, _ = replayed(shown, nearer, [as_one(its_plan())])
+    assert result.completed
+    assert result.hardest.moment_s < DOWN_S + 0.7
+    assert 15.0 < result.hardest.force_N < 2.0 * 30.0
+    assert not result.checks["no force above twice the demonstrated"]
 
 
 def test_a_contact_that_only_a_later_skill_meets_is_not_met() -> None:
@@ -174,8 +191,32 @@ def test_a_surface_that_gave_way_gives_way_to_a_replay() -> None:
     wxyz = np.tile([1.0, 0.0, 0.0, 0.0], (1000, 1))
     pushed = Demonstration("pushed", time, np.c_[place, 0 * time, 0 * time], wxyz, force)
     (surface,) = RecordedCell(pushed).surfaces
-    *_, closing = surface.plane(np.array([0.3, 0.0, 0.0]), 2.0)
-    assert closing == pytest.approx(-0.2, abs=0.01)
+    plane = surface.plane(np.array([0.3, 0.0, 0.0]), 2.0)
+    assert plane.closing_m_s == pytest.approx(-0.2, abs=0.01)
+    assert plane.leaps == 1.0
+    assert RecordedCell(pressed_slide()).surfaces[0].leaps.max() == 0.0
+
+
+def test_a_body_that_is_pushed_further_than_it_went_moves_on() -> None:
+    time = np.arange(1000) / 250
+    place = np.interp(time, [0, 0.5, 2.5, 4.0], [0.0, 0.0, 0.4, 0.4])
+    force = np.c_[-3.0 * ((place > 0.1) & (place < 0.3)), 0 * time, 0 * time]
+    pushed = Demonstration("pushed", time, np.c_[place, 0 * time, 0 * time], None, force)
+    world, felt = RecordedCell(pushed).build(), list[float]()
+    for moment_s, at_m in ((1.02, 0.101), *20 * ((1.98, 0.31),)):
+        world.body.position_m = np.array([at_m, 0.0, 0.0])
+        world.body.velocity_m_s = np.zeros(3)
+        world.be_at(moment_s, (0.5, 2.5))
+        felt.append(float(world.step(world.here()).force_N[0]))
+    assert -1.5 * 3.0 < felt[-1] < -1.0
+
+
+def test_a_surface_that_comes_to_stand_around_the_tool_stands_before_it() -> None:
+    arising = Arising()
+    found, coming_out, going_in = (arising.back_m(0, m, 0.001) for m in (0.009, 0.005, 0.012))
+    assert (found, coming_out, going_in) == pytest.approx((0.008, 0.004, 0.004))
+    arising.absent(0)
+    assert arising.back_m(0, 0.012, 0.001) == pytest.approx(0.011)
 
 
 def test_the_surroundings_take_energy_and_a_force_that_gives_is_doubted() -> None:

@@ -7,6 +7,7 @@ import pytest
 from replaying import NAMES, bundled, plan
 
 from keyphase.simulation import NOMINAL, Disturbance, Simulation, workcell
+from keyphase.simulation.replay.allowed_force import Hardest
 from keyphase.simulation.replay.replay import run
 from keyphase.simulation.replay.result import ReplayResult
 from keyphase.simulation.workcells.seating import lie_of
@@ -83,9 +84,10 @@ def test_a_success_needs_the_plan_carried_out_and_gentle_forces() -> None:
     assert result.succeeded
     assert not replace(result, results=result.results[:-1]).succeeded
     assert not replace(result, stopped=True).succeeded
-    rough = replace(result, force_limit_N=1.0)
+    rough = replace(result, hardest=Hardest(16.0, 15.0, 2.5))
     assert not rough.succeeded
-    assert "no force above 1 N" in rough.outcome()
+    assert rough.outcome().startswith("failed, not no force above twice the demonstrated: ")
+    assert rough.outcome().endswith("16 N at 2.5 s of the demonstration, where 15 N are allowed")
 
 
 def test_what_happened_in_another_order_does_not_count() -> None:

@@ -12,7 +12,12 @@ from keyphase.demonstration import Demonstration
 from keyphase.files.shipped import shipped
 from keyphase.readers import read
 from keyphase.segmentation import segment as segment_demonstration
-from keyphase.segmentation.end_condition import ContactEnd, agrees, end_condition_at
+from keyphase.segmentation.end_condition import (
+    ConfigurationEnd,
+    ContactEnd,
+    agrees,
+    end_condition_at,
+)
 from keyphase.segmentation.end_condition.agreement import OwnDemonstration
 from keyphase.skills.agreement import outcome_on
 from keyphase.skills.library import skill_of
@@ -52,6 +57,11 @@ def test_a_skill_that_its_demonstration_does_not_end_says_so():
     assert skill.agrees is False
     assert "its own demonstration does not end so" in describe(skill)
     assert not agrees(lowered(step_N=6.0), 0.0, 1.2, end)
+
+
+@pytest.mark.parametrize(("step_N", "kind"), [(0.2, ConfigurationEnd), (0.6, ContactEnd)])
+def test_what_changes_by_less_than_a_third_of_a_newton_ends_no_skill(step_N, kind):
+    assert isinstance(end_condition_at(lowered(step_N=step_N), 0.0, 1.2, True), kind)
 
 
 def test_a_skill_without_a_contact_has_nothing_to_agree_with():

@@ -49,6 +49,14 @@ def test_a_turn_beyond_the_limit_is_refused():
         fit_primitive(TIME_S, stroke(), turn(300.0))
 
 
+def test_what_is_wiped_for_long_is_followed_as_near_as_what_is_wiped_briefly():
+    time = np.arange(0.0, 9.0, H)
+    wiped = np.c_[0.03 * np.cos(6.0 * time), 0.03 * np.sin(6.0 * time), 0.0 * time]
+    from_rest = wiped * np.minimum(time, 1.0)[:, None]
+    motion = rollout(fit_primitive(time, from_rest))
+    assert millimetres_between(motion.position_m, from_rest).max() < 3.0
+
+
 def test_the_start_does_not_jump():
     """Locally weighted regression, the paper's option, starts with a jerk; least squares not."""
     ours = rollout(fit_primitive(TIME_S, stroke())).position_m

@@ -15,15 +15,20 @@ from keyphase.demonstration import Array, Demonstration
 from keyphase.recorded_force import evenly, offset_while_moving
 from keyphase.segmentation.end_condition import ContactEnd
 from keyphase.segmentation.windows import AFTER_S, LAST_S
-from keyphase.skills.followed import followed_force
+from keyphase.skills.followed import (
+    MIN_FORCE_N,
+    MIN_SLIDE_M,
+    SLIDES_BELOW,
+    before_contact,
+    carried,
+    followed_force,
+    smoothed,
+)
 from keyphase.skills.precondition import precondition_of
 from keyphase.skills.pressed import KeptForce, Press
 from keyphase.skills.search import Search, search_for
 from keyphase.skills.skill import Skill
 from keyphase.skills.squaring import squaring_at
-
-MIN_FORCE_N = 0.5
-"""A demonstration that presses less than this keeps no contact."""
 
 MAX_DEPTH_M, MAX_SLOPE = 0.005, 0.1
 """A contact is kept by a skill that moves less than this, or this part of its way, along it."""
@@ -31,14 +36,8 @@ MAX_DEPTH_M, MAX_SLOPE = 0.005, 0.1
 STEEPEST = 0.4
 """Largest part of a way that may lie along a contact for the way to have slid on the surface."""
 
-MIN_SLIDE_M = 0.01
-"""A way shorter than this says nothing about the surface."""
-
 STAYED_WITHIN_M = 0.002
 """A demonstration that moved less than this after a contact stayed in it."""
-
-WINDOW_S = 0.2
-"""The demonstrated force is averaged over this time: the hand's tremor is not to be repeated."""
 
 SOFT_N_M = 2000.0
 """A contact whose force rises less steeply than this says little about where it is."""
@@ -46,11 +45,6 @@ SOFT_N_M = 2000.0
 SOFT_BEYOND_M = 0.003, 0.01
 """Out of a soft contact only what is more than its force took to rise, and more than this, counts
 as a part that lies elsewhere; more than the second counts in any case."""
-
-SLIDES_BELOW = 0.8
-"""What is pushed aside by less than this part of its press may slide; by more, it is carried."""
-
-_CARRIED_QUANTILE = 0.9
 
 GRID = 51
 """Forces are kept at so many moments of a skill."""
@@ -71,7 +65,7 @@ def with_contacts(demonstration: Demonstration, skills: Sequence[Skill]) -> tupl
     directions, done = list[Array](), list[Skill]()
     for skill in skills:
         kept = [kept_force(demonstration, skill, d) for d in directions]
-        keeps = tuple(force for force in kept if force is not None)
+        keeps = _dragged([force for force in kept if force is not None])
         directions = [force.direction[0] for force in keeps]
         if not keeps and (followed := followed_force(demonstration, skill, free)) is not None:
             keeps = (followed,)
@@ -92,6 +86,11 @@ def with_contacts(demonstration: Demonstration, skills: Sequence[Skill]) -> tupl
     return tuple(
         _squared(demonstration, skill, done[place + 1 :]) for place, skill in enumerate(done)
     )
+
+
+def _dragged(kept: Sequence[KeptForce]) -> tuple[KeptForce, ...]:
+    """The forces kept; of several, what drags may be the friction of another, and none carries."""
+    return tuple(kept) if len(kept) < 2 else tuple(replace(one, carries=None) for one in kept)
 
 
 def _squared(demonstration: Demonstration, skill: Skill, following: Sequence[Skill]) -> Skill:
@@ -186,33 +185,14 @@ def kept_force(demonstration: Demonstration, skill: Skill, direction: Array) -> 
     force = -(demonstration.force_N[inside] @ own)
     if float(np.median(force)) < MIN_FORCE_N:
         return None
-    smooth = _smoothed(force, demonstration.rate_hz)
+    smooth = smoothed(force, demonstration.rate_hz)
     grid = np.linspace(0, len(smooth) - 1, GRID)
     profile = np.interp(grid, np.arange(len(smooth)), smooth)
-    carries = _carried(
-        demonstration.force_N[inside], demonstration.position_m[inside], own, demonstration.rate_hz
+    rows = _inside(demonstration, before_contact(skill))
+    carries = carried(
+        demonstration.force_N[rows], demonstration.position_m[rows], own, demonstration.rate_hz
     )
     return KeptForce(np.tile(own, (GRID, 1)), np.maximum(profile, MIN_FORCE_N), carries=carries)
-
-
-def _carried(force_N: Array, path: Array, direction: Array, rate_hz: float) -> float | None:
-    """Drag per force pressed, where it was too much for anything to slide; else None.
-
-    What is carried along drags against the way; a wall that is slid along pushes square to it.
-    """
-    slid = path[-1] - path[0]
-    slid = slid - float(slid @ direction) * direction
-    length = float(np.linalg.norm(slid))
-    if length < MIN_SLIDE_M:
-        return None
-    pressed = -(force_N @ direction)
-    aside = np.maximum(-(force_N @ (slid / length)), 0.0)
-    smooth = _smoothed(pressed, rate_hz)
-    firm = smooth >= MIN_FORCE_N
-    if not firm.any():
-        return None
-    share = float(np.quantile(_smoothed(aside, rate_hz)[firm] / smooth[firm], _CARRIED_QUANTILE))
-    return share if share > SLIDES_BELOW else None
 
 
 def square(direction: Array, others: Sequence[Array]) -> Array | None:
@@ -288,9 +268,3 @@ def _off_the_way(direction: Array, path: Array) -> Array | None:
 def _inside(demonstration: Demonstration, span_s: tuple[float, float]) -> slice:
     first, last = np.searchsorted(demonstration.time_s, span_s).tolist()
     return slice(first, last)
-
-
-def _smoothed(values: Array, rate_hz: float) -> Array:
-    """Running mean; at the ends over what is there."""
-    window = np.ones(min(max(1, round(WINDOW_S * rate_hz)), len(values)))
-    return np.convolve(values, window, "same") / np.convolve(np.ones(len(values)), window, "same")

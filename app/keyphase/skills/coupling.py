@@ -193,14 +193,15 @@ def step(
 ) -> tuple[State, Reference]:
     """Advance by `h` seconds against the measured pose; the reference for that time.
 
-    Splits the step where alpha_z h / tau would pass 0.5. Semi-implicit: velocity, then pose.
+    Splits the step where alpha_z h / tau would pass 0.5; the reference then has the mean of its
+    accelerations, as a brief primitive takes up its speed within one. Semi-implicit: velocity, then
+    pose.
     """
-    parts = substeps(primitive, state.tau, h)
-    acceleration = None
+    parts, accelerations = substeps(primitive, state.tau, h), list[Components]()
     for _ in range(parts):
         state, now = _advance(primitive, state, measured, h / parts)
-        acceleration = now if acceleration is None else acceleration
-    assert acceleration is not None
+        accelerations.append(now)
+    acceleration = [sum(each) / parts for each in zip(*accelerations, strict=True)]
     reference = _reference(state, measured, acceleration, h)
     followed = changed(
         state,

@@ -24,6 +24,14 @@ Fit = Literal["least squares", "locally weighted"]
 BASIS_COUNT: dict[Fit, int] = {"least squares": 25, "locally weighted": 15}
 """Basis functions per axis; fifteen, regressed locally, is what the paper does."""
 
+PER_S, MOST = 8.0, 200
+"""By least squares there are so many for each second of a long path, within the second number: who
+wipes does so as fast in a long stretch as in a short one."""
+
+SAMPLES_EACH, LEAST = 4, 5
+"""And so many samples for each of a brief one, down to the second number: one of 60 ms with more
+would follow the noise of its acceleration, which sets off with a kick."""
+
 MIN_DISPLACEMENT = np.array([1e-3] * 3 + [1e-2] * 3)
 """Axes whose net displacement is below (1 mm, 0.01 rad) are not scaled."""
 
@@ -55,8 +63,8 @@ def fit_primitive(
     than 225 degrees; ParameterError for fewer than two basis functions.
     """
     constants = constants or Constants()
-    count = _basis_count(fit, basis_count)
     _refuse_short(time_s)
+    count = _basis_count(fit, basis_count, time_s)
     wxyz = _orientations(orientation_wxyz, len(time_s))
     centres, widths = basis(count, constants.alpha_x)
     tau = float(tau_of(time_s[-1] - time_s[0]))
@@ -82,11 +90,16 @@ def fit_primitive(
     )
 
 
-def _basis_count(fit: Fit, wanted: int | None) -> int:
-    count = BASIS_COUNT[fit] if wanted is None else wanted
-    if count < 2:
-        raise ParameterError(f"A primitive needs at least 2 basis functions, but got {count}.")
-    return count
+def _basis_count(fit: Fit, wanted: int | None, time_s: Array) -> int:
+    if wanted is None:
+        if fit != "least squares":
+            return BASIS_COUNT[fit]
+        of_long = min(math.ceil(PER_S * float(time_s[-1] - time_s[0])), MOST)
+        of_brief = max(len(time_s) // SAMPLES_EACH, LEAST)
+        return min(max(BASIS_COUNT[fit], of_long), of_brief)
+    if wanted < 2:
+        raise ParameterError(f"A primitive needs at least 2 basis functions, but got {wanted}.")
+    return wanted
 
 
 def least_squares_weights(

@@ -1,4 +1,4 @@
-"""The force that a skill follows by the recorded state of contact, moment by moment."""
+"""The force a skill follows by the recorded state of contact, and what it drags along with it."""
 
 import numpy as np
 from scipy.ndimage import uniform_filter1d
@@ -24,6 +24,20 @@ SETTLED_S = 0.1
 MET_S, TOWARDS = 0.3, 0.5
 """What is exerted so shortly before a contact ends the skill, and by more than this part towards
 it, is that contact, and not followed."""
+
+MIN_FORCE_N = 0.5
+"""A demonstration that presses less than this keeps no contact."""
+
+MIN_SLIDE_M = 0.01
+"""A way shorter than this says nothing about the surface."""
+
+WINDOW_S = 0.2
+"""The demonstrated force is averaged over this time: the hand's tremor is not to be repeated."""
+
+SLIDES_BELOW = 0.8
+"""What is pushed aside by less than this part of its press may slide; by more, it is carried."""
+
+_CARRIED_QUANTILE = 0.9
 
 GRID_PER_S, MIN_GRID, MAX_GRID = 25.0, 51, 1001
 """Directions and forces are kept so often, within these numbers."""
@@ -94,3 +108,38 @@ def _settled(pressed: np.ndarray) -> np.ndarray:
 
 def _mean(values: Array, window_s: float) -> Array:
     return uniform_filter1d(values, max(round(window_s * RATE_HZ), 1), axis=0, mode="nearest")
+
+
+def before_contact(skill: Skill) -> tuple[float, float]:
+    """The stretch in which nothing but what is kept resists: not the contact that ends a skill."""
+    assert skill.demonstrated_s is not None
+    start_s, end_s = skill.demonstrated_s
+    end = skill.end_condition
+    met = isinstance(end, ContactEnd) and not end.release
+    return start_s, max(end_s - MET_S, 0.5 * (start_s + end_s)) if met else end_s
+
+
+def carried(force_N: Array, path: Array, direction: Array, rate_hz: float) -> float | None:
+    """Drag per force pressed, where it was too much for anything to slide; else None.
+
+    What is carried along drags against the way; a wall that is slid along pushes square to it.
+    """
+    slid = path[-1] - path[0]
+    slid = slid - float(slid @ direction) * direction
+    length = float(np.linalg.norm(slid))
+    if length < MIN_SLIDE_M:
+        return None
+    pressed = -(force_N @ direction)
+    aside = np.maximum(-(force_N @ (slid / length)), 0.0)
+    smooth = smoothed(pressed, rate_hz)
+    firm = smooth >= MIN_FORCE_N
+    if not firm.any():
+        return None
+    share = float(np.quantile(smoothed(aside, rate_hz)[firm] / smooth[firm], _CARRIED_QUANTILE))
+    return share if share > SLIDES_BELOW else None
+
+
+def smoothed(values: Array, rate_hz: float) -> Array:
+    """Running mean; at the ends over what is there."""
+    window = np.ones(min(max(1, round(WINDOW_S * rate_hz)), len(values)))
+    return np.convolve(values, window, "same") / np.convolve(np.ones(len(values)), window, "same")

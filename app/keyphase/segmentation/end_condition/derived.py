@@ -27,9 +27,12 @@ STEP_FRACTION = 0.5
 NOISE_FACTOR = 5.0
 """A threshold is never below this many standard deviations of the force before the change."""
 
-MIN_STEP_N = 1e-9
+MIN_STEP_N = 0.3
+"""A force that changes by less than this is one no robot ends a motion at: a hand that waits sways
+by as much, and a threshold of half of it lies in what other sensors call noise."""
+
 MAX_THRESHOLD_N = 1e9
-"""Outside of these a force has no direction in floating point, or is no force of this world."""
+"""Beyond this it is no force of this world."""
 
 LAST_STEP_N = 1.0
 LAST_NOISE_FACTOR = 8.0

@@ -96,12 +96,19 @@ class RecordedCell:
         about = self.surfaces[0].point_m[0]
         return about - turn @ about + shift, turn
 
-    def opening_at(self, moment_s: float) -> float | None:
-        """The gripper's recorded opening at a moment; None where none was recorded."""
+    @cached_property
+    def gripper(self) -> Array | None:
+        """(N,) its opening at the times of `even`; None where none was recorded."""
         gripper = self.demonstration.gripper
         if gripper is None:
             return None
-        return float(np.interp(moment_s, self.demonstration.time_s, gripper))
+        return np.interp(self.even.time_s, self.demonstration.time_s, gripper)
+
+    def opening_at(self, moment_s: float) -> float | None:
+        """The gripper's recorded opening at a moment; None where none was recorded."""
+        if self.gripper is None:
+            return None
+        return float(np.interp(moment_s, self.even.time_s, self.gripper))
 
     def off_path(self, position_m: Array, moment_s: float) -> float:
         """How far a place (3,) is from the recorded path around a moment [m]."""

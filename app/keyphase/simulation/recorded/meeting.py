@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from keyphase.simulation.impedance import RATE_HZ
+from keyphase.simulation.recorded.span import Span
 from keyphase.simulation.recorded.surfaces import Surface
 
 TOUCHED_N = 0.2
@@ -21,8 +22,6 @@ DUE_S, AFTER_S = 0.05, 0.3
 OVER_S = 0.04
 """A force is averaged over this time, as that of the surfaces is: a blow presses nothing."""
 
-Span = tuple[float, float]
-
 
 class Meeting:
     """The contacts of one replay, by the index of their surface.
@@ -37,7 +36,9 @@ class Meeting:
         self._surfaces, self._begins_s = surfaces, begins_s
         self.due, self.missed = set[int](), set[int]()
         self.touched = dict[int, float]()
-        self._asked_N = np.zeros(len(surfaces))
+        # Who leaves out that a contact was pressed has not repeated it, pause or not.
+        come_to = [s.made_s > begins_s for s in surfaces]
+        self._asked_N = np.array([s.force_N.max() for s in surfaces]) * come_to
         self._felt_N, self._pressed_N = np.zeros(len(surfaces)), np.zeros(len(surfaces))
         self._span_s: Span | None = None
 
@@ -53,8 +54,7 @@ class Meeting:
             if surface.made_s > self._begins_s:
                 self.due.add(index)
             if surface.made_s <= moment_s <= surface.time_s[-1]:
-                now_N = float(np.interp(moment_s, surface.time_s, surface.force_N))
-                self._asked_N[index] = max(self._asked_N[index], now_N)
+                self._asked_N[index] = max(self._asked_N[index], surface.pressed_with(moment_s))
 
     def press(self, forces_N: Mapping[int, float], time_s: float) -> list[int]:
         """Take in the force on each surface that is touched; those touched for the first time."""
@@ -74,7 +74,10 @@ class Meeting:
 
     @property
     def firm(self) -> bool:
-        """Whether each was pressed with half of what was demonstrated while it was repeated."""
+        """Whether each was pressed with half of what was demonstrated.
+
+        What the recording begins in, only as far as it was repeated.
+        """
         missing = self._asked_N - self._pressed_N
         return bool((missing <= np.maximum(MISSING * self._asked_N, MISSING_N)).all())
 

@@ -3,6 +3,8 @@
 The normal of a surface is the recorded force, and a plane stops nothing along itself. Where a tool
 slid in contact, stood still, and the force rose against its way, something stood in that way. It is
 as stiff as it was found to be: as steeply as the force rose where the tool then went to and fro.
+What it slid on is still below it then: the force of the stop turns the recorded one aside, and a
+tool that presses in both directions would slip down along a single plane between the two.
 """
 
 from dataclasses import dataclass
@@ -53,8 +55,9 @@ def stops_of(even: Even, first: int, last: int) -> tuple[Stop, ...]:
     """The stops in a stretch in contact, rows [first, last), in their order."""
     position = running_mean(even.position_m, _SMOOTH_S)
     stood = _stood(position, first, last)
-    stops = (_stop(even, position, (first, begun, ended)) for begun, ended in stood)
-    return tuple(stop for stop in stops if stop is not None)
+    return tuple(
+        stop for begun, ended in stood for stop in _stopped(even, position, (first, begun, ended))
+    )
 
 
 def _stood(position: Array, first: int, last: int) -> list[tuple[int, int]]:
@@ -83,8 +86,8 @@ def _slope(place_m: Array, force_N: Array) -> float:
     return float(off @ force_N / max(off @ off, 1e-12))
 
 
-def _stop(even: Even, position: Array, rows: tuple[int, int, int]) -> Stop | None:
-    """The stop at which a tool stood in rows [begun, ended) of a contact; None where none was."""
+def _stopped(even: Even, position: Array, rows: tuple[int, int, int]) -> tuple[Stop, ...]:
+    """What a tool stood at in rows [begun, ended) of a contact, and on what; empty for nothing."""
     first, begun, ended = rows
     slid = max(first, begun - round(CAUGHT_S * RATE_HZ))
     before = max(first, slid - round(SLID_S * RATE_HZ))
@@ -92,26 +95,41 @@ def _stop(even: Even, position: Array, rows: tuple[int, int, int]) -> Stop | Non
     came = even.force_N[max(first, begun - mean) : begun]
     stood = even.force_N[begun : begun + mean]
     if not len(came):
-        return None
+        return ()
     way = position[slid] - position[before]
     length, pressed = float(np.linalg.norm(way)), came.mean(axis=0)
     if length < SLID_M:
-        return None
+        return ()
     ahead, change = way / length, stood.mean(axis=0) - pressed
     pushed = abs(float(pressed @ ahead)) > PUSHED * float(np.linalg.norm(pressed))
     against = -float(change @ ahead)
     if pushed or against < max(AGAINST_N, AGAINST * float(np.linalg.norm(change))):
-        return None
+        return ()
     furthest = even.position_m[begun:ended] @ ahead
     least, most = STIFFNESS_N_M
     # As it is stopped the force rises in any case; its tremor then tells how steeply.
     settled = begun + round(_SMOOTH_S * RATE_HZ)
     swayed = slice(settled, min(settled + mean, ended))
     steep = _slope(even.position_m[swayed] @ ahead, -even.force_N[swayed] @ ahead)
-    return Stop(
+    stop = Stop(
         point_m=even.position_m[begun + int(furthest.argmax())],
         normal=-ahead,
         from_s=float(even.time_s[before]),
         to_s=float(even.time_s[ended - 1]),
         stiffness_N_m=float(np.clip(steep, least, most)),
+    )
+    held = pressed - float(pressed @ ahead) * ahead
+    return (stop, _slid_on(even, stop, held, slice(slid, ended)))
+
+
+def _slid_on(even: Even, stop: Stop, held_N: Array, rows: slice) -> Stop:
+    """What held a tool with a force (3,) as it slid up to a stop: it came no deeper in `rows`."""
+    normal = held_N / np.linalg.norm(held_N)
+    deepest = int((even.position_m[rows] @ normal).argmin())
+    return Stop(
+        point_m=even.position_m[rows][deepest],
+        normal=normal,
+        from_s=float(even.time_s[rows.start]),
+        to_s=stop.to_s,
+        stiffness_N_m=STIFFNESS_N_M[0],
     )

@@ -38,8 +38,30 @@ STANDS_M_S = 0.003
 
 BREAKS_OFF_S = 0.1
 
+LEAPS_M_S, LEAPS_FOR_S = (0.05, 0.15), 0.2
+"""A surface that moved faster than the first under the recorded tool for so long is in part, and
+above the second wholly, a body on its way: an impact is over before."""
+
 MOST_SLANTED = 3.0
 """A tool that comes at a more slanted way passes by: where it meets is not told by its way."""
+
+
+@dataclass(frozen=True, eq=False)
+class Plane:
+    """The tangent plane of a surface: a point (3,) of it and its normal (3,), base frame.
+
+    friction     besides what is in the normal
+    closing_m_s  how fast the recorded tool moved along the normal there
+    force_N      with which force it pressed
+    leaps        how much of a body on its way it is, 0 to 1
+    """
+
+    point_m: Array
+    normal: Array
+    friction: float
+    closing_m_s: float
+    force_N: float
+    leaps: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,6 +72,7 @@ class Surface:
     alive_s         from when on the surface stands in the way
     time_s (N,), position_m (N, 3) of the tool, point_m (N, 3) of the unloaded surface,
     normal (N, 3), closing_m_s (N,) of the tool along it, force_N (N,), friction (N,)
+    leaps (N,)      how much of a body on its way it is there, 0 to 1
     stops           where a slide on it ended
     slant           way that the tool goes on for each metre that the surface lies further away
     """
@@ -64,6 +87,7 @@ class Surface:
     closing_m_s: Array
     force_N: Array
     friction: Array
+    leaps: Array
     stops: tuple[Stop, ...] = ()
     slant: float = 1.0
 
@@ -71,10 +95,12 @@ class Surface:
         """Whether it is there at a moment of the demonstration."""
         return self.alive_s <= moment_s <= self.lost_s + 1e-6
 
-    def plane(self, position_m: Array, moment_s: float) -> tuple[Array, Array, float, float]:
-        """Point and normal (3,) of the tangent plane near a place and a moment, and its friction.
+    def pressed_with(self, moment_s: float) -> float:
+        """With which force it was pressed at a moment; zero outside of the contact."""
+        return float(np.interp(moment_s, self.time_s, self.force_N, left=0.0, right=0.0))
 
-        The last is how fast the recorded tool moved along the normal there [m/s].
+    def plane(self, position_m: Array, moment_s: float) -> Plane:
+        """The tangent plane near a place (3,) and a moment.
 
         Nearest in space alone is ill-posed where the force changes without motion, the moment
         alone would be a mere playback which a surface that lies higher cannot meet early.
@@ -88,12 +114,13 @@ class Surface:
         weight /= weight.sum()
         normal = weight.dot(self.normal[rows])
         normal /= np.sqrt(normal.dot(normal))
-        friction, closing = self.friction[rows], self.closing_m_s[rows]
-        return (
-            weight.dot(self.point_m[rows]),
-            normal,
-            float(weight.dot(friction)),
-            float(weight.dot(closing)),
+        return Plane(
+            point_m=weight.dot(self.point_m[rows]),
+            normal=normal,
+            friction=float(weight.dot(self.friction[rows])),
+            closing_m_s=float(weight.dot(self.closing_m_s[rows])),
+            force_N=float(weight.dot(self.force_N[rows])),
+            leaps=float(weight.dot(self.leaps[rows])),
         )
 
 
@@ -154,9 +181,20 @@ def _surface(even: Even, rows: slice, before: int) -> Surface:
         closing_m_s=(velocity * normal).sum(axis=1),
         force_N=size,
         friction=np.where(speed < STANDS_M_S, STICKS, SLIPS),
+        leaps=_leaps(even, rows, normal),
         stops=stops_of(even, rows.start, rows.stop),
         slant=_slant(even.position_m[before : rows.start + 1], first),
     )
+
+
+def _leaps(even: Even, rows: slice, normal: Array) -> Array:
+    """How much of a body on its way a surface is, (N,), by how far it then gave way."""
+    then = np.minimum(
+        np.arange(rows.start, rows.stop) + round(LEAPS_FOR_S * RATE_HZ), len(even.time_s) - 1
+    )
+    gave_m = -((even.position_m[then] - even.position_m[rows]) * normal).sum(axis=1)
+    least, most = LEAPS_M_S
+    return np.clip((gave_m / LEAPS_FOR_S - least) / (most - least), 0.0, 1.0)
 
 
 def _slant(path_m: Array, normal: Array) -> float:

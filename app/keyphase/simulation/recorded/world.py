@@ -1,7 +1,7 @@
 """A world made from a recording, in motion: the tool meets again what the recording says it met."""
 
 from collections.abc import Mapping
-from math import exp, isfinite, pi
+from math import exp, inf, isfinite, pi
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,6 +11,7 @@ from keyphase.errors import SimulationError
 from keyphase.simulation.disturbance import NOMINAL, Disturbance
 from keyphase.simulation.impedance import RATE_HZ, Gains, Reference
 from keyphase.simulation.part_shapes import Shape
+from keyphase.simulation.recorded.arising import Arising
 from keyphase.simulation.recorded.arm_body import ArmBody
 from keyphase.simulation.recorded.body import ToolBody
 from keyphase.simulation.recorded.meeting import Meeting, made_within
@@ -32,8 +33,17 @@ CUTOFF_HZ = 70.0
 
 SUBSTEPS = 2
 
-Plane = tuple[int, Array, Array, float, float, float]
-"""Index of its surface, point (3,), normal (3,), friction, closing speed [m/s], stiffness [N/m]."""
+FIRMER = 1.5
+"""A body on its way damps nothing, and pushed further it resists with so much of what it was
+recorded resisting, and moves on; what is one in part does so in part."""
+
+Moves = tuple[float, float, float]
+"""How fast a surface moves along its normal now [m/s], its damping [N s/m], its greatest force."""
+
+STANDS: Moves = (0.0, DAMPING_NS_M, inf)
+
+Plane = tuple[int, Array, Array, float, Moves, float]
+"""Index of its surface, point (3,), normal (3,), friction, how it moves, stiffness [N/m]."""
 
 DISC_M, TIP_M = (0.03, 0.03, 0.001), (0.008, 0.008, 0.008)
 GREY, RED = (0.45, 0.47, 0.50, 0.7), (0.80, 0.10, 0.10, 1.0)
@@ -68,9 +78,10 @@ class RecordedWorld:
         else:
             at = even.position_m[0], even.orientation_wxyz[0]
             self.body = ToolBody(*at, np.zeros(3), np.zeros(3))
-        self.repeating = Repeating(self.workcell.even)
+        self.repeating = Repeating(self.workcell.even, self.workcell.gripper)
         self.meeting = Meeting(self.workcell.surfaces, self.workcell.begins_s)
         self._late_s: dict[int, float] = {}
+        self._arising = Arising()
         self._span_s: tuple[float, float] | None = None
         self.furthest_m = 0.0
         self._ticks, self._pushed = 0, (np.zeros(3), np.zeros(3))
@@ -91,7 +102,7 @@ class RecordedWorld:
         a part, and so is on no recorded path. Who led the robot also moved its gripper: it opens
         and closes as it then did.
         """
-        if span_s != self._span_s:
+        if span_s is not None and span_s != self._span_s:
             self._span_s = span_s
             self._late_s.clear()
         self._pace = _pace(self._moment, moment_s)
@@ -167,14 +178,19 @@ class RecordedWorld:
             return []
         found = []
         for index, surface in enumerate(self.workcell.surfaces):
-            if surface.stands(self._moment):
-                point, normal, friction, closing = self._plane(index)
-                away = self.body.position_m - point
-                depth = -float(away.dot(normal))
-                aside = away + depth * normal
-                if depth < BEHIND_M and aside.dot(aside) < ASIDE_M**2:
-                    found.append((index, point, normal, friction, closing, STIFFNESS_N_M))
-                    found += self._stops_of(index, self._moment)
+            if not surface.stands(self._moment):
+                continue
+            point, normal, friction, moves = self._plane(index)
+            away = self.body.position_m - point
+            depth = -float(away.dot(normal))
+            aside = away + depth * normal
+            if depth >= BEHIND_M or aside.dot(aside) >= ASIDE_M**2:
+                self._arising.absent(index)
+                continue
+            pressed_m = surface.pressed_with(self._moment) / STIFFNESS_N_M
+            point = point - self._arising.back_m(index, depth, pressed_m) * normal
+            found.append((index, point, normal, friction, moves, STIFFNESS_N_M))
+            found += self._stops_of(index, self._moment)
         return found
 
     def _stops_of(self, index: int, moment_s: float) -> list[Plane]:
@@ -182,11 +198,11 @@ class RecordedWorld:
         stops = self.workcell.surfaces[index].stops
         now = (stop for stop in stops if stop.from_s <= moment_s <= stop.to_s)
         return [
-            (index, *self._moved(stop.point_m, stop.normal), SLIPS, 0.0, stop.stiffness_N_m)
+            (index, *self._moved(stop.point_m, stop.normal), SLIPS, STANDS, stop.stiffness_N_m)
             for stop in now
         ]
 
-    def _plane(self, index: int) -> tuple[Array, Array, float, float]:
+    def _plane(self, index: int) -> tuple[Array, Array, float, Moves]:
         assert self._moment is not None
         surface, moment = self.workcell.surfaces[index], self._moment - self._late_s.get(index, 0.0)
         if index not in self.meeting.touched and self._is_made_now(index):
@@ -194,8 +210,10 @@ class RecordedWorld:
             moment = min(moment, surface.made_s)
         shift, turn = self._place
         here = turn.T @ (self.body.position_m - shift)
-        point, normal, friction, closing = surface.plane(here, moment)
-        return *self._moved(point, normal), friction + self._rougher, self._pace * closing
+        plane = surface.plane(here, moment)
+        most_N = FIRMER * plane.force_N / plane.leaps if plane.leaps > 0.0 else inf
+        moves = self._pace * plane.closing_m_s, (1.0 - plane.leaps) * DAMPING_NS_M, most_N
+        return *self._moved(plane.point_m, plane.normal), plane.friction + self._rougher, moves
 
     def _is_made_now(self, index: int) -> bool:
         """Whether the contact was made within the stretch that is repeated, not before it."""
@@ -209,13 +227,13 @@ class RecordedWorld:
         """Force (3,) of all surfaces on the tool, and of each along its normal."""
         total, each = np.zeros(3), {}
         velocity = self.body.velocity_m_s
-        for index, point, normal, friction, gives, stiffness in self._planes:
+        for index, point, normal, friction, (gives, damping, most_N), stiffness in self._planes:
             depth = float((point - self.body.position_m).dot(normal))
             if depth <= 0.0:
                 continue
             closing = float(velocity.dot(normal))
-            damped = DAMPING_NS_M * (closing - gives)
-            pressed = max(stiffness * depth - damped, 0.0)
+            damped = damping * (closing - gives)
+            pressed = min(max(stiffness * depth - damped, 0.0), most_N)
             slip = velocity - closing * normal
             speed = max(float(np.sqrt(slip.dot(slip))), _CREEP_M_S)
             total += pressed * (normal - (friction / speed) * slip)

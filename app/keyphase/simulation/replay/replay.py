@@ -5,14 +5,16 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import count
+from math import sqrt
 
 from numpy.typing import ArrayLike
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.errors import SimulationError
 from keyphase.simulation.impedance import Reference
+from keyphase.simulation.replay.allowed_force import AllowedForce, Hardest
 from keyphase.simulation.replay.hand import Hand
-from keyphase.simulation.replay.result import Frame, ReplayResult, ReplayState, greatest_force
+from keyphase.simulation.replay.result import Frame, ReplayResult, ReplayState
 from keyphase.simulation.samples import as_demonstration, ground_truth, provenance
 from keyphase.simulation.simulated import Simulated
 from keyphase.simulation.simulation import Sample
@@ -70,6 +72,9 @@ class Replay:
         self._hand = Hand(simulation)
         self._course = Course(simulation.workcell)
         self._stopped = False
+        self._allowed = AllowedForce(demonstration)
+        self._hardest = Hardest(0.0, self._allowed.at(demonstration.start_s), demonstration.start_s)
+        self._repeated_s = demonstration.start_s
         self._executor = Executor(
             self.skills,
             self._sensed(simulation.step(simulation.here())),
@@ -102,10 +107,12 @@ class Replay:
         # A search repeats no path.
         repeated = None if self._executor.stage == "searching" else run
         span = None if repeated is None else repeated.skill.demonstrated_s
-        self.simulation.be_at(self._moment(), span)
+        moment_s = self._moment()
+        self.simulation.be_at(moment_s, span)
         followed = _followed(reference)
         sample = self.simulation.step(followed)
         self._course.watch(self.simulation)
+        self._weigh(sample, moment_s)
         self._note(sample, followed, reference.acceleration)
         self._executor.step(self._sensed(sample), waits=self._hand.is_on)
         return self.state
@@ -131,7 +138,7 @@ class Replay:
             results=tuple(self.results),
             stopped=self._stopped,
             goals=dict(self._course.checks(self.simulation)),
-            force_limit_N=greatest_force(self.demonstration),
+            hardest=self._hardest,
             states=tuple(self.states),
             bodies=self.bodies,
             frames=tuple(self.frames),
@@ -148,13 +155,23 @@ class Replay:
     def _moment(self) -> float | None:
         """The moment of the demonstration that is being repeated, a contact's lateness included."""
         executor, run = self._executor, self._executor.run
-        if run is None or run.skill.demonstrated_s is None:
+        if run is None:
+            return self._repeated_s
+        if run.skill.demonstrated_s is None:
             return None
         end_s = run.skill.demonstrated_s[1]
         # While a part is squared, and pressed for it, nothing is repeated.
         if executor.stage == "pressing" and run.skill.squaring is None:
             return end_s + min(executor.in_stage_s, PRESSED_S[0])
         return min(run.moment_s, end_s + LATEST_S)
+
+    def _weigh(self, sample: Sample, moment_s: float | None) -> None:
+        """Keep the tick that came nearest to what is allowed; what repeats nothing, as before."""
+        self._repeated_s = self._repeated_s if moment_s is None else moment_s
+        force_N = sqrt(float(sample.force_N.dot(sample.force_N)))
+        now = Hardest(force_N, self._allowed.at(self._repeated_s), self._repeated_s)
+        if now.share > self._hardest.share:
+            self._hardest = now
 
     def _note(self, sample: Sample, followed: Reference, acceleration: Array) -> None:
         """Keep the tick that the executor's present stage and skill asked for."""

@@ -7,14 +7,17 @@ import numpy as np
 
 from keyphase.demonstration import Array, Demonstration
 from keyphase.simulation.impedance import Reference
+from keyphase.simulation.replay.allowed_force import Hardest
 from keyphase.simulation.simulation import Sample
 from keyphase.skills.execution.result import SkillResult, Stage, went_on
-from keyphase.skills.library import FORCE_LIMIT_FACTOR, MIN_FORCE_LIMIT_N
 from keyphase.skills.skill import Skill
 
 _STOOD_TICKS, _STOOD_M, _OFF_M, _FREE_N = 75, 0.003, 0.005, 1.0
 """A tool that moved less than so far in 0.3 s stood; one so far off its reference is pulled by more
 than 10 N, which something holds, and that is the arm if no more than so much is felt."""
+
+GENTLE = "no force above twice the demonstrated"
+"""At the moment that was repeated, 15 N at least (`AllowedForce`)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +65,7 @@ class ReplayResult:
     results        one for each skill that was begun
     stopped        whether somebody stopped it
     goals          what the workcell asks for, by name: events in their order, predicates at the end
-    force_limit_N  a replay that measured more than this is no success
+    hardest        how near it came to the force that is allowed; beyond, it is no success
     states         every tick
     bodies         names of what the frames hold: the robot's links, then the parts
     frames         the scene at 25 Hz
@@ -73,7 +76,7 @@ class ReplayResult:
     results: tuple[SkillResult, ...]
     stopped: bool
     goals: Mapping[str, bool]
-    force_limit_N: float
+    hardest: Hardest
     states: tuple[ReplayState, ...]
     bodies: tuple[str, ...]
     frames: tuple[Frame, ...]
@@ -82,11 +85,10 @@ class ReplayResult:
     @property
     def checks(self) -> Mapping[str, bool]:
         """All that success is made of, by name: the goals, the plan, and the forces."""
-        gentle = self.peak_force <= self.force_limit_N
         return {
             **self.goals,
             "plan carried out": self.completed,
-            f"no force above {self.force_limit_N:.0f} N": gentle,
+            GENTLE: self.hardest.share <= 1.0,
         }
 
     @property
@@ -126,7 +128,8 @@ class ReplayResult:
             goals = (f"{name}: {'yes' if holds else 'no'}" for name, holds in self.goals.items())
             return "; ".join([f"stopped by you {where}", *goals])
         failed = ", ".join(name for name, holds in self.checks.items() if not holds)
-        return f"failed, not {failed}: {self._reason()}"
+        too_hard = f"; {self.hardest}" if not self.checks[GENTLE] else ""
+        return f"failed, not {failed}: {self._reason()}{too_hard}"
 
     def _reason(self) -> str:
         bad = next((r for r in self.results if not went_on(r)), None)
@@ -147,11 +150,3 @@ class ReplayResult:
         off_m = float(np.linalg.norm(ticks[-1].reference.position_m - end))
         stood = float(np.linalg.norm(end - begin)) < _STOOD_M
         return stood and off_m > _OFF_M and float(np.linalg.norm(felt)) < _FREE_N
-
-
-def greatest_force(demonstration: Demonstration) -> float:
-    """Twice the largest demonstrated force, 15 N at least: more is not what was shown [N]."""
-    if demonstration.force_N is None:
-        return MIN_FORCE_LIMIT_N
-    demonstrated = float(np.linalg.norm(demonstration.force_N, axis=1).max())
-    return max(FORCE_LIMIT_FACTOR * demonstrated, MIN_FORCE_LIMIT_N)
