@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from keyphase import Demonstration, Parameters, segment
+from keyphase.segmentation import Segmenter
 from keyphase.segmentation.end_condition import ConfigurationEnd, GripperEnd
 from keyphase.segmentation.gripper import GripperEvent, gripper_events, with_gripper
 from keyphase.segmentation.segmentation import Boundary
@@ -98,6 +99,21 @@ def test_a_segment_that_ends_as_the_gripper_acts_ends_with_what_it_did() -> None
     assert first.gripper == grasp
     assert second == ConfigurationEnd(gripper=replace(grasp, change="release"))
     assert last == ConfigurationEnd()
+
+
+@pytest.mark.parametrize(("speed_m_s", "by_fingers"), [(0.0, True), (0.05, False)])
+def test_what_the_fingers_touch_as_the_tool_stands_ends_with_the_grasp(
+    speed_m_s: float, by_fingers: bool
+) -> None:
+    shown = with_opening(stroke(2.0, 2.6, 0.03, 0.08))
+    way = speed_m_s * np.minimum(shown.time_s, 2.6)
+    touched = replace(
+        shown,
+        position_m=np.c_[way, 0.0 * way, 0.0 * way],
+        force_N=np.outer(shown.time_s > 2.6, [-3.0, 0.0, 0.0]),
+    )
+    end = Segmenter(touched).segment_between(0.0, 2.6, True).end_condition
+    assert isinstance(end, ConfigurationEnd) == by_fingers
 
 
 def test_the_paper_and_methods_of_ones_own_find_what_they_find() -> None:

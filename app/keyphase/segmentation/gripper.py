@@ -29,6 +29,9 @@ SAME_EVENT_S = 0.1
 """A segment that ends this near to an event ends with it; nearer than this to either end of a
 recording there is no segment."""
 
+STOOD_S, STOOD_M = 0.3, 0.003
+"""A tool that moved by less than the second for so long came to no contact by its own motion."""
+
 _STEP_S = 0.02
 _REACH = 5
 _PAUSE = 10
@@ -90,6 +93,13 @@ def gripper_end(
     held = float(opening[min(max(row, 0), len(opening) - 1)])
     moved = event.share * float(np.ptp(opening))
     return GripperEnd(event.change, held, TOLERANCE_SHARE * moved)
+
+
+def stands_at(demonstration: Demonstration, end_s: float) -> bool:
+    """Whether the tool stands before a moment: what it touches then its fingers have brought."""
+    rows = slice(*np.searchsorted(demonstration.time_s, (end_s - STOOD_S, end_s)).tolist())
+    place = demonstration.position_m[rows]
+    return bool(len(place)) and float(np.linalg.norm(np.ptp(place, axis=0))) < STOOD_M
 
 
 def with_gripper(

@@ -16,6 +16,7 @@ from keyphase.segmentation.gripper import (
     GripperEvent,
     gripper_end,
     gripper_events,
+    stands_at,
     with_gripper,
 )
 from keyphase.segmentation.kept import places_before
@@ -168,8 +169,9 @@ class _Segments(dict[tuple[float, float, bool], Segment]):
     def __missing__(self, span: tuple[float, float, bool]) -> Segment:
         label, measure, idle = proposed_label(self.evidence, *span, self.gripper)
         end = end_condition_at(self._demonstration, *span, self._free_force)
-        if isinstance(end, ConfigurationEnd):
-            done = gripper_end(self._demonstration, self.gripper, span[1])
-            end = end if done is None else replace(end, gripper=done)
+        done = gripper_end(self._demonstration, self.gripper, span[1])
+        by_fingers = done is not None and stands_at(self._demonstration, span[1])
+        if isinstance(end, ConfigurationEnd) or by_fingers:
+            end = ConfigurationEnd(gripper=done)
         self[span] = Segment(span[0], span[1], label, idle, end, measure)
         return self[span]
