@@ -55,3 +55,16 @@ def test_it_is_replaced_where_that_is_asked_for_and_what_was_written_once_is_wri
     assert keyphase(f"{make} --replace") == 0
     assert keyphase(make.replace("count 1", "count 2")) == 0
     assert "reach/1" in truth.read_text()
+
+
+@pytest.mark.parametrize(
+    "command", ["fit --output {gone}/w.json", "record setup1 --output {gone}/take.npz"]
+)
+def test_a_folder_that_takes_no_files_is_told_before_the_work(
+    tmp_path: Path, command: str, capsys: pytest.CaptureFixture[str], monkeypatch
+) -> None:
+    monkeypatch.setattr("keyphase.making.make", lambda *_: pytest.fail("worked in vain"))
+    monkeypatch.setattr("keyphase.simulation.record", lambda *_: pytest.fail("worked in vain"))
+
+    assert keyphase(command.format(gone=tmp_path / "gone")) == 1
+    assert "check the folder" in capsys.readouterr().err

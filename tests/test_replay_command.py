@@ -92,7 +92,7 @@ def test_trials_print_the_rate_with_its_interval_last_and_draw_it(
     ("options", "why"),
     [
         (("--friction", "0.2..0.6"), "add --trials"),
-        (("--workcell", "setup9"), "setup9"),
+        (("--workcell", "setup9"), "recording, or a file NAME.toml"),
         (("--part-height", "high"), "--part-height"),
         (("--trials", "2", "--output", "r.npz"), "leave out --trials"),
         (("--plot", "p.svg"), "add --trials"),

@@ -6,11 +6,14 @@ from keyphase.errors import KeyphaseError
 
 
 def refuse_in_the_way(path: Path, made_from: str, *, replace: bool) -> None:
-    """Before long work: raise FileInTheWayError where `put` would."""
+    """Before long work: raise FileInTheWayError where `put` would, and KeyphaseError where the
+    folder takes no files."""
+    from keyphase.files.writing import require_writable
     from keyphase.labeling.storage.written_files import require_free
 
     if not replace:
         require_free(path, made_from)
+    require_writable(path)
 
 
 def put(

@@ -46,6 +46,16 @@ def write_new(path: Path, data: bytes, refusal: type[KeyphaseError] = KeyphaseEr
         raise _refused(path, error, refusal) from error
 
 
+def require_writable(path: Path, refusal: type[KeyphaseError] = KeyphaseError) -> None:
+    """Before long work: raise `refusal` where the folder of `path` takes no files."""
+    target = Path(os.path.realpath(path))
+    try:
+        with _beside(target, b"", None):
+            pass
+    except (OSError, ValueError) as error:
+        raise _refused(path, error, refusal) from error
+
+
 def _claim(temporary: Path, target: Path) -> None:
     try:
         os.link(temporary, target)

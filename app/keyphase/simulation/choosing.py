@@ -41,6 +41,11 @@ def cell_for(
     chosen = name or recorded_in(demonstration) or RECORDING
     if chosen == RECORDING:
         return RecordedCell(demonstration)
+    if not chosen.endswith(OWN) and chosen not in workcell_names():
+        raise SimulationError(
+            f"Expected a workcell among {', '.join(world_names())}, or a file NAME{OWN} with one of "
+            f"your own, but got '{chosen}'; choose one of these."
+        )
     cell = own_cell(Path(chosen)) if chosen.endswith(OWN) else workcell(chosen)
     why = unfit(demonstration, cell)
     if why is not None:
