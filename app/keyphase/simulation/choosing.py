@@ -43,8 +43,8 @@ def cell_for(
         return RecordedCell(demonstration)
     if not chosen.endswith(OWN) and chosen not in workcell_names():
         raise SimulationError(
-            f"Expected a workcell among {', '.join(world_names())}, or a file NAME{OWN} with one of "
-            f"your own, but got '{chosen}'; choose one of these."
+            f"Expected a workcell among {', '.join(world_names())}, or a file NAME{OWN} with one "
+            f"of your own, but got '{chosen}'; choose one of these."
         )
     cell = own_cell(Path(chosen)) if chosen.endswith(OWN) else workcell(chosen)
     why = unfit(demonstration, cell)
