@@ -22,9 +22,9 @@ TURNED = (1, 5)
 """These have the other sign of force."""
 
 SHAKEN = 9
-"""In this one something shakes the sensor at the first contact: one boundary too many is found."""
+"""In this one something shakes the sensor before the first contact, which is unsure then."""
 
-_CONTACT_S, _SHAKEN_S, _SHAKEN_N = 3.6, 0.45, 1.75
+_CONTACT_S, _SHAKEN_S, _SHAKEN_N = 3.4, 0.6, 4.0
 _RATE_HZ = 125.0
 
 

@@ -19,7 +19,7 @@ from keyphase.simulation import record
 from keyphase.transfer.alignment import align
 from keyphase.transfer.as_edit import as_edit
 from keyphase.transfer.evidence_places import Place, Places
-from keyphase.transfer.own_boundaries import ProposedBoundary, is_better
+from keyphase.transfer.own_boundaries import ProposedBoundary, own_where_better, with_own
 from keyphase.transfer.placing import Teacher
 from keyphase.transfer.proposing import ProposedPhase, Transfer, propose, usual_cost_of
 from keyphase.transfer.signals import signals_of
@@ -327,7 +327,7 @@ def _better(
     teachers: list[Teacher], proposed: Sequence[ProposedBoundary], own: Segmentation
 ) -> bool:
     """Where all that were aligned fit well."""
-    return is_better(teachers, teachers, proposed, own)
+    return own_where_better(teachers, teachers, proposed, own) is not None
 
 
 def test_a_program_of_which_three_of_four_were_kept_is_not_believed_yet(
@@ -400,18 +400,64 @@ def test_one_who_marks_without_care_is_no_sign_that_elsewhere_is_meant(
     proposed = propose([first], second).boundaries
     kept = teacher(replace(first, found_s=first.ends_s), second)
     careless = teacher(replace(first, found_s=tuple(t + 0.15 for t in first.ends_s)), second)
-    assert not is_better([careless], [careless], proposed, own)
-    assert is_better([careless], [careless, kept, kept], proposed, own)
+    assert own_where_better([careless], [careless], proposed, own) is None
+    assert own_where_better([careless], [careless, kept, kept], proposed, own) is not None
 
 
-def test_another_number_than_proposed_is_believed_of_a_program_that_found_what_persons_meant(
+def test_a_program_that_is_unsure_of_what_it_finds_is_not_believed(
     first: Taught, second: Demonstration
 ) -> None:
     own = segment(second)
-    fewer = replace(own, boundaries=own.boundaries[1:], candidates=())
+    proposed = propose([first], second).boundaries
+    kept = teacher(replace(first, found_s=first.ends_s), second)
+    unsure = tuple(replace(boundary, confidence=0.8) for boundary in own.boundaries)
+    assert _better([kept], proposed, own)
+    assert not _better([kept], proposed, replace(own, boundaries=unsure))
+
+
+def test_where_a_recording_fits_well_the_program_must_find_all_that_is_proposed(
+    first: Taught, second: Demonstration
+) -> None:
+    """Unless the finished recordings differ in their phases: then this one may, too."""
+    own = segment(second)
+    sure = tuple(replace(boundary, confidence=0.97) for boundary in own.boundaries)
+    own = replace(own, boundaries=sure, candidates=())
+    fewer = replace(own, boundaries=sure[1:])
+    proposed = propose([first], second).boundaries
+    kept = replace(first, found_s=first.ends_s)
+    other = replace(kept, phases=tuple(replace(one, name=f"{one.name} 2") for one in kept.phases))
+    well = replace(teacher(kept, second).alignment, cost=0.2)
+    same, another = Teacher(kept, well), Teacher(other, well)
+    assert not _better([same], proposed, fewer)
+    assert _better([same, another], proposed, fewer)
+    assert _better([same], proposed[1:], own)
+    assert _better([replace(same, alignment=replace(well, cost=0.3))], proposed, fewer)
+
+
+def test_another_number_than_proposed_is_not_believed_where_persons_mean_places_far_away(
+    first: Taught, second: Demonstration
+) -> None:
+    own = segment(second)
+    more = propose([first], second).boundaries[1:]
     early, far = (
-        replace(first, found_s=tuple(end_s + away_s for end_s in first.ends_s))
+        teacher(replace(first, found_s=tuple(end_s + away_s for end_s in first.ends_s)), second)
         for away_s in (0.1, 0.15)
     )
-    for taught, count in ((early, len(fewer.boundaries)), (far, len(first.ends_s))):
-        assert len(propose([taught], second, fewer).boundaries) == count
+    assert _better([early], more, own)
+    assert not _better([far], more, own)
+
+
+def test_a_boundary_is_moved_where_all_moved_it_to_one_side(
+    first: Taught, second: Demonstration
+) -> None:
+    own = segment(second)
+    early, late = (
+        teacher(replace(first, found_s=tuple(end_s + away_s for end_s in first.ends_s)), second)
+        for away_s in (0.1, -0.06)
+    )
+    moved = [
+        float(np.mean([one.time_s for one in with_own(both, (), own)]))
+        - float(np.mean([one.time_s for one in own.boundaries]))
+        for both in ([early, early], [early, late])
+    ]
+    assert moved == [pytest.approx(-0.033, abs=0.015), 0.0]

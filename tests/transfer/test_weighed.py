@@ -58,6 +58,15 @@ def test_who_marks_pauses_once_does_so_where_no_mark_arrives() -> None:
     assert [b.time_s for b in weighed(own, [habit])] == [2.0, 4.8, 5.2, 8.0]
 
 
+def test_who_marks_pauses_twice_does_so_where_one_mark_arrives() -> None:
+    own = [boundary(2.0), boundary(4.8), boundary(5.2), boundary(8.0)]
+    one = teacher([1.8, 2.2, 5.0, 8.0], (1.8, 2.2, 8.0))
+    stops = Places(tuple(Place(at_s, "motion", 0.9) for at_s in (1.8, 2.2)))
+    habit = replace(one, taught=replace(one.taught, places=stops))
+    once = teacher([2.0, 5.0, 8.0])
+    assert [b.time_s for b in weighed(own, [once], [habit])] == [2.0, 4.8, 5.2, 8.0]
+
+
 def test_ends_that_arrive_at_one_moment_are_put_beside_each_other() -> None:
     finished = teacher([2.0, 5.0, 8.0])
     at_s = finished.alignment.to_s
@@ -93,3 +102,9 @@ def test_of_few_marks_scatter_may_be_meant() -> None:
     ends = np.array([2.0, 4.0, 6.0, 8.0])
     now_and_then = teacher(ends.tolist(), (ends + 0.15 * np.array([1, -1, 1, -1])).tolist())
     assert meant_elsewhere_s([now_and_then]) == pytest.approx(0.15)
+
+
+def test_several_of_the_same_phases_tell_of_each_boundary_where_it_is_meant() -> None:
+    ends = np.array([2.0, 4.0, 6.0, 8.0])
+    each = teacher(ends.tolist(), (ends + 0.15 * np.array([1, -1, 1, -1])).tolist())
+    assert meant_elsewhere_s([each, each, each]) == pytest.approx(0.15)

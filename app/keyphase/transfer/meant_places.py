@@ -23,11 +23,14 @@ def meant_elsewhere_s(teachers: Sequence[Teacher]) -> float:
 
     The root mean square of the mean distance of each kind, less what the scatter within the kinds
     makes of it (analysis of variance); of few boundaries scatter cannot be told from intent, and
-    that of all counts. Infinite where no boundary is near one of the program's.
+    that of all counts. Several recordings of the same phases tell it of each boundary by itself.
+    Infinite where no boundary is near one of the program's.
     """
-    kinds: dict[str, list[float]] = {}
+    each = len(teachers) > 1 and len({one.taught.names for one in teachers}) == 1
+    kinds: dict[str | int, list[float]] = {}
     for one in teachers:
-        for kind, offset in zip(one.taught.kinds, offsets_s(one.taught), strict=True):
+        own = range(len(one.taught.ends_s)) if each else one.taught.kinds
+        for kind, offset in zip(own, offsets_s(one.taught), strict=True):
             if offset is not None:
                 kinds.setdefault(kind, []).append(offset * one.alignment.tempo)
     groups = [np.array(offsets) for offsets in kinds.values()]

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from keyphase.segmentation.segmentation import Boundary, Segmentation
+from keyphase.transfer.evidence_places import MIN_PROBABILITY
 from keyphase.transfer.meant_places import REACH_S, meant_elsewhere_s, offsets_s
 from keyphase.transfer.placing import MIN_GAP_S, Teacher
 from keyphase.transfer.weighed import weighed
@@ -26,11 +27,20 @@ CLOSE_S = 0.09
 
 FAR_S = 0.125
 """Who means them farther than this away, half of what makes two boundaries different ones, means
-others, as many as they may be."""
+others, where the program finds others than are proposed, too."""
+
+UNSURE = 0.1
+"""A program that expects more than this share of its boundaries to be wrong or lacking is not
+believed. Where it was right on made recordings done again, all that was proposed was better."""
 
 FITS_WELL = 0.25
-"""Nothing is missing or doubled in a recording that costs less to align: a program that missed
-marks of the finished ones misses some here, too."""
+"""Nothing is missing or doubled in a recording that costs less to align."""
+
+SURE = 0.05
+"""A program that expects fewer than this to be wrong or lacking may be believed even so."""
+
+APART_S = 0.3
+"""Evidence this near to one of the program's boundaries is no other boundary."""
 
 SAME_S = 0.2
 """A boundary of the program this near to the evidence of a proposed one is the same."""
@@ -55,34 +65,64 @@ def own_where_better(
     proposed: Sequence[ProposedBoundary],
     segmentation: Segmentation,
 ) -> tuple[ProposedBoundary, ...] | None:
-    """The program's own boundaries, weighed and moved, where they are to be taken; else None."""
-    another_number = len(segmentation.boundaries) != len(proposed)
-    if another_number and teachers[0].alignment.cost < FITS_WELL and _misses_marks(teachers):
-        return None
-    stand = replace(segmentation, boundaries=weighed(segmentation.boundaries, teachers, aligned))
-    if not is_better(teachers, aligned, proposed, stand):
-        return None
-    return with_own(teachers, proposed, stand)
-
-
-def is_better(
-    teachers: Sequence[Teacher],
-    aligned: Sequence[Teacher],
-    proposed: Sequence[ProposedBoundary],
-    segmentation: Segmentation,
-) -> bool:
-    """Whether the program's own boundaries are to be taken rather than those proposed.
+    """The program's own boundaries, weighed and moved, where they are to be taken; else None.
 
     They are where persons kept nearly all of them and added hardly any, as those `teachers` say who
-    fit, and it now finds another number than is proposed: something is missing or doubled. Where it
-    finds as many, only if persons mean no other places, as all that were `aligned` say, and never
-    where they mean places far from them.
+    fit, where the program is sure of what it finds here, and where persons mean no other places, as
+    all that were `aligned` say. Where it finds others than are proposed, something must be missing
+    or doubled in this recording.
     """
-    if not _is_trusted(teachers):
+    stand = replace(segmentation, boundaries=weighed(segmentation.boundaries, teachers, aligned))
+    if not stand.boundaries or not _is_trusted(teachers) or _doubt(stand) > UNSURE:
+        return None
+    same = _are_same(stand.boundaries, proposed)
+    if meant_elsewhere_s(aligned) >= (CLOSE_S if same else FAR_S):
+        return None
+    if same or _may_differ(aligned) or _is_complete(aligned, proposed, stand):
+        return with_own(teachers, proposed, stand)
+    return None
+
+
+def _are_same(own: Sequence[Boundary], proposed: Sequence[ProposedBoundary]) -> bool:
+    """Whether the program finds as many as are proposed, each of them near its own."""
+    if len(own) != len(proposed):
         return False
-    away_s = meant_elsewhere_s(aligned)
-    another_number = len(segmentation.boundaries) != len(proposed)
-    return away_s < (FAR_S if another_number else CLOSE_S)
+    pairs = zip(own, proposed, strict=True)
+    return all(abs(mine.time_s - one.time_s) <= REACH_S for mine, one in pairs)
+
+
+def _doubt(segmentation: Segmentation) -> float:
+    """Which share of its boundaries the program expects to be wrong or lacking.
+
+    Wrong by their confidence; lacking by the evidence that it did not take for a boundary.
+    """
+    times = np.array([boundary.time_s for boundary in segmentation.boundaries])
+    wrong = sum(1.0 - boundary.confidence for boundary in segmentation.boundaries)
+    lacking = sum(
+        one.probability
+        for one in segmentation.candidates
+        if not one.given
+        and one.probability >= MIN_PROBABILITY
+        and np.abs(times - one.time_s).min() > APART_S
+    )
+    return (wrong + lacking) / len(times)
+
+
+def _may_differ(aligned: Sequence[Teacher]) -> bool:
+    """Whether something may be missing or doubled: it fits badly, or is in the finished ones."""
+    varied = len({one.taught.names for one in aligned}) > 1
+    return varied or aligned[0].alignment.cost >= FITS_WELL
+
+
+def _is_complete(
+    aligned: Sequence[Teacher], proposed: Sequence[ProposedBoundary], segmentation: Segmentation
+) -> bool:
+    """Whether the program never missed a mark, finds all that is proposed here, and is sure."""
+    if any(one.taught.agreement[1] < len(one.taught.ends_s) for one in aligned):
+        return False
+    times = np.array([boundary.time_s for boundary in segmentation.boundaries])
+    lacks = any(np.abs(times - one.time_s).min() > REACH_S for one in proposed)
+    return not lacks and _doubt(segmentation) <= SURE
 
 
 def means_own(aligned: Sequence[Teacher]) -> bool:
@@ -97,10 +137,6 @@ def _is_trusted(teachers: Sequence[Teacher]) -> bool:
     all_theirs = sum(len(one.taught.ends_s) for one in teachers)
     counts = ((kept, all_found), (found, all_theirs))
     return all(k > MOST * n and (k + 1) / (n + 3) >= TRUSTED for k, n in counts)
-
-
-def _misses_marks(teachers: Sequence[Teacher]) -> bool:
-    return any(one.taught.agreement[1] < len(one.taught.ends_s) for one in teachers)
 
 
 def with_own(
@@ -139,7 +175,7 @@ def _belonging(own: Boundary, proposed: Sequence[ProposedBoundary]) -> ProposedB
 
 
 def _moved_by(own: Boundary, teachers: Sequence[Teacher]) -> float:
-    """How far persons moved the program's boundary here.
+    """How far persons moved the program's boundary here, where all moved it to one side.
 
     One of them alone says nothing: of the mean of n a share of (n - 1) / (n + 1) is believed.
     """
@@ -150,4 +186,6 @@ def _moved_by(own: Boundary, teachers: Sequence[Teacher]) -> float:
         if offset is not None and abs(teacher.alignment.at(end_s) - own.time_s) <= REACH_S
     ]
     count = len(offsets)
-    return (count - 1) / (count + 1) * float(np.mean(offsets)) if count else 0.0
+    if not count or min(offsets) < 0.0 < max(offsets):
+        return 0.0
+    return (count - 1) / (count + 1) * float(np.mean(offsets))

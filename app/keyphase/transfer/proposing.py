@@ -25,7 +25,7 @@ from keyphase.transfer.placing import Teacher, placed_ends
 from keyphase.transfer.signals import Signals, signals_of
 from keyphase.transfer.taught import Taught
 
-NEARLY_AS_GOOD = 1.3
+NEARLY_AS_GOOD = 1.6
 """Finished recordings that fit worse than this many times the best one say nothing."""
 
 MAX_COST = 0.67

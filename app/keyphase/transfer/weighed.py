@@ -34,9 +34,9 @@ def weighed(
 ) -> tuple[Boundary, ...]:
     """Those of the program's boundaries that stand; of a pause that persons mark once, its middle.
 
-    A pause is marked once where most of the teachers have one mark there, or where most pauses of
-    all that were `aligned` are marked so in their own recordings: who marks them once does so here,
-    too. No teacher may have a phase as short as it.
+    A pause is marked once where most pauses of all that were `aligned` are marked so in their own
+    recordings: who marks them once, or twice, does so here, too. Where these have no pauses it is
+    where most of the teachers have one mark. No teacher may have a phase as short as it.
     """
     habit = _mark_pauses_once([one.taught for one in aligned])
     marks = [np.array([one.alignment.at(end_s) for end_s in one.taught.ends_s]) for one in teachers]
@@ -66,22 +66,23 @@ def _is_outside(time_s: float, marks: Sequence[Array]) -> bool:
 
 
 def _is_one_pause(
-    first: Boundary, second: Boundary, shortest_s: float, marks: Sequence[Array], habit: bool
+    first: Boundary, second: Boundary, shortest_s: float, marks: Sequence[Array], habit: bool | None
 ) -> bool:
     if second.time_s - first.time_s >= shortest_s or _changes(first) or _changes(second):
         return False
     once = [_between(one, first.time_s, second.time_s) == 1 for one in marks]
-    return habit or 2 * sum(once) > len(once)
+    return 2 * sum(once) > len(once) if habit is None else habit
 
 
 def _between(marks: Array, first_s: float, second_s: float) -> int:
     return int(((marks >= first_s - AROUND_S) & (marks <= second_s + AROUND_S)).sum())
 
 
-def _mark_pauses_once(taught: Sequence[Taught]) -> bool:
-    """Whether most of the pauses that have a mark in their own recordings have one alone."""
+def _mark_pauses_once(taught: Sequence[Taught]) -> bool | None:
+    """Whether most of the pauses that have a mark in their own recordings have one alone; None
+    where there are none."""
     marks = [count for one in taught for count in _marks_at_pauses(one) if count]
-    return 2 * marks.count(1) > len(marks)
+    return 2 * marks.count(1) > len(marks) if marks else None
 
 
 def _marks_at_pauses(taught: Taught) -> Iterator[int]:
