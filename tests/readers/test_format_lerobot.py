@@ -120,6 +120,13 @@ def test_a_cut_file_is_refused(v21: Path) -> None:
         read(f"{v21}#episode_0", parse_recipe(RECIPE, "r"))
 
 
+def test_a_file_that_git_lfs_has_not_fetched_is_named_with_what_to_do(v21: Path) -> None:
+    file = v21 / "data/chunk-000/episode_000000.parquet"
+    file.write_text("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n")
+    with pytest.raises(DemonstrationError, match=r"episode_000000\.parquet .*: git lfs pull"):
+        read(f"{v21}#episode_0", parse_recipe(RECIPE, "r"))
+
+
 @pytest.mark.parametrize("names", [{"motors": ["x", "y"]}, ["x", "y"], {"y": 1, "x": 0}])
 def test_features_are_named_however_a_dataset_writes_their_names(
     tmp_path: Path, names: object

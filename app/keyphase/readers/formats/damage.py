@@ -20,6 +20,9 @@ _ENDS = (
 )
 """How files of a kind begin and end, and what mends one without an end."""
 
+_POINTER = b"version https://git-lfs.github.com"
+_NOT_FETCHED = "only what stands for it is there: git lfs pull brings it"
+
 _CUT = "its end is missing, as after a recording or a copy that was broken off"
 _CHANGED = "what it says of its own parts does not fit together: bytes were changed or lost"
 
@@ -82,7 +85,7 @@ def what_is_wrong(path: Path, error: Exception) -> str:
 
 
 def _without_end(path: Path) -> str | None:
-    """That a file, or one of a folder, does not end as all of its kind do, where it does not."""
+    """That a file, or one of a folder, does not end as all of its kind do, or was not fetched."""
     try:
         if not path.is_dir():
             return _missing_end(path)
@@ -96,7 +99,9 @@ def _without_end(path: Path) -> str | None:
 
 
 def _missing_end(file: Path) -> str | None:
-    head, size = first_bytes(file, 16), file.stat().st_size
+    head, size = first_bytes(file, len(_POINTER)), file.stat().st_size
+    if head == _POINTER:
+        return _NOT_FETCHED
     with file.open("rb") as opened:
         opened.seek(-min(16, size), 2)
         tail = opened.read()
