@@ -14,6 +14,7 @@ import pytest
 from keyphase.cli import main
 from keyphase.demonstration import Demonstration
 from keyphase.files.shipped import shipped
+from keyphase.printable import printable_line
 from keyphase.readers import save_npz
 
 
@@ -64,7 +65,7 @@ def test_a_recipe_that_is_there_already_is_not_written_over_unasked(
     assert "[position]" in recipe.read_text()
 
 
-@pytest.mark.parametrize("name", [b"run.hdf5", b"run\xff.hdf5"], ids=["text", "no text"])
+@pytest.mark.parametrize("name", [b"run.hdf5", b"run\xff.hdf5", b"a\nb.hdf5"])
 def test_names_in_files_and_of_files_cannot_steer_the_terminal(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: bytes
 ) -> None:
@@ -81,3 +82,4 @@ def test_names_in_files_and_of_files_cannot_steer_the_terminal(
     assert "\u202e" not in printed
     assert r"\x1b[31mred" in printed
     assert "دما" in printed
+    assert printed.startswith(printable_line(str(path)))

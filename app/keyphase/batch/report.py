@@ -7,6 +7,7 @@ from pathlib import Path
 
 from keyphase.batch.tasks import BatchReport, Refusal
 from keyphase.files.parts import split_part
+from keyphase.printable import printable_line
 
 
 def report_json(report: BatchReport) -> str:
@@ -31,7 +32,7 @@ def report_lines(report: BatchReport) -> Iterator[str]:
     """What a person should know of each: the notices, under the recording's name."""
     for one in report.written:
         if one.notices:
-            yield f"{one.recording}:"
+            yield f"{printable_line(str(one.recording))}:"
             yield from (f"  {notice}" for notice in one.notices)
 
 

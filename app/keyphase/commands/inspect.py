@@ -18,6 +18,7 @@ from keyphase.errors import (
     MissingPackageError,
 )
 from keyphase.files.parts import split_part
+from keyphase.printable import printable_line
 
 if TYPE_CHECKING:
     from keyphase.demonstration import Demonstration
@@ -216,7 +217,7 @@ def _plain(result: dict[str, Any]) -> dict[str, Any]:
 def _lines(alike: list[dict[str, Any]]) -> Iterator[str]:
     result = alike[0]
     more = f" to {alike[-1]['path']} ({len(alike)} recordings)" if len(alike) > 1 else ""
-    yield f"{result['path']}{more}:"
+    yield f"{printable_line(str(result['path']))}{more}:"
     if "reason" in result:
         yield f"  cannot be read: {result['reason']}"
         yield from _proposed_lines(result)
