@@ -24,7 +24,7 @@ TURNED = (1, 5)
 SHAKEN = 9
 """In this one something shakes the sensor before the first contact, which is unsure then."""
 
-_CONTACT_S, _SHAKEN_S, _SHAKEN_N = 3.4, 0.6, 4.0
+_CONTACT_S, _SHAKEN_S, _SHAKEN_N = 3.3, 0.7, 4.5
 _RATE_HZ = 125.0
 
 
