@@ -28,8 +28,8 @@ MAX_MAGNITUDE = 1e9
 MAX_TIME_S = 1e10
 """No time stamp is farther from zero; nanoseconds since 1970 read as seconds are."""
 
-MIN_STEP_S = 1e-10
-"""No recorder is faster."""
+MIN_STEP_S, MAX_STEP_S = 1e-10, 10.0
+"""No recorder is faster, and over longer steps no motion of a tool can be followed."""
 
 _GAP_STEPS = 8.0
 _MIN_GAP_S = 0.2
@@ -215,6 +215,11 @@ def _refuse_impossible_time(time: Array, name: str) -> None:
         raise DemonstrationError(
             f"{name}: time_s must have steps of at least {MIN_STEP_S:g} s, but the median one "
             f"is {step:g} s; check the column and its unit."
+        )
+    if step > MAX_STEP_S:
+        raise DemonstrationError(
+            f"{name}: time_s must have steps of at most {MAX_STEP_S:g} s, in which a tool can be "
+            f"followed, but the median one is {step:g} s; check the column and its unit."
         )
 
 

@@ -211,7 +211,9 @@ def _keep_to_band(distance: Array) -> None:
 
 
 def _band_width(rows: int, columns: int) -> float:
-    return max(BAND * max(rows, columns), _MIN_BAND)
+    longer, shorter = max(rows, columns), min(rows, columns)
+    # As wide as from one row to the next, or a recording of a few samples has no way through.
+    return max(BAND * longer, _MIN_BAND, longer / max(shorter - 1, 1))
 
 
 def _accumulated(distance: Array) -> Array:

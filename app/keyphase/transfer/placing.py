@@ -114,7 +114,7 @@ def _as_aligned(teacher: Teacher, start_s: float, end_s: float) -> tuple[PlacedE
     """Where the alignment alone puts them, moved apart: evidence leaves no room for their order."""
     times = np.array([teacher.alignment.at(each) for each in teacher.taught.ends_s])
     later = MIN_GAP_S * np.arange(1, len(times) + 1)
-    if end_s - start_s < later[-1] + MIN_GAP_S:
+    if end_s - start_s < MIN_GAP_S * (len(times) + 1):
         return None
     times = np.maximum.accumulate(np.maximum(times - later, start_s)) + later
     before = later[::-1]

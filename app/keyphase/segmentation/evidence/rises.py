@@ -22,6 +22,7 @@ BESIDE_S = 0.12
 """A rise that was seen at a place begins no later than this after it, and ends no earlier."""
 
 _AT_ONCE = 2000
+_NO_RISE = 1e-300
 
 
 def rises(grid: Grid, at: Indices) -> tuple[Indices, Indices]:
@@ -54,6 +55,6 @@ def _shapes(rate_hz: float) -> tuple[int, Indices, Array]:
     begin, end = begin[use], end[use]
     rise = np.clip((time_s[:, None] - begin) / (end - begin), 0.0, 1.0)
     rise -= bell @ rise / bell.sum()
-    rise *= bell[:, None] / np.sqrt(bell @ np.square(rise))
+    rise *= bell[:, None] / np.sqrt(np.maximum(bell @ np.square(rise), _NO_RISE))
     edges = np.round(np.column_stack([begin, end]) * rate_hz).astype(np.intp)
     return reach, edges, rise
