@@ -28,7 +28,7 @@ MAX_MAGNITUDE = 1e9
 MAX_TIME_S = 1e10
 """No time stamp is farther from zero; nanoseconds since 1970 read as seconds are."""
 
-MIN_STEP_S, MAX_STEP_S = 1e-10, 10.0
+MIN_STEP_S, MAX_STEP_S = 1e-10, 100.0
 """No recorder is faster, and over longer steps no motion of a tool can be followed."""
 
 _GAP_STEPS = 8.0
