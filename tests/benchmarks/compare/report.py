@@ -65,7 +65,7 @@ def draw(scores: Scores, times: Times, made: set[str], path: Path) -> None:
     figure.legend(*accuracy.get_legend_handles_labels(), loc="outside lower center", ncols=4)
     scale = "log" if times else "linear"
     speed.set(xscale=scale, yscale=scale, xlabel="recording [s]", ylabel="processor time [s]")
-    speed.set_title("others given 25 Hz (solid), every sample (dashed)", fontsize=10)
+    speed.set_title("others given 25 Hz: solid\nevery sample: dashed", fontsize=10)
     for axes in (accuracy, speed):
         axes.grid(color="#dfe4ea", lw=0.6)
         axes.spines[["top", "right"]].set_visible(False)
