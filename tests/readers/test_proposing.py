@@ -124,53 +124,36 @@ STILL_TURN = np.tile([0.0, 1.0, 0.0, 0.0], (50, 1)) + 1e-4 * np.sin(np.arange(20
 PATH = np.array([0.4, 0.0, 0.1]) + np.outer(np.arange(50), [1e-3, 2e-3, -1e-4])
 
 
+def axes(name: str) -> list[str]:
+    return [name.format(axis) for axis in "xyz"]
+
+
 @pytest.mark.parametrize(
-    ("columns", "role", "chosen"),
+    ("role", "chosen", "columns"),
     [
-        (  # the height and three of a tool that hardly turns have a norm near one, too
-            {"pos": "px py pz", "turn": "qw qx qy qz"},
-            "quaternion",
-            "qw qx qy qz",
-        ),
+        # The height and three of a tool that hardly turns have a norm near one, too.
+        ("quaternion", "turn", {"path": axes("p{}"), "turn": ["qw", "qx", "qy", "qz"]}),
+        ("quaternion", "turn", {"path": axes("pose.{}"), "turn": ["o.w", "o.x", "o.y", "o.z"]}),
+        ("position", "path", {"aim": axes("ee_des_{}"), "path": axes("ee_{}")}),
+        ("position", "path", {"aim": axes("x_des_{}"), "path": axes("x_act_{}")}),
+        ("position", "path", {"aim": axes("object_{}"), "path": axes("gripper_{}")}),
         (
-            {"pos": "pose.x pose.y pose.z", "turn": "ori.w ori.x ori.y ori.z"},
-            "quaternion",
-            "ori.w ori.x ori.y ori.z",
-        ),
-        ({"aim": "ee_des_x ee_des_y ee_des_z", "pos": "ee_x ee_y ee_z"}, "position", "ee_x"),
-        (
-            {"aim": "x_des_x x_des_y x_des_z", "pos": "x_act_x x_act_y x_act_z"},
-            "position",
-            "x_act_x",
-        ),
-        (
-            {"aim": "object_x object_y object_z", "pos": "gripper_x gripper_y gripper_z"},
-            "position",
-            "gripper_x",
-        ),
-        (
-            {
-                "pos": "x_x x_y x_z",
-                "aim": "f_des_x f_des_y f_des_z",
-                "push": "f_act_x f_act_y f_act_z",
-            },
             "force",
-            "f_act_x",
+            "push",
+            {"path": axes("x_{}"), "aim": axes("f_des_{}"), "push": axes("f_act_{}")},
         ),
     ],
-    ids=lambda value: value if isinstance(value, str) else "",
 )
 def test_what_was_measured_of_the_tool_is_proposed(
-    tmp_path: Path, columns: dict[str, str], role: str, chosen: str
+    tmp_path: Path, role: str, chosen: str, columns: dict[str, list[str]]
 ) -> None:
     """Beside aims, other things and numbers that only look alike."""
-    values = {"pos": PATH, "aim": PATH + 0.01, "turn": STILL_TURN, "push": 9.0 * PATH}
-    names = ["t", *" ".join(columns.values()).split()]
+    values = {"path": PATH, "aim": PATH + 0.01, "turn": STILL_TURN, "push": 9.0 * PATH}
+    names = ["t", *(name for group in columns.values() for name in group)]
     rows = np.hstack([np.arange(50)[:, None] / 100, *(values[kind] for kind in columns)])
     path = tmp_path / "log.csv"
     np.savetxt(path, rows, "%.6f", ",", header=",".join(names), comments="")
 
     guess = next(one for one in propose(path).guesses if one.role == role)
-    found = [names[column] for column in guess.columns]
 
-    assert found[: len(chosen.split())] == chosen.split()
+    assert [names[column] for column in guess.columns] == columns[chosen]
